@@ -1,0 +1,248 @@
+"""The way of a sound, on one page: samples -> frames -> spectra -> features -> phonemes.
+
+Live and offline are the same: live pushes the few samples since the last tick, a file pushes blocks of 512
+frames, and the result does not depend on how the sound was cut.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.dsp.filters import (
+    FrequencyShaper,
+    TimeSmoother,
+    denoise,
+    high_pass_gains,
+    low_pass_gains,
+    normalise,
+)
+from engine.dsp.framing import Framer
+from engine.dsp.mel import mel_edges, mel_spectra_of
+from engine.dsp.pitch import fundamental_of
+from engine.dsp.spectrum import amplitudes_of, waveforms_of
+from engine.features.measure import BandMeter, Features, peak_levels_of, zero_crossings_of
+from engine.features.variables import BAND_VARIABLES, WHOLE_FRAME_VARIABLES, Spectrum
+from engine.presets.preset import Preset
+from engine.recognition.recogniser import Recogniser, recogniser_of
+from engine.recognition.statistics import Statistics
+from engine.settings import BIN_WIDTH, FRAME_PERIOD, AnalysisSettings, Filter
+
+BLOCK = 512
+"""Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
+
+VOLUME = WHOLE_FRAME_VARIABLES.index("volume")
+
+Block = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """What was found in a block of frames.
+
+    Attributes
+    ----------
+    start : number of the first frame, counted from the beginning of the sound.
+    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters, bin k at k x 21.53 Hz.
+    mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
+    waveform : float32, shape (n_samples,): the newest window after the filters of the time domain.
+    features : the measured variables.
+    recognised : uint8, shape (n_frames,): codes of `Phoneme`, as the recogniser says.
+    phonemes : uint8, shape (n_frames,): the same after the statistics.
+    intensities : float32, shape (n_frames,): 0..1 from the peak level.
+    """
+
+    start: int
+    spectra: Block
+    mel: Block | None
+    waveform: Block
+    features: Features
+    recognised: NDArray[np.uint8]
+    phonemes: NDArray[np.uint8]
+    intensities: Block
+
+    def __len__(self) -> int:
+        return len(self.phonemes)
+
+    @property
+    def times(self) -> NDArray[np.float64]:
+        """Middle of each frame in seconds, shape (n_frames,)."""
+        return (self.start + np.arange(len(self)) + 0.5) * FRAME_PERIOD
+
+
+class SpectrumPath:
+    """The filters of one front end, from raw frames to measured variables; remembers the time smoothing."""
+
+    def __init__(self, preset: Preset, *, pitch: bool) -> None:
+        settings = preset.settings
+        variables = (*BAND_VARIABLES, *preset.variables)
+        bins = np.arange(settings.n_bins) * BIN_WIDTH
+        bands = mel_edges(settings.mel_bands, settings.n_bins * BIN_WIDTH)[1:-1]
+        blur = settings.frequency_smooth if settings.has(Filter.FREQUENCY_SMOOTH) else 0.0
+        self.names = (*WHOLE_FRAME_VARIABLES, *(v.name for v in variables))
+        self.smoother = TimeSmoother(settings.time_smooth)
+        self._settings = settings
+        self._pitch = pitch
+        self._shaper = FrequencyShaper(blur, _gains_of(settings))
+        self._meters = {s: BandMeter(variables, s, bands if s is Spectrum.MEL else bins) for s in Spectrum}
+        self._smooths = settings.has(Filter.TIME_SMOOTH) and settings.time_smooth > 0
+        self._denoises = settings.has(Filter.DENOISE) and settings.denoise_threshold > 0
+        self._normalises = settings.has(Filter.NORMALISE)
+        self._sees_mel = settings.has(Filter.MEL)
+
+    def push(self, frames: Block) -> tuple[Block, Block | None, Block, Features]:
+        """Give the final spectra, the mel spectra, the newest waveform and the features of raw frames."""
+        values = np.zeros((len(frames), len(self.names)), np.float32)
+        bands = values[:, len(WHOLE_FRAME_VARIABLES) :]
+
+        waves = waveforms_of(frames, self._settings)
+        spectra = amplitudes_of(waves, self._settings.window_in_force)
+        self._meters[Spectrum.RAW].measure(spectra, bands)
+        spectra = self._shaper.shape(spectra)
+        if self._smooths:
+            spectra = self.smoother.push(spectra)
+        self._meters[Spectrum.FILTERED].measure(spectra, bands)
+        values[:, 0] = zero_crossings_of(frames)
+        values[:, 1] = peak_levels_of(frames)
+        np.add.reduce(spectra, axis=1, out=values[:, 2])
+        np.maximum.reduce(spectra, axis=1, out=values[:, 3])
+        if self._pitch:
+            values[:, 4] = fundamental_of(frames)
+        if self._denoises:
+            spectra = denoise(spectra, self._settings.denoise_threshold)
+        mel = mel_spectra_of(spectra, self._settings.mel_bands, BIN_WIDTH) if self._sees_mel else None
+        if self._normalises:
+            spectra = normalise(spectra)
+            mel = None if mel is None else normalise(mel)
+        self._meters[Spectrum.NORMALISED].measure(spectra, bands)
+        if mel is not None:
+            self._meters[Spectrum.MEL].measure(mel, bands)
+        return spectra, mel, waves[-1], Features(self.names, values)
+
+
+def _gains_of(settings: AnalysisSettings) -> Block:
+    gains = np.ones(settings.n_bins, np.float32)
+    if settings.has(Filter.HIGH_PASS):
+        gains *= high_pass_gains(len(gains), BIN_WIDTH, settings.high_pass_start, settings.high_pass_end)
+    if settings.has(Filter.LOW_PASS):
+        gains *= low_pass_gains(len(gains), BIN_WIDTH, settings.low_pass_start, settings.low_pass_end)
+    return gains
+
+
+def intensities_of(levels: Block, low: float, high: float) -> Block:
+    """Map peak levels (0..1) to intensities: 0 at `low` dB below full scale, 1 at `high`, linear in dB."""
+    slope = 1 / max(high - low, 1e-6)
+    rising = np.log10(levels + np.float32(1e-9)) * np.float32(20 * slope) - np.float32(low * slope)
+    return np.minimum(np.maximum(rising, np.float32(0)), np.float32(1))
+
+
+class Analyser:
+    """Follows one sound: push its samples as they come, get what was found in the frames they complete.
+
+    Parameters
+    ----------
+    preset : what to recognise with.
+    pitch : measure `f0` too, which no rule needs; without it `f0` reads 0.
+    """
+
+    def __init__(self, preset: Preset, *, pitch: bool = False) -> None:
+        self._pitch = pitch
+        self._preset = preset
+        self._framer = Framer()
+        self._path = SpectrumPath(preset, pitch=pitch)
+        self._recogniser = recogniser_of(preset.recogniser, preset.thresholds)
+        self._statistics = _statistics_of(preset)
+        self._n_frames = 0
+
+    @property
+    def preset(self) -> Preset:
+        """What is recognised with."""
+        return self._preset
+
+    @property
+    def recogniser(self) -> Recogniser:
+        """The recogniser in use; its `explain` says why."""
+        return self._recogniser
+
+    def use(self, preset: Preset) -> None:
+        """Go on with another preset from the next frame; what need not change remembers its past."""
+        old = self._preset
+        self._preset = preset
+        self._recogniser = recogniser_of(preset.recogniser, preset.thresholds)
+        if (preset.settings, preset.variables) != (old.settings, old.variables):
+            last = self._path.smoother.last
+            self._path = SpectrumPath(preset, pitch=self._pitch)
+            self._path.smoother.last = last
+        if _statistics_key(preset) != _statistics_key(old):
+            self._statistics = _statistics_of(preset)
+
+    def push(self, samples: Block) -> Analysis:
+        """Take the next samples (float32, shape (n,), 44.1 kHz, ±1) and analyse the frames they complete."""
+        return self._analyse(self._framer.push(samples))
+
+    def finish(self) -> Analysis:
+        """Analyse the last frames, with silence after the end of the sound."""
+        return self._analyse(self._framer.finish())
+
+    def _analyse(self, frames: Block) -> Analysis:
+        blocks = [self._analyse_block(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
+        return blocks[0] if len(blocks) == 1 else self._join(blocks)
+
+    def _analyse_block(self, frames: Block) -> Analysis:
+        settings = self._preset.settings
+        spectra, mel, waveform, features = self._path.push(frames)
+        recognised = self._recogniser.recognise(features)
+        phonemes = self._statistics.push(recognised) if settings.statistics else recognised
+        levels = features.values[:, VOLUME]
+        intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
+        start, self._n_frames = self._n_frames, self._n_frames + len(frames)
+        return Analysis(start, spectra, mel, waveform, features, recognised, phonemes, intensities)
+
+    def _join(self, blocks: list[Analysis]) -> Analysis:
+        blocks = blocks or [self._nothing()]
+        features = Features(self._path.names, np.concatenate([b.features.values for b in blocks]))
+        return Analysis(
+            start=blocks[0].start,
+            spectra=np.concatenate([b.spectra for b in blocks]),
+            mel=None if blocks[0].mel is None else np.concatenate([b.mel for b in blocks if b.mel is not None]),
+            waveform=blocks[-1].waveform,
+            features=features,
+            recognised=np.concatenate([b.recognised for b in blocks]),
+            phonemes=np.concatenate([b.phonemes for b in blocks]),
+            intensities=np.concatenate([b.intensities for b in blocks]),
+        )
+
+    def _nothing(self) -> Analysis:
+        settings = self._preset.settings
+        codes = np.zeros(0, np.uint8)
+        return Analysis(
+            start=self._n_frames,
+            spectra=np.zeros((0, settings.n_bins), np.float32),
+            mel=np.zeros((0, settings.mel_bands), np.float32) if settings.has(Filter.MEL) else None,
+            waveform=np.zeros(settings.n_samples, np.float32),
+            features=Features(self._path.names, np.zeros((0, len(self._path.names)), np.float32)),
+            recognised=codes,
+            phonemes=codes,
+            intensities=np.zeros(0, np.float32),
+        )
+
+
+def _statistics_key(preset: Preset) -> object:
+    return preset.settings.statistics, preset.settings.minimum_hold, preset.successors
+
+
+def _statistics_of(preset: Preset) -> Statistics:
+    return Statistics(preset.settings.minimum_hold, preset.successors)
+
+
+def analyses_of(blocks: Iterable[Block], preset: Preset, *, pitch: bool = False) -> Iterator[Analysis]:
+    """Analyse a whole sound, given as consecutive blocks of samples; ends with the frames at its end."""
+    analyser = Analyser(preset, pitch=pitch)
+    for block in blocks:
+        analysis = analyser.push(block)
+        if len(analysis):
+            yield analysis
+    analysis = analyser.finish()
+    if len(analysis):
+        yield analysis

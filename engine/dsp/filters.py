@@ -1,0 +1,105 @@
+"""The filters: on waveforms (pre-emphasis) and on amplitude spectra (all others).
+
+Every function takes and gives float32 blocks of shape (n_frames, n_bins) and leaves its input as it is.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Block = NDArray[np.float32]
+
+
+def pre_emphasis(waves: Block, a: float) -> Block:
+    """Raise high frequencies: ``x[n] - a x[n-1]``, with x[-1] = x[0] so that a constant gives no edge."""
+    out = waves.copy()
+    out[:, 1:] -= np.float32(a) * waves[:, :-1]
+    out[:, 0] -= np.float32(a) * waves[:, 0]
+    return out
+
+
+class FrequencyShaper:
+    """Blurs over frequency and applies the ramps of the pass filters, in one go.
+
+    All three are linear in the spectrum, so together they are one weight for a bin and one for each neighbour.
+    At blur strength 0 nothing is blurred, at 1 every bin is the mean of three; the border repeats, so a flat
+    spectrum stays flat.
+
+    Parameters
+    ----------
+    strength : of the blur, 0..1.
+    gains : of the ramps, shape (n_bins,).
+    """
+
+    def __init__(self, strength: float, gains: Block) -> None:
+        side = strength / 3
+        centre = np.full(len(gains), 1 - 2 * side)
+        centre[[0, -1]] += side
+        self._centre = (centre * gains).astype(np.float32)
+        self._below = (side * gains[1:]).astype(np.float32)
+        self._above = (side * gains[:-1]).astype(np.float32)
+        self._blurs = strength > 0
+        self._changes = self._blurs or bool(np.any(gains != 1))
+
+    def shape(self, spectra: Block) -> Block:
+        """Give the shaped spectra; the input stays as it is."""
+        if not self._changes:
+            return spectra
+        out = spectra * self._centre
+        if self._blurs:
+            out[:, 1:] += self._below * spectra[:, :-1]
+            out[:, :-1] += self._above * spectra[:, 1:]
+        return out
+
+
+class TimeSmoother:
+    """Blurs each spectrum with the blurred one before it: ``y[k] = strength y[k-1] + (1 - strength) x[k]``.
+
+    The sound begins after silence, so the first y is ``(1 - strength) x``. A block is smoothed by doubling: every
+    pass adds what lies 1, 2, 4, 8... frames back, until that no longer counts.
+    """
+
+    NEGLIGIBLE = 1e-9
+
+    def __init__(self, strength: float) -> None:
+        self.last: Block | None = None
+        self._strength = strength
+
+    def push(self, spectra: Block) -> Block:
+        """Smooth the next spectra."""
+        out = spectra * np.float32(1 - self._strength)
+        if self.last is not None and len(self.last) == spectra.shape[1]:
+            out[0] += np.float32(self._strength) * self.last
+        reach, weight = 1, self._strength
+        while reach < len(out) and weight > self.NEGLIGIBLE:
+            out[reach:] += np.float32(weight) * out[:-reach]
+            reach, weight = 2 * reach, weight * weight
+        self.last = out[-1]
+        return out
+
+
+def _ramp(n_bins: int, bin_width: float, start: float, end: float) -> Block:
+    frequencies = np.arange(n_bins) * bin_width
+    if end <= start:
+        return (frequencies >= start).astype(np.float32)
+    return np.clip((frequencies - start) / (end - start), 0, 1).astype(np.float32)
+
+
+def high_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Block:
+    """Give a gain per bin, shape (n_bins,), that rises from 0 at `start` to 1 at `end` (Hz)."""
+    return _ramp(n_bins, bin_width, start, end)
+
+
+def low_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Block:
+    """Give a gain per bin, shape (n_bins,), that falls from 1 at `start` to 0 at `end` (Hz)."""
+    return 1 - _ramp(n_bins, bin_width, start, end)
+
+
+def denoise(spectra: Block, threshold: float) -> Block:
+    """Set amplitudes below `threshold` (0..1) to 0."""
+    return spectra * (spectra >= np.float32(threshold))
+
+
+def normalise(spectra: Block) -> Block:
+    """Divide each spectrum by its largest amplitude; a silent one stays 0."""
+    peaks = np.maximum.reduce(spectra, axis=1, keepdims=True)
+    return spectra / np.maximum(peaks, np.finfo(np.float32).tiny)

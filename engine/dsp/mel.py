@@ -1,0 +1,49 @@
+"""A mel filter bank: triangular filters, equally spaced and overlapping by half on the HTK mel scale.
+
+``mel = 2595 log10(1 + f / 700)`` (S. Young et al., The HTK Book, section 5.4). Each triangle has height 1 and
+its value is the weighted mean of the amplitudes under it, so that a flat spectrum stays flat.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def mel_of(frequency: NDArray[np.float64] | float) -> NDArray[np.float64]:
+    """Convert hertz to mel (HTK)."""
+    return np.asarray(2595 * np.log10(1 + np.asarray(frequency) / 700))
+
+
+def frequency_of(mel: NDArray[np.float64] | float) -> NDArray[np.float64]:
+    """Convert mel (HTK) to hertz."""
+    return np.asarray(700 * (10 ** (np.asarray(mel) / 2595) - 1))
+
+
+def mel_edges(n_bands: int, highest: float) -> NDArray[np.float64]:
+    """Give the corners of the triangles in Hz, shape (n_bands + 2,): band b spans edges b..b+2, peak b+1."""
+    return frequency_of(np.linspace(0, float(mel_of(highest)), n_bands + 2))
+
+
+@lru_cache(maxsize=32)
+def mel_bank(n_bands: int, n_bins: int, bin_width: float) -> NDArray[np.float32]:
+    """Give the weights of all filters, shape (n_bins, n_bands); each column sums to 1.
+
+    A band narrower than a bin takes the bin nearest to its peak.
+    """
+    frequencies = np.arange(n_bins) * bin_width
+    edges = mel_edges(n_bands, n_bins * bin_width)
+    low, peak, high = edges[:-2], edges[1:-1], edges[2:]
+    rising = (frequencies[:, None] - low) / (peak - low)
+    falling = (high - frequencies[:, None]) / (high - peak)
+    weights = np.maximum(0, np.minimum(rising, falling))
+    empty = np.flatnonzero(weights.sum(axis=0) == 0)
+    weights[np.round(peak[empty] / bin_width).astype(int), empty] = 1
+    bank = (weights / weights.sum(axis=0)).astype(np.float32)
+    bank.flags.writeable = False
+    return bank
+
+
+def mel_spectra_of(spectra: NDArray[np.float32], n_bands: int, bin_width: float) -> NDArray[np.float32]:
+    """See amplitude spectra through the bank: (n_frames, n_bins) -> (n_frames, n_bands), float32, 0..1."""
+    return spectra @ mel_bank(n_bands, spectra.shape[1], bin_width)

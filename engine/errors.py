@@ -1,0 +1,35 @@
+"""What the engine refuses, as one tree.
+
+EngineError
+├── SettingsError   a value that an analysis cannot work with
+├── AudioError      a sound that cannot be read
+│   └── DeviceError     a sound card that cannot be used
+├── PresetError     a preset or PhonemeData file that says something impossible
+└── CurveError      an averaged-spectrum file that cannot be read
+
+Every message is one sentence for the person at the screen: what is wrong, the limit, and what came.
+"""
+
+
+class EngineError(Exception):
+    """Anything the engine refuses; its text is fit to be shown."""
+
+
+class SettingsError(EngineError, ValueError):
+    """A setting lies outside its range."""
+
+
+class AudioError(EngineError):
+    """A sound cannot be read."""
+
+
+class DeviceError(AudioError):
+    """A sound card cannot be used."""
+
+
+class PresetError(EngineError, ValueError):
+    """A preset or PhonemeData file cannot be used."""
+
+
+class CurveError(EngineError, ValueError):
+    """A file of averaged spectra cannot be used."""

@@ -1,0 +1,1 @@
+"""Numbers become evidence: named variables measured on each frame."""

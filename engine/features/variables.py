@@ -1,0 +1,104 @@
+"""Variables: what is measured on a frame, and over which frequencies.
+
+The band variables are those of the thesis, given there as ranges of bins; the user adds others of the same kind.
+"""
+
+import math
+import re
+from dataclasses import dataclass
+from enum import StrEnum
+
+from engine.errors import SettingsError
+from engine.settings import BIN_WIDTH, SAMPLE_RATE
+
+
+class Kind(StrEnum):
+    """How the amplitudes of a range become one number."""
+
+    SUM = "sum"
+    MAX = "max"
+    MEAN = "mean"
+
+
+class Spectrum(StrEnum):
+    """Which spectrum a variable looks at.
+
+    ``raw`` comes straight from the Fourier transform, ``filtered`` has passed smoothing and the two pass filters,
+    ``normalised`` has passed all filters that are on, ``mel`` is what the mel bank gives (always 0 while it is off).
+    """
+
+    RAW = "raw"
+    FILTERED = "filtered"
+    NORMALISED = "normalised"
+    MEL = "mel"
+
+
+_NAME = re.compile(r"[a-z][a-z0-9_]*")
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One measured number: the sum, maximum or mean of a spectrum's amplitudes over a frequency range.
+
+    Parameters
+    ----------
+    name : lower-case letters, digits and underscores.
+    low, high : the range in Hz, both ends included.
+    kind : sum, max or mean.
+    source : which spectrum.
+
+    Raises
+    ------
+    SettingsError : the name or the range is impossible.
+    """
+
+    name: str
+    low: float
+    high: float
+    kind: Kind = Kind.SUM
+    source: Spectrum = Spectrum.NORMALISED
+
+    def __post_init__(self) -> None:
+        if not _NAME.fullmatch(self.name):
+            raise SettingsError(
+                f"a variable's name must be lower-case letters, digits and underscores, got {self.name!r}"
+            )
+        if not 0 <= self.low <= self.high <= SAMPLE_RATE / 2:
+            raise SettingsError(
+                f"{self.name} must range within 0..{SAMPLE_RATE / 2:g} Hz and upwards, "
+                f"got {self.low:g}..{self.high:g} Hz"
+            )
+
+    def bins(self, n_bins: int) -> slice:
+        """Give the bins whose centre lies in the range, cut to those that a spectrum has."""
+        return slice(math.ceil(self.low / BIN_WIDTH), min(math.floor(self.high / BIN_WIDTH) + 1, n_bins))
+
+
+def _of_bins(name: str, first: int, last: int, kind: Kind) -> Variable:
+    return Variable(name, first * BIN_WIDTH, last * BIN_WIDTH, kind)
+
+
+BAND_VARIABLES: tuple[Variable, ...] = (
+    Variable("energy_n", 0, SAMPLE_RATE / 2, Kind.SUM),
+    _of_bins("m_szsch1", 80, 130, Kind.SUM),
+    _of_bins("m_s1", 175, 240, Kind.SUM),
+    _of_bins("m_p1", 3, 5, Kind.SUM),
+    _of_bins("m_p2", 200, 220, Kind.MAX),
+    _of_bins("m_ae1", 50, 100, Kind.MAX),
+    _of_bins("m_a1", 12, 27, Kind.SUM),
+    _of_bins("m_o1", 8, 18, Kind.SUM),
+)
+
+WHOLE_FRAME_VARIABLES = ("zero_crossings", "volume", "energy", "max_energy", "f0")
+"""What is measured on the window or on the whole spectrum: a count, 0..1, amplitudes, an amplitude, Hz."""
+
+BUILT_IN_NAMES = (*WHOLE_FRAME_VARIABLES, *(v.name for v in BAND_VARIABLES))
+
+
+def check_user_variables(variables: tuple[Variable, ...]) -> None:
+    """Refuse names that are built in or stand twice (`SettingsError`)."""
+    seen = set(BUILT_IN_NAMES)
+    for variable in variables:
+        if variable.name in seen:
+            raise SettingsError(f"a variable named {variable.name} exists already; choose another name")
+        seen.add(variable.name)

@@ -1,0 +1,1 @@
+"""Evidence becomes a name: recognisers, and the statistics that calm them."""

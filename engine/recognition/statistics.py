@@ -1,0 +1,43 @@
+"""The statistics step: a phoneme stays a minimum time, and an unidentified frame takes the likeliest successor."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.phonemes import Phoneme
+from engine.settings import FRAME_PERIOD
+
+SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType({p: p for p in Phoneme})
+"""What most often follows each phoneme where the rules say nothing."""
+
+
+class Statistics:
+    """Calms a stream of phonemes; looks only back.
+
+    Parameters
+    ----------
+    minimum_hold : seconds that a phoneme stays at least before another may follow.
+    successors : the phoneme that replaces an unidentified frame after each phoneme.
+    """
+
+    def __init__(self, minimum_hold: float, successors: Mapping[Phoneme, Phoneme] = SUCCESSORS) -> None:
+        self._least = max(1, round(minimum_hold / FRAME_PERIOD))
+        self._successors = [int(successors.get(p, p)) for p in Phoneme]
+        self._current = int(Phoneme.SILENCE)
+        self._held = self._least
+
+    def push(self, phonemes: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """Take the next phonemes, shape (n_frames,), and give the calmed ones."""
+        current, held = self._current, self._held
+        unidentified = int(Phoneme.UNIDENTIFIED)
+        out = []
+        for raw in phonemes.tolist():
+            wanted = self._successors[current] if raw == unidentified else raw
+            if wanted != current and held >= self._least:
+                current, held = wanted, 0
+            held += 1
+            out.append(current)
+        self._current, self._held = current, held
+        return np.array(out, np.uint8)

@@ -1,0 +1,176 @@
+"""What one analysis agrees on: the fixed grid of frames, and the filters with their parameters."""
+
+import math
+from dataclasses import dataclass
+from enum import StrEnum
+
+from engine.errors import SettingsError
+
+SAMPLE_RATE = 44_100
+"""Samples per second of everything that is analysed; other rates are resampled to it."""
+
+WINDOW = 2048
+"""Samples under one frame (46.4 ms)."""
+
+HOP = 441
+"""Samples from one frame to the next (10 ms)."""
+
+FRAME_PERIOD = HOP / SAMPLE_RATE
+"""Seconds from one frame to the next."""
+
+BIN_WIDTH = SAMPLE_RATE / WINDOW
+"""Hertz from one bin to the next (21.53), whatever the quantisation."""
+
+
+class Filter(StrEnum):
+    """The steps that can be switched on and off, in the order in which the sound passes them."""
+
+    QUANTISE = "quantise"
+    PRE_EMPHASIS = "pre_emphasis"
+    WINDOW_FUNCTION = "window_function"
+    FREQUENCY_SMOOTH = "frequency_smooth"
+    TIME_SMOOTH = "time_smooth"
+    HIGH_PASS = "high_pass"
+    LOW_PASS = "low_pass"
+    DENOISE = "denoise"
+    MEL = "mel"
+    NORMALISE = "normalise"
+
+
+class Decimation(StrEnum):
+    """How quantising drops samples: ``plain`` folds high frequencies down, ``anti_aliased`` removes them."""
+
+    PLAIN = "plain"
+    ANTI_ALIASED = "anti_aliased"
+
+
+class WindowFunction(StrEnum):
+    """The weight that each sample of a frame gets before the Fourier transform."""
+
+    RECTANGLE = "rectangle"
+    BARTLETT = "bartlett"
+    HANN = "hann"
+    HAMMING = "hamming"
+    BLACKMAN_HARRIS = "blackman_harris"
+
+
+class Channel(StrEnum):
+    """Which channel of a stereo sound is analysed."""
+
+    MIX = "mix"
+    LEFT = "left"
+    RIGHT = "right"
+
+
+QUANTISATIONS = (1, 2, 4)
+THESIS_FILTERS = frozenset(
+    {Filter.QUANTISE, Filter.FREQUENCY_SMOOTH, Filter.TIME_SMOOTH, Filter.HIGH_PASS, Filter.DENOISE, Filter.NORMALISE}
+)
+
+# name: (lowest, highest, unit) of every parameter that is a plain number
+LIMITS: dict[str, tuple[float, float, str]] = {
+    "pre_emphasis": (0.0, 1.0, ""),
+    "frequency_smooth": (0.0, 1.0, ""),
+    "time_smooth": (0.0, 1.0, ""),
+    "high_pass_start": (0.0, SAMPLE_RATE / 2, "Hz"),
+    "high_pass_end": (0.0, SAMPLE_RATE / 2, "Hz"),
+    "low_pass_start": (0.0, SAMPLE_RATE / 2, "Hz"),
+    "low_pass_end": (0.0, SAMPLE_RATE / 2, "Hz"),
+    "denoise_threshold": (0.0, 1.0, ""),
+    "mel_bands": (4, 80, "bands"),
+    "minimum_hold": (0.0, 1.0, "s"),
+    "intensity_low": (-120.0, 0.0, "dB"),
+    "intensity_high": (-120.0, 0.0, "dB"),
+}
+
+
+@dataclass(frozen=True)
+class AnalysisSettings:
+    """Every choice between the raw window and the recogniser's answer.
+
+    A filter acts only while it is in `filters`; its parameters stay when it is switched off.
+
+    Parameters
+    ----------
+    filters : the filters that are on.
+    quantise : keep every n-th sample, n in 1, 2, 4.
+    decimation : whether quantising folds (plain) or is band-limited first.
+    pre_emphasis : a of ``x[n] - a x[n-1]``, 0..1.
+    window_function : the weighting while `Filter.WINDOW_FUNCTION` is on; off means rectangle.
+    frequency_smooth, time_smooth : strengths of the two blurs, 0..1.
+    high_pass_start, high_pass_end : the ramp rises from 0 to 1 between them, Hz.
+    low_pass_start, low_pass_end : the ramp falls from 1 to 0 between them, Hz.
+    denoise_threshold : amplitudes below it become 0; full scale is 1.
+    mel_bands : number of triangular filters of the mel bank, 4..80.
+    statistics : whether flicker is held and unidentified frames are replaced.
+    minimum_hold : least time that a phoneme stays, seconds.
+    intensity_low, intensity_high : peak levels at which the intensity is 0 and 1, dB below full scale.
+
+    Raises
+    ------
+    SettingsError : a value lies outside its range.
+    """
+
+    filters: frozenset[Filter] = THESIS_FILTERS
+    quantise: int = 4
+    decimation: Decimation = Decimation.PLAIN
+    pre_emphasis: float = 0.97
+    window_function: WindowFunction = WindowFunction.HAMMING
+    frequency_smooth: float = 0.0
+    time_smooth: float = 0.0
+    high_pass_start: float = 100.0
+    high_pass_end: float = 150.0
+    low_pass_start: float = 10_000.0
+    low_pass_end: float = 11_000.0
+    denoise_threshold: float = 0.0
+    mel_bands: int = 40
+    statistics: bool = True
+    minimum_hold: float = 0.03
+    intensity_low: float = -45.0
+    intensity_high: float = -6.0
+
+    def __post_init__(self) -> None:
+        if self.quantise not in QUANTISATIONS:
+            raise SettingsError(f"quantise must be one of 1, 2, 4, got {self.quantise}")
+        for name, (low, high, unit) in LIMITS.items():
+            value = getattr(self, name)
+            if not (math.isfinite(value) and low <= value <= high):
+                raise SettingsError(f"{name} must lie in {low:g}..{high:g} {unit}".rstrip() + f", got {value:g}")
+        self._check_order("high_pass_start", "high_pass_end")
+        self._check_order("low_pass_start", "low_pass_end")
+        self._check_order("intensity_low", "intensity_high")
+
+    def _check_order(self, lower: str, upper: str) -> None:
+        low, high = getattr(self, lower), getattr(self, upper)
+        if low > high:
+            raise SettingsError(f"{lower} must not exceed {upper}, got {low:g} above {high:g}")
+
+    def has(self, step: Filter) -> bool:
+        """Say whether a filter is on."""
+        return step in self.filters
+
+    @property
+    def step(self) -> int:
+        """Keep every `step`-th sample: the quantisation in force, 1 while the filter is off."""
+        return self.quantise if self.has(Filter.QUANTISE) else 1
+
+    @property
+    def n_samples(self) -> int:
+        """Samples of a window after quantising."""
+        return WINDOW // self.step
+
+    @property
+    def n_bins(self) -> int:
+        """Amplitudes of a spectrum: 256, 512 or 1024."""
+        return self.n_samples // 2
+
+    @property
+    def window_in_force(self) -> WindowFunction:
+        """The window function that is applied now."""
+        return self.window_function if self.has(Filter.WINDOW_FUNCTION) else WindowFunction.RECTANGLE
+
+    def front_end(self) -> str:
+        """Describe in a few words what shaped the spectra, for curve files and legends."""
+        quantised = f"quantise {self.step} {self.decimation}" if self.step > 1 else "quantise off"
+        steps = [f.value for f in Filter if self.has(f) and f is not Filter.QUANTISE]
+        return ", ".join([quantised, *steps]).replace("window_function", f"window {self.window_function}")

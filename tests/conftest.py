@@ -1,0 +1,16 @@
+"""What all tests share."""
+
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+CORPUS = ROOT.parent / "shared" / "corpus"
+
+
+@pytest.fixture(scope="session")
+def corpus() -> Path:
+    """The labelled development corpus, which only the founders' machines have."""
+    if not (CORPUS / "manifest.csv").exists():
+        pytest.skip("the development corpus is not on this machine")
+    return CORPUS
