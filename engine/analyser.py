@@ -5,7 +5,7 @@ frames, and the result does not depend on how the sound was cut.
 """
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,7 +68,21 @@ class Analysis:
     @property
     def times(self) -> NDArray[np.float64]:
         """Middle of each frame in seconds, shape (n_frames,)."""
-        return (self.start + np.arange(len(self)) + 0.5) * FRAME_PERIOD
+        return (self.start + np.arange(len(self), dtype=float) + 0.5) * FRAME_PERIOD
+
+    def part(self, frames: slice) -> "Analysis":
+        """Give some of the frames of the block, as a block."""
+        first, last, _ = frames.indices(len(self))
+        return replace(
+            self,
+            start=self.start + first,
+            spectra=self.spectra[first:last],
+            mel=None if self.mel is None else self.mel[first:last],
+            features=Features(self.features.names, self.features.values[first:last]),
+            recognised=self.recognised[first:last],
+            phonemes=self.phonemes[first:last],
+            intensities=self.intensities[first:last],
+        )
 
 
 class SpectrumPath:
@@ -77,7 +91,7 @@ class SpectrumPath:
     def __init__(self, preset: Preset, *, pitch: bool) -> None:
         settings = preset.settings
         variables = (*BAND_VARIABLES, *preset.variables)
-        bins = np.arange(settings.n_bins) * BIN_WIDTH
+        bins = np.arange(settings.n_bins, dtype=float) * BIN_WIDTH
         bands = mel_edges(settings.mel_bands, settings.n_bins * BIN_WIDTH)[1:-1]
         blur = settings.frequency_smooth if settings.has(Filter.FREQUENCY_SMOOTH) else 0.0
         self.names = (*WHOLE_FRAME_VARIABLES, *(v.name for v in variables))
@@ -102,6 +116,8 @@ class SpectrumPath:
         spectra = self._shaper.shape(spectra)
         if self._smooths:
             spectra = self.smoother.push(spectra)
+        else:
+            self.smoother.last = spectra[-1]
         self._meters[Spectrum.FILTERED].measure(spectra, bands)
         values[:, 0] = zero_crossings_of(frames)
         values[:, 1] = peak_levels_of(frames)
@@ -134,7 +150,8 @@ def intensities_of(levels: Block, low: float, high: float) -> Block:
     """Map peak levels (0..1) to intensities: 0 at `low` dB below full scale, 1 at `high`, linear in dB."""
     slope = 1 / max(high - low, 1e-6)
     rising = np.log10(levels + np.float32(1e-9)) * np.float32(20 * slope) - np.float32(low * slope)
-    return np.minimum(np.maximum(rising, np.float32(0)), np.float32(1))
+    intensities: Block = np.minimum(np.maximum(rising, np.float32(0)), np.float32(1))
+    return intensities
 
 
 class Analyser:
@@ -144,6 +161,10 @@ class Analyser:
     ----------
     preset : what to recognise with.
     pitch : measure `f0` too, which no rule needs; without it `f0` reads 0.
+
+    Attributes
+    ----------
+    n_frames : frames analysed so far.
     """
 
     def __init__(self, preset: Preset, *, pitch: bool = False) -> None:
@@ -153,7 +174,7 @@ class Analyser:
         self._path = SpectrumPath(preset, pitch=pitch)
         self._recogniser = recogniser_of(preset.recogniser, preset.thresholds)
         self._statistics = _statistics_of(preset)
-        self._n_frames = 0
+        self.n_frames = 0
 
     @property
     def preset(self) -> Preset:
@@ -196,7 +217,7 @@ class Analyser:
         phonemes = self._statistics.push(recognised) if settings.statistics else recognised
         levels = features.values[:, VOLUME]
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
-        start, self._n_frames = self._n_frames, self._n_frames + len(frames)
+        start, self.n_frames = self.n_frames, self.n_frames + len(frames)
         return Analysis(start, spectra, mel, waveform, features, recognised, phonemes, intensities)
 
     def _join(self, blocks: list[Analysis]) -> Analysis:
@@ -217,7 +238,7 @@ class Analyser:
         settings = self._preset.settings
         codes = np.zeros(0, np.uint8)
         return Analysis(
-            start=self._n_frames,
+            start=self.n_frames,
             spectra=np.zeros((0, settings.n_bins), np.float32),
             mel=np.zeros((0, settings.mel_bands), np.float32) if settings.has(Filter.MEL) else None,
             waveform=np.zeros(settings.n_samples, np.float32),

@@ -5,7 +5,8 @@ EngineError
 ├── AudioError      a sound that cannot be read
 │   └── DeviceError     a sound card that cannot be used
 ├── PresetError     a preset or PhonemeData file that says something impossible
-└── CurveError      an averaged-spectrum file that cannot be read
+├── CurveError      an averaged-spectrum file that cannot be read
+└── CorpusError     labelled recordings that cannot be read
 
 Every message is one sentence for the person at the screen: what is wrong, the limit, and what came.
 """
@@ -33,3 +34,7 @@ class PresetError(EngineError, ValueError):
 
 class CurveError(EngineError, ValueError):
     """A file of averaged spectra cannot be used."""
+
+
+class CorpusError(EngineError, ValueError):
+    """A folder of labelled recordings cannot be used."""

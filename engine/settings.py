@@ -64,7 +64,14 @@ class Channel(StrEnum):
 
 QUANTISATIONS = (1, 2, 4)
 THESIS_FILTERS = frozenset(
-    {Filter.QUANTISE, Filter.FREQUENCY_SMOOTH, Filter.TIME_SMOOTH, Filter.HIGH_PASS, Filter.DENOISE, Filter.NORMALISE}
+    {
+        Filter.QUANTISE,
+        Filter.FREQUENCY_SMOOTH,
+        Filter.TIME_SMOOTH,
+        Filter.HIGH_PASS,
+        Filter.DENOISE,
+        Filter.NORMALISE,
+    }
 )
 
 # name: (lowest, highest, unit) of every parameter that is a plain number

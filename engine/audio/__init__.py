@@ -1,1 +1,1 @@
-"""x"""
+"""Sound comes in: files now, sound cards and rings beside them."""

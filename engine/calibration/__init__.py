@@ -1,1 +1,1 @@
-"""x"""
+"""Labelled recordings: reading them, scoring against them, and fitting thresholds to them."""

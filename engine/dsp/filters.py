@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Block = NDArray[np.float32]
+TINY = np.float32(1e-37)
 
 
 def pre_emphasis(waves: Block, a: float) -> Block:
@@ -55,10 +56,9 @@ class TimeSmoother:
     """Blurs each spectrum with the blurred one before it: ``y[k] = strength y[k-1] + (1 - strength) x[k]``.
 
     The sound begins after silence, so the first y is ``(1 - strength) x``. A block is smoothed by doubling: every
-    pass adds what lies 1, 2, 4, 8... frames back, until that no longer counts.
+    pass adds what lies 1, 2, 4, 8... frames back, until float32 cannot hold its weight: normalising shows even the
+    faintest rest of a sound, so nothing may be left out earlier.
     """
-
-    NEGLIGIBLE = 1e-9
 
     def __init__(self, strength: float) -> None:
         self.last: Block | None = None
@@ -70,7 +70,7 @@ class TimeSmoother:
         if self.last is not None and len(self.last) == spectra.shape[1]:
             out[0] += np.float32(self._strength) * self.last
         reach, weight = 1, self._strength
-        while reach < len(out) and weight > self.NEGLIGIBLE:
+        while reach < len(out) and np.float32(weight) > 0:
             out[reach:] += np.float32(weight) * out[:-reach]
             reach, weight = 2 * reach, weight * weight
         self.last = out[-1]
@@ -80,8 +80,8 @@ class TimeSmoother:
 def _ramp(n_bins: int, bin_width: float, start: float, end: float) -> Block:
     frequencies = np.arange(n_bins) * bin_width
     if end <= start:
-        return (frequencies >= start).astype(np.float32)
-    return np.clip((frequencies - start) / (end - start), 0, 1).astype(np.float32)
+        return np.asarray(frequencies >= start, np.float32)
+    return np.asarray(np.clip((frequencies - start) / (end - start), 0, 1), np.float32)
 
 
 def high_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Block:
@@ -101,5 +101,5 @@ def denoise(spectra: Block, threshold: float) -> Block:
 
 def normalise(spectra: Block) -> Block:
     """Divide each spectrum by its largest amplitude; a silent one stays 0."""
-    peaks = np.maximum.reduce(spectra, axis=1, keepdims=True)
-    return spectra / np.maximum(peaks, np.finfo(np.float32).tiny)
+    peaks: Block = np.maximum.reduce(spectra, axis=1, keepdims=True)
+    return spectra / np.maximum(peaks, TINY)

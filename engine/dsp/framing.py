@@ -40,7 +40,7 @@ class Framer:
         float32, shape (n_frames, 2048): read-only overlapping views of one buffer; n_frames may be 0.
         """
         self.n_received += len(samples)
-        return self._frames_of(samples)
+        return self._frames_of(np.asarray(samples, np.float32))
 
     def finish(self) -> NDArray[np.float32]:
         """Give the frames that reach beyond the end of the sound, as if silence followed."""

@@ -7,17 +7,17 @@ its value is the weighted mean of the amplitudes under it, so that a flat spectr
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 
-def mel_of(frequency: NDArray[np.float64] | float) -> NDArray[np.float64]:
+def mel_of(frequency: ArrayLike) -> NDArray[np.float64]:
     """Convert hertz to mel (HTK)."""
-    return np.asarray(2595 * np.log10(1 + np.asarray(frequency) / 700))
+    return np.asarray(2595 * np.log10(1 + np.asarray(frequency, float) / 700))
 
 
-def frequency_of(mel: NDArray[np.float64] | float) -> NDArray[np.float64]:
+def frequency_of(mel: ArrayLike) -> NDArray[np.float64]:
     """Convert mel (HTK) to hertz."""
-    return np.asarray(700 * (10 ** (np.asarray(mel) / 2595) - 1))
+    return np.asarray(700 * (10 ** (np.asarray(mel, float) / 2595) - 1))
 
 
 def mel_edges(n_bands: int, highest: float) -> NDArray[np.float64]:
@@ -39,11 +39,22 @@ def mel_bank(n_bands: int, n_bins: int, bin_width: float) -> NDArray[np.float32]
     weights = np.maximum(0, np.minimum(rising, falling))
     empty = np.flatnonzero(weights.sum(axis=0) == 0)
     weights[np.round(peak[empty] / bin_width).astype(int), empty] = 1
-    bank = (weights / weights.sum(axis=0)).astype(np.float32)
+    bank = np.asarray(weights / weights.sum(axis=0), np.float32)
     bank.flags.writeable = False
     return bank
 
 
 def mel_spectra_of(spectra: NDArray[np.float32], n_bands: int, bin_width: float) -> NDArray[np.float32]:
     """See amplitude spectra through the bank: (n_frames, n_bins) -> (n_frames, n_bands), float32, 0..1."""
-    return spectra @ mel_bank(n_bands, spectra.shape[1], bin_width)
+    return np.asarray(spectra @ mel_bank(n_bands, spectra.shape[1], bin_width), np.float32)
+
+
+def spread_mel(mel: NDArray[np.float32], n_bins: int, bin_width: float) -> NDArray[np.float32]:
+    """Draw mel spectra on the linear axis: (n_frames, n_bands) -> (n_frames, n_bins), a step for each band.
+
+    Every bin shows the band whose peak is nearest in mel.
+    """
+    n_bands = mel.shape[1]
+    spacing = float(mel_of(n_bins * bin_width)) / (n_bands + 1)
+    nearest = np.round(mel_of(np.arange(n_bins) * bin_width) / spacing).astype(int) - 1
+    return mel[:, np.clip(nearest, 0, n_bands - 1)]

@@ -3,7 +3,8 @@
 The method is that of P. Boersma, "Accurate short-term analysis of the fundamental frequency and the
 harmonics-to-noise ratio of a sampled sound", IFA Proceedings 17 (1993): the autocorrelation of the windowed
 frame is divided by that of the window, and its highest peak, with a small bonus for short lags, is the period.
-It is the method behind Praat's pitch, here without the path search, since a live frame knows no future.
+It is the method behind Praat's pitch, here without the path search, since a live frame knows no future, and on
+the sound below 1.5 kHz only, at an eighth of the rate.
 """
 
 from functools import lru_cache
@@ -15,9 +16,11 @@ from engine.settings import SAMPLE_RATE, WINDOW
 
 LOWEST = 60.0
 HIGHEST = 500.0
-VOICING_THRESHOLD = 0.45
+VOICING_THRESHOLD = 0.55
 SILENCE_LEVEL = 0.001
 OCTAVE_BONUS = 0.04
+PASSED, STOPPED = 1500.0, 2000.0
+"""Between these frequencies (Hz) the sound fades out; what decimating folds down lies above them."""
 
 _STEP = 8
 _FINE = 2
@@ -36,7 +39,7 @@ def _inverse_transform() -> NDArray[np.float32]:
     """Give the cosines that turn power into the autocorrelation at lag 0 and at `_LAGS`, as a matrix.
 
     Lags finer than a sample interpolate exactly, since the power is band-limited. All but lag 0 are already
-    divided by the autocorrelation of the window.
+    divided by the autocorrelation of the window; power above `PASSED` fades out.
     """
     from scipy.fft import rfft  # noqa: PLC0415 - half a second that a window should not wait for
 
@@ -45,7 +48,9 @@ def _inverse_transform() -> NDArray[np.float32]:
     lags = np.concatenate(([0], _LAGS)) / (_PADDED * _FINE)
     cosines = weights * np.cos(2 * np.pi * np.outer(bins, lags))
     of_window = np.abs(rfft(_window().astype(float), _PADDED)) ** 2 @ cosines
-    return (cosines / (of_window / of_window[0])).astype(np.float32)
+    frequencies = bins[:, None] * (SAMPLE_RATE / _STEP / _PADDED)
+    kept = np.clip((STOPPED - frequencies) / (STOPPED - PASSED), 0, 1)
+    return (kept * cosines / (of_window / of_window[0])).astype(np.float32)
 
 
 _BONUS = (OCTAVE_BONUS * np.log2(_LAGS[-1] / _LAGS)).astype(np.float32)
@@ -64,15 +69,22 @@ def fundamental_of(frames: NDArray[np.float32]) -> NDArray[np.float32]:
     """
     from scipy.fft import rfft  # noqa: PLC0415 - half a second that a window should not wait for
 
-    slow = frames[:, ::_STEP].copy()
-    for k in range(1, _STEP):
-        slow += frames[:, k::_STEP]
+    slow = _halve(_halve(_halve(frames)))
     slow -= np.add.reduce(slow, axis=1, keepdims=True) / np.float32(slow.shape[1])
-    loud = np.maximum.reduce(slow, axis=1) > SILENCE_LEVEL * _STEP
+    loud = np.maximum.reduce(slow, axis=1) > SILENCE_LEVEL
     bins = rfft(slow * _window(), _PADDED, axis=1)
     correlation = (bins.real**2 + bins.imag**2) @ _inverse_transform()
     zero_lag = np.maximum(correlation[:, :1], np.finfo(np.float32).tiny)
     return _best_peak(correlation[:, 1:] / zero_lag, loud)
+
+
+def _halve(waves: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Halve the rate behind the low-pass 1 3 3 1, whose threefold zero lies where the folds would hurt."""
+    even, odd = waves[:, ::2], waves[:, 1::2]
+    out = np.float32(3 / 8) * (even + odd)
+    out[:, 1:] += np.float32(1 / 8) * odd[:, :-1]
+    out[:, :-1] += np.float32(1 / 8) * even[:, 1:]
+    return out
 
 
 def _best_peak(strength: NDArray[np.float32], loud: NDArray[np.bool_]) -> NDArray[np.float32]:

@@ -1,5 +1,6 @@
 """Window functions, symmetric, float32."""
 
+from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
@@ -16,7 +17,7 @@ def _blackman_harris(n: int) -> NDArray[np.float64]:
     return sum((a * np.cos(k * phase) for k, a in enumerate(BLACKMAN_HARRIS)), np.zeros(n))
 
 
-_SHAPES = {
+_SHAPES: dict[WindowFunction, Callable[[int], NDArray[np.float64]]] = {
     WindowFunction.RECTANGLE: np.ones,
     WindowFunction.BARTLETT: np.bartlett,
     WindowFunction.HANN: np.hanning,
@@ -28,6 +29,6 @@ _SHAPES = {
 @lru_cache(maxsize=32)
 def window_of(function: WindowFunction, n: int) -> NDArray[np.float32]:
     """Give the weights of a window function over `n` samples, shape (n,), 0..1; shared, so read-only."""
-    weights = _SHAPES[function](n).astype(np.float32)
+    weights = np.asarray(_SHAPES[function](n), np.float32)
     weights.flags.writeable = False
     return weights

@@ -39,12 +39,14 @@ def zero_crossings_of(frames: Block) -> Block:
     """Count the sign changes inside each raw frame; zero counts as positive. Shape (n_frames,)."""
     negative = frames < 0
     changes = np.packbits(negative[:, 1:] != negative[:, :-1], axis=1)
-    return np.add.reduce(np.bitwise_count(changes), axis=1, dtype=np.float32)
+    counts: Block = np.add.reduce(np.bitwise_count(changes), axis=1, dtype=np.float32)
+    return counts
 
 
 def peak_levels_of(frames: Block) -> Block:
     """Give the largest absolute sample of each frame, shape (n_frames,)."""
-    return np.maximum(np.maximum.reduce(frames, axis=1), -np.minimum.reduce(frames, axis=1))
+    levels: Block = np.maximum(np.maximum.reduce(frames, axis=1), -np.minimum.reduce(frames, axis=1))
+    return levels
 
 
 class BandMeter:

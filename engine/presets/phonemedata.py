@@ -1,15 +1,15 @@
 """PhonemeData files: 21 numbers as text, the thesis's own format."""
 
-import math
 import re
 from dataclasses import fields
 
 import numpy as np
 
 from engine.errors import PresetError
-from engine.recognition.phoneme_data import LAYOUT, PhonemeData
+from engine.recognition.phoneme_data import LARGEST, LAYOUT, PhonemeData
 
 _NAMES = tuple(name for line in LAYOUT for name in line)
+_SPELLING = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|[-+]?(nan|inf|infinity)", re.IGNORECASE)
 
 
 def parse_phoneme_data(text: str) -> PhonemeData:
@@ -48,11 +48,10 @@ def format_phoneme_data(data: PhonemeData) -> str:
 
 
 def _number(word: str, line: int, name: str) -> float:
-    try:
-        value = float(word)
-    except ValueError:
-        raise PresetError(f"line {line}: {name} must be a number, found {_shown(word)}") from None
-    if not math.isfinite(value) or abs(value) > np.finfo(np.float32).max:
+    if not _SPELLING.fullmatch(word):
+        raise PresetError(f"line {line}: {name} must be a number, found {_shown(word)}")
+    value = float(word)
+    if not abs(value) <= LARGEST:
         raise PresetError(f"line {line}: {name} must be a finite number, found {_shown(word)}")
     return value
 

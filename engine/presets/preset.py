@@ -4,21 +4,20 @@ The TOML file holds the 21 numbers of a PhonemeData file by name, the front end,
 range, the user's own variables, the recogniser's name and notes.
 """
 
-import os
-import tempfile
 import tomllib
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import tomli_w
 
-from engine.errors import EngineError, PresetError
+from engine.errors import EngineError, PresetError, SettingsError
 from engine.features.variables import Kind, Spectrum, Variable, check_user_variables
 from engine.phonemes import Phoneme
 from engine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
-from engine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, Thresholds
+from engine.recognition.phoneme_data import FILTER_FIELDS, LARGEST, PhonemeData, Thresholds
 from engine.recognition.recogniser import recogniser_of
 from engine.recognition.statistics import SUCCESSORS
 from engine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
@@ -33,9 +32,23 @@ _FRONT_END = (
     "filters", "quantise", "decimation", "pre_emphasis", "window_function", "low_pass_start", "low_pass_end",
     "mel_bands",
 )  # fmt: skip
+_CHOICES = ("decimation", "window_function")
 _STATISTICS = ("statistics", "minimum_hold")
 _INTENSITY = ("intensity_low", "intensity_high")
 _IN_BINS = ("high_pass_start", "high_pass_end")
+_PLAIN = ("format", "name", "recogniser", "notes", "variables", "successors")
+_TABLES = ("front_end", "phoneme_data", "statistics", "intensity")
+_VARIABLE = ("name", "low", "high", "kind", "source")
+
+# what stands in a preset file, where it is not just a number
+_TYPES: dict[str, type] = {
+    **dict.fromkeys(("format", "name", "recogniser", "notes", "kind", "source", *_CHOICES), str),
+    **dict.fromkeys(("variables", "filters"), list),
+    **dict.fromkeys(("quantise", "mel_bands"), int),
+    "successors": dict,
+    "statistics": bool,
+}
+_WORDS = {str: "text", list: "a list", int: "a whole number", dict: "a table", bool: "true or false"}
 
 
 @dataclass(frozen=True)
@@ -81,7 +94,7 @@ class Preset:
         """Give the preset that has these 21 numbers and is otherwise the same."""
         numbers = {name: getattr(data, name) for name in FILTER_FIELDS}
         for name in _IN_BINS:
-            numbers[name] *= BIN_WIDTH
+            numbers[name] = float(f"{numbers[name] * BIN_WIDTH:.15g}")  # what was round in Hz is so again
         thresholds = Thresholds(**{f.name: getattr(data, f.name) for f in fields(Thresholds)})
         return replace(self, settings=replace(self.settings, **numbers), thresholds=thresholds)
 
@@ -115,15 +128,13 @@ def preset_from_toml(text: str) -> Preset:
     """
     try:
         document = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:
         raise PresetError(f"this is no TOML file: {error}") from error
     if document.get("format") != FORMAT:
         raise PresetError(f"a preset begins with format = {FORMAT!r}, found {document.get('format')!r}")
     try:
         return _preset_of(document)
-    except PresetError:
-        raise
-    except (EngineError, TypeError, ValueError, AttributeError) as error:
+    except SettingsError as error:
         raise PresetError(str(error)) from error
 
 
@@ -138,7 +149,10 @@ def load_preset(path: Path, base: Preset | None = None) -> Preset:
     """
     try:
         if path.stat().st_size > LARGEST_FILE:
-            raise PresetError(f"{path.name}: a preset is smaller than 1 MB; choose a .toml or .phonemedata file")
+            raise PresetError(
+                f"{path.name}: a preset is smaller than 1 MB, this has {path.stat().st_size / 1e6:.1f} MB; "
+                "choose a .toml or .phonemedata file"
+            )
         text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
         raise PresetError(f"{path.name}: this is not a text file; choose a .toml or .phonemedata file") from error
@@ -163,15 +177,14 @@ def save_preset(preset: Preset, path: Path) -> None:
     """
     is_text = path.suffix.lower() in {".phonemedata", ".txt"}
     text = format_phoneme_data(preset.phoneme_data) if is_text else preset_to_toml(preset)
+    part = path.with_name(path.name + ".part")
     try:
-        handle, name = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".part")
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        Path(name).replace(path)
+        part.write_bytes(text.encode(errors="replace"))
+        part.replace(path)
     except OSError as error:
-        raise PresetError(
-            f"{path.name}: cannot be written ({error.strerror}); choose another folder"
-        ) from error
+        with suppress(OSError):
+            part.unlink()
+        raise PresetError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
 
 
 def _of_phoneme_data(text: str, name: str, base: Preset) -> Preset:
@@ -182,6 +195,9 @@ def _of_phoneme_data(text: str, name: str, base: Preset) -> Preset:
 
 
 def _preset_of(document: dict[str, Any]) -> Preset:
+    for key in document.keys() - {*_PLAIN, *_TABLES}:
+        raise PresetError(f"a preset does not know {key}")
+    texts = _checked({key: document[key] for key in _PLAIN if key in document})
     front_end = _table(document, "front_end", _FRONT_END)
     front_end["filters"] = frozenset(_choice(Filter, f, "filters") for f in front_end["filters"])
     front_end["decimation"] = _choice(Decimation, front_end["decimation"], "decimation")
@@ -189,15 +205,13 @@ def _preset_of(document: dict[str, Any]) -> Preset:
     statistics = _table(document, "statistics", _STATISTICS)
     intensity = _table(document, "intensity", _INTENSITY)
     data = _table(document, "phoneme_data", tuple(f.name for f in fields(PhonemeData)))
-    for table in (front_end, statistics, intensity, data):
-        _check_numbers(table)
     preset = Preset(
-        name=str(document.get("name", "untitled")),
+        name=texts.get("name", "untitled"),
         settings=AnalysisSettings(**front_end, **statistics, **intensity),
-        variables=tuple(_variable_of(entry) for entry in document.get("variables", [])),
-        recogniser=str(document.get("recogniser", "thesis")),
-        successors=_successors_of(document.get("successors", {})),
-        notes=str(document.get("notes", "")),
+        variables=tuple(_variable_of(entry) for entry in texts.get("variables", [])),
+        recogniser=texts.get("recogniser", "thesis"),
+        successors=_successors_of(texts.get("successors", {})),
+        notes=texts.get("notes", ""),
     )
     return preset.with_phoneme_data(PhonemeData(**data))
 
@@ -207,42 +221,45 @@ def _table(document: dict[str, Any], name: str, keys: tuple[str, ...]) -> dict[s
     if not isinstance(table, dict):
         raise PresetError(f"the table [{name}] is missing")
     for key in table.keys() ^ set(keys):
-        _refuse_key(name, key, known=key in keys)
+        raise PresetError(f"[{name}] lacks {key}" if key in keys else f"[{name}] does not know {key}")
+    return _checked(table)
+
+
+def _checked(table: dict[str, Any]) -> dict[str, Any]:
+    """Give a copy of a table, after refusing values of the wrong type and numbers that no float32 holds."""
+    for key, value in table.items():
+        expected = _TYPES.get(key, float)
+        fits = isinstance(value, int | float if expected is float else expected)
+        if not fits or isinstance(value, bool) != (expected is bool):
+            raise PresetError(f"{key} must be {_WORDS.get(expected, 'a number')}, found {_shown(value)}")
+        if isinstance(value, int | float) and not abs(value) <= LARGEST:
+            raise PresetError(f"{key} must be a finite number within ±3.4e38, found {_shown(value)}")
     return dict(table)
 
 
-def _refuse_key(table: str, key: str, *, known: bool) -> NoReturn:
-    raise PresetError(f"[{table}] lacks {key}" if known else f"[{table}] does not know {key}")
-
-
-def _check_numbers(table: dict[str, Any]) -> None:
-    for key, value in table.items():
-        expected = bool if key == "statistics" else int | float
-        if isinstance(value, str | frozenset):
-            continue
-        if not isinstance(value, expected) or (expected is not bool and isinstance(value, bool)):
-            what = "true or false" if expected is bool else "a number"
-            raise PresetError(f"{key} must be {what}, found {value!r}")
+def _shown(value: Any) -> str:
+    endless = isinstance(value, int) and abs(value) > LARGEST
+    return "an endless number" if endless else f"{value!r:.60}"
 
 
 def _choice(kind: Any, value: Any, name: str) -> Any:
     try:
         return kind(value)
     except ValueError:
-        raise PresetError(f"{name} must be one of {', '.join(kind)}, found {value!r}") from None
+        raise PresetError(f"{name} must be one of {', '.join(kind)}, found {_shown(value)}") from None
 
 
-def _variable_of(entry: dict[str, Any]) -> Variable:
-    low, high = float(entry["low"]), float(entry["high"])
-    kind, source = _choice(Kind, entry["kind"], "kind"), _choice(Spectrum, entry["source"], "source")
-    return Variable(str(entry["name"]), low, high, kind, source)
+def _variable_of(entry: Any) -> Variable:
+    values = _table({"variables": entry}, "variables", _VARIABLE)
+    kind, source = _choice(Kind, values["kind"], "kind"), _choice(Spectrum, values["source"], "source")
+    return Variable(values["name"], float(values["low"]), float(values["high"]), kind, source)
 
 
-def _successors_of(table: dict[str, str]) -> dict[Phoneme, Phoneme]:
+def _successors_of(table: dict[str, Any]) -> dict[Phoneme, Phoneme]:
     known = {p.label: p for p in Phoneme}
     for name in [*table.keys(), *table.values()]:
-        if name not in known:
-            raise PresetError(f"[successors] knows no phoneme {name!r}; known are {', '.join(known)}")
+        if not isinstance(name, str) or name not in known:
+            raise PresetError(f"[successors] knows no phoneme {_shown(name)}; known are {', '.join(known)}")
     return {**SUCCESSORS, **{known[p]: known[q] for p, q in table.items()}}
 
 

@@ -1,6 +1,5 @@
 """The thresholds of the thesis rules, and the 21 numbers of a PhonemeData file."""
 
-import math
 from dataclasses import dataclass, fields
 
 from engine.errors import SettingsError
@@ -15,6 +14,8 @@ RULE_FIELDS = (
 FILTER_FIELDS = ("time_smooth", "frequency_smooth", "high_pass_start", "high_pass_end", "denoise_threshold")
 LAYOUT = (FILTER_FIELDS, *RULE_FIELDS)
 """The lines of a PhonemeData file."""
+LARGEST = 3.4028235e38
+"""The largest float32, in the digits in which it is written."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,7 +26,7 @@ class Thresholds:
 
     Raises
     ------
-    SettingsError : a number is not finite.
+    SettingsError : a number is not finite, or too large for float32.
     """
 
     silence_zero_crossings: float = 220.0
@@ -48,8 +49,8 @@ class Thresholds:
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)
-            if not math.isfinite(value):
-                raise SettingsError(f"{field.name} must be a finite number, got {value}")
+            if not abs(value) <= LARGEST:
+                raise SettingsError(f"{field.name} must be a finite number within ±3.4e38, got {value}")
 
 
 @dataclass(frozen=True, kw_only=True)

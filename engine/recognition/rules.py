@@ -80,7 +80,8 @@ class ThesisRules:
     def recognise(self, features: Features) -> NDArray[np.uint8]:
         """Recognise a block; returns codes of `Phoneme`, shape (n_frames,)."""
         failures = (self._margins(features) <= 0).view(np.uint8) @ _MEMBERS
-        return _PHONEMES[failures.argmin(axis=1)]
+        phonemes: NDArray[np.uint8] = _PHONEMES[failures.argmin(axis=1)]
+        return phonemes
 
     def explain(self, features: Features, k: int) -> Trace:
         """Say why frame `k` of a block is recognised as it is: all comparisons down to the rule that fired."""

@@ -9,8 +9,12 @@ from numpy.typing import NDArray
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 
-SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType({p: p for p in Phoneme})
-"""What most often follows each phoneme where the rules say nothing."""
+SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType(dict.fromkeys(Phoneme, Phoneme.O))
+"""What a frame is likeliest to be after each phoneme where the rules say nothing.
+
+Fitted to labelled speech by `engine.calibration.fit_thesis`: the thesis rules say nothing where the band of the
+second formant is neither strong (a, e) nor weak (u, o, i, m), and there o scores best, whatever came before.
+"""
 
 
 class Statistics:

@@ -1,0 +1,219 @@
+"""Where played sound goes: a sound card, or a clock where there is none. The only door to sounddevice.
+
+Both count samples since they were opened, and say which one is being heard now: picture follows that.
+"""
+
+import math
+import time
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.audio.ring import Ring
+from engine.errors import DeviceError
+from engine.settings import SAMPLE_RATE
+
+AHEAD = SAMPLE_RATE // 4
+"""Samples that are written at most before they are heard."""
+
+
+class Output(Protocol):
+    """Plays what is written to it, at 44.1 kHz."""
+
+    name: str
+    is_card: bool
+    gain: float
+
+    @property
+    def room(self) -> int:
+        """Samples per channel that can be written now."""
+        ...
+
+    @property
+    def n_written(self) -> int:
+        """Samples per channel written since the opening."""
+        ...
+
+    @property
+    def heard(self) -> float:
+        """Number of the sample that is heard now, counted like `n_written`."""
+        ...
+
+    @property
+    def lost(self) -> bool:
+        """Whether the device has gone away."""
+        ...
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Append a block, shape (n, n_channels), n at most `room`."""
+        ...
+
+    def skip(self) -> None:
+        """Pass over everything that is written but not yet heard."""
+        ...
+
+    def run(self, running: bool) -> None:
+        """Go on, or hold still where it is."""
+        ...
+
+    def close(self) -> None:
+        """Let the device go."""
+        ...
+
+
+class ClockOutput:
+    """No sound card: time passes all the same, and samples count as heard on the clock."""
+
+    name = "no sound card: silent, on the clock"
+    is_card = False
+    lost = False
+
+    def __init__(self) -> None:
+        self.gain = 1.0
+        self.n_written = 0
+        self._heard = 0.0
+        self._since: float | None = None
+
+    @property
+    def room(self) -> int:
+        """Samples that can be written now."""
+        return AHEAD - (self.n_written - int(self.heard))
+
+    @property
+    def heard(self) -> float:
+        """Number of the sample whose time it is; never beyond what was written."""
+        now = time.monotonic()
+        if self._since is not None:
+            self._heard = min(self._heard + (now - self._since) * SAMPLE_RATE, self.n_written)
+            self._since = now
+        return self._heard
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Count a block."""
+        self.n_written += len(block)
+
+    def skip(self) -> None:
+        """Pass over everything that is written."""
+        self._heard = float(self.n_written)
+
+    def run(self, running: bool) -> None:
+        """Go on, or hold still."""
+        self._heard = self.heard
+        self._since = time.monotonic() if running else None
+
+    def close(self) -> None:
+        """Nothing has to be let go."""
+
+
+class CardOutput:
+    """The default sound card.
+
+    The callback copies samples and notes which one leaves when; nothing else happens there.
+
+    Raises
+    ------
+    DeviceError : there is no sound card, no PortAudio, or the card cannot be opened.
+    """
+
+    is_card = True
+
+    def __init__(self, n_channels: int) -> None:
+        sounddevice = _sounddevice()
+        self.gain = 1.0
+        self._ring = Ring(AHEAD, n_channels)
+        self._running = False
+        self._paused_at = 0.0
+        self._mark = (0, 0.0, 0)
+        self._closing = False
+        self._finished = False
+        try:
+            self._stream = sounddevice.OutputStream(
+                samplerate=SAMPLE_RATE,
+                channels=n_channels,
+                dtype="float32",
+                latency=0.05,
+                callback=self._fill,
+                finished_callback=self._finish,
+            )
+            self._stream.start()
+            self.name = str(sounddevice.query_devices(self._stream.device)["name"])
+        except (sounddevice.PortAudioError, ValueError) as error:
+            raise DeviceError(f"the sound card cannot be opened ({_reason(error)})") from error
+
+    @property
+    def room(self) -> int:
+        """Samples that can be written now."""
+        return self._ring.room
+
+    @property
+    def n_written(self) -> int:
+        """Samples written since the opening."""
+        return self._ring.n_written
+
+    @property
+    def heard(self) -> float:
+        """Number of the sample that leaves the card now, by the stream's own clock."""
+        if not self._running or self._finished:
+            return self._paused_at
+        first, leaves_at, n = self._mark
+        since = (self._stream.time - leaves_at) * SAMPLE_RATE
+        return float(min(max(first + since, self._paused_at), first + n))
+
+    @property
+    def lost(self) -> bool:
+        """Whether the stream ended without our doing."""
+        return self._finished and not self._closing
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Append a block."""
+        self._ring.write(block)
+
+    def skip(self) -> None:
+        """Pass over everything that is written."""
+        self._ring.skip()
+        self._paused_at = float(self._ring.n_written)
+        self._mark = (self._ring.n_written, math.inf, 0)
+
+    def run(self, running: bool) -> None:
+        """Go on, or hold still."""
+        self._paused_at = self.heard
+        self._running = running
+
+    def close(self) -> None:
+        """Let the card go at once."""
+        self._closing = True
+        self._stream.abort()
+        self._stream.close()
+
+    def _fill(self, out: NDArray[np.float32], _n: int, times: Any, _status: Any) -> None:
+        if not self._running:
+            out[:] = 0
+            return
+        n = self._ring.read_into(out)
+        out *= np.float32(self.gain)
+        if n:
+            self._mark = (self._ring.n_read - n, times.outputBufferDacTime, n)
+
+    def _finish(self) -> None:
+        self._finished = True
+
+
+def open_output(n_channels: int) -> Output:
+    """Open the default sound card, or a clock where there is none."""
+    try:
+        return CardOutput(n_channels)
+    except DeviceError:
+        return ClockOutput()
+
+
+def _sounddevice() -> Any:
+    try:
+        import sounddevice  # noqa: PLC0415 - raises where PortAudio is missing, so only who plays imports it
+    except (OSError, ImportError) as error:
+        raise DeviceError("sound cannot be played, since PortAudio is missing; install libportaudio2") from error
+    return sounddevice
+
+
+def _reason(error: Exception) -> str:
+    return str(error).splitlines()[0][:120]

@@ -1,0 +1,242 @@
+"""The analysis thread: plays a file and analyses it a little ahead of what is heard.
+
+The thread reads, plays and analyses; whoever shows the result calls `take` now and then and gets what has been
+heard since. Nothing else passes between the two.
+"""
+
+import threading
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from engine.analyser import Analyser, Analysis
+from engine.audio.files import SoundReader, mono_of
+from engine.audio.stream import ClockOutput, Output, open_output
+from engine.errors import EngineError
+from engine.presets.preset import Preset
+from engine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, Channel
+
+STEP = 2 * HOP
+"""Samples that are read, played and analysed at a time."""
+PRE_ROLL = 40 * HOP
+"""Samples before a seek's target that are analysed unseen, so that the filters know their past."""
+MOST_WAITING = 1500
+"""Blocks that wait for `take` at most; older ones are dropped and counted."""
+
+
+@dataclass(frozen=True)
+class Heard:
+    """A block of analysed frames and its place in the file.
+
+    Attributes
+    ----------
+    analysis : what was found.
+    first_frame : number of its first frame, counted from the beginning of the file.
+    """
+
+    analysis: Analysis
+    first_frame: int
+
+
+@dataclass(frozen=True)
+class _Waiting:
+    heard: Heard
+    due: int
+
+
+class FilePlayer:
+    """Plays a sound file, and hands out its analysis in step with what is heard.
+
+    Starts standing still at the beginning. All methods may be called from any one thread; they return at once.
+
+    Parameters
+    ----------
+    path : the sound file.
+    preset : what to recognise with.
+    channel : which channel is analysed; all are heard.
+    open_device : opens the output for a number of channels.
+
+    Raises
+    ------
+    AudioError : the file cannot be read.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        preset: Preset,
+        channel: Channel = Channel.MIX,
+        open_device: Callable[[int], Output] = open_output,
+    ) -> None:
+        self.reader = SoundReader(path, channel)
+        self.loop = False
+        self.n_dropped = 0
+        self._output: Output = open_device(self.reader.n_channels)
+        self._preset = preset
+        self._analyser = Analyser(preset, pitch=True)
+        self._base_frame = 0
+        self._playing = False
+        self._at_end = False
+        self._closing = False
+        self._target: int | None = None
+        self._error: Exception | None = None
+        self._segments: tuple[tuple[int, int], ...] = ((0, 0),)
+        self._waiting: deque[_Waiting] = deque()
+        self._commands: deque[Callable[[], None]] = deque()
+        self._wake = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="analysis", daemon=True)
+        self._thread.start()
+
+    @property
+    def playing(self) -> bool:
+        """Whether sound is going on."""
+        return self._playing
+
+    @property
+    def finished(self) -> bool:
+        """Whether the end of the file has been heard and taken."""
+        drained = self._output.heard >= self._output.n_written
+        return self._at_end and not self._waiting and (drained or not self._playing)
+
+    @property
+    def output_name(self) -> str:
+        """What plays: the sound card's name, or that there is none."""
+        return self._output.name
+
+    @property
+    def has_card(self) -> bool:
+        """Whether a sound card plays, rather than the clock."""
+        return self._output.is_card
+
+    @property
+    def position(self) -> float:
+        """Seconds from the beginning of the file to what is heard now, or to where a seek is on its way."""
+        if self._target is not None:
+            return self._target * FRAME_PERIOD
+        heard = self._output.heard
+        begun = [segment for segment in self._segments if segment[0] <= heard]
+        written, sample = begun[-1] if begun else self._segments[0]
+        return max(0.0, sample + heard - written) / SAMPLE_RATE
+
+    def play(self) -> None:
+        """Go on from where it stands."""
+        self._playing = True
+        self._output.run(running=True)
+        self._wake.set()
+
+    def pause(self) -> None:
+        """Hold still."""
+        self._playing = False
+        self._output.run(running=False)
+
+    def seek(self, seconds: float) -> None:
+        """Go to a place in the file, rounded down to a frame."""
+        frame = int(max(0.0, min(seconds, self.reader.duration)) / FRAME_PERIOD)
+        self._target = frame
+        self._do(lambda: self._jump(frame))
+
+    def use(self, preset: Preset) -> None:
+        """Recognise with another preset from the next block on."""
+        self._preset = preset
+        self._do(lambda: self._analyser.use(preset))
+
+    def set_gain(self, gain: float) -> None:
+        """Set the loudness of what is heard, 0..1; the analysis does not change."""
+        self._output.gain = gain
+
+    def take(self) -> list[Heard]:
+        """Give what has been heard since the last call; raises whatever ended the analysis."""
+        if self._error is not None:
+            error, self._error = self._error, None
+            raise error
+        if self._output.lost:
+            self._do(self._go_on_without_card)
+        heard = self._output.heard
+        due = []
+        while self._waiting and self._waiting[0].due <= heard:
+            due.append(self._waiting.popleft().heard)
+        return due
+
+    def close(self) -> None:
+        """Stop, and let file and device go."""
+        self._closing = True
+        self._wake.set()
+        self._thread.join(timeout=5)
+        self._output.close()
+        self.reader.close()
+
+    def _do(self, command: Callable[[], None]) -> None:
+        self._commands.append(command)
+        self._wake.set()
+
+    def _run(self) -> None:
+        while not self._closing:
+            try:
+                while self._commands:
+                    self._commands.popleft()()
+                busy = self._playing and not self._at_end and self._output.room >= STEP
+                if busy:
+                    self._advance()
+            except EngineError as error:
+                self._error, self._at_end, busy = error, True, False
+            if not busy:
+                self._wake.wait(0.02 if self._playing else 1.0)
+                self._wake.clear()
+
+    def _advance(self) -> None:
+        block = self.reader.read(STEP)
+        if len(block):
+            self._output.write(block)
+            self._queue(self._analyser.push(mono_of(block, self.reader.channel)))
+            return
+        self._queue(self._analyser.finish())
+        if self.loop:
+            self._begin(0)
+        else:
+            self._at_end = True
+
+    def _jump(self, frame: int) -> None:
+        self._waiting.clear()
+        self._output.skip()
+        self._begin(frame)
+        if self._target == frame:
+            self._target = None
+
+    def _begin(self, frame: int) -> None:
+        """Start reading and analysing at a frame, as if the file had been followed until there."""
+        target = frame * HOP
+        start = max(0, target - PRE_ROLL)
+        self.reader.seek(start)
+        self._analyser = Analyser(self._preset, pitch=True)
+        self._base_frame = start // HOP
+        self._segments = (*self._segments[-8:], (self._output.n_written, target))
+        if target > start:
+            self._queue(self._analyser.push(mono_of(self.reader.read(target - start), self.reader.channel)))
+        self._at_end = False
+
+    def _queue(self, analysis: Analysis) -> None:
+        """Have a block wait until it is heard; frames from before the segment are dropped."""
+        written, sample = self._segments[-1]
+        unheard = sample // HOP - self._base_frame - analysis.start
+        if unheard > 0:
+            analysis = analysis.part(slice(unheard, None))
+        if len(analysis) == 0:
+            return
+        first = self._base_frame + analysis.start
+        due = written + (first + len(analysis) - 1) * HOP + HOP // 2 - sample
+        self._waiting.append(_Waiting(Heard(analysis, first), min(due, self._output.n_written)))
+        while len(self._waiting) > MOST_WAITING:
+            self.n_dropped += len(self._waiting.popleft().heard.analysis)
+
+    def _go_on_without_card(self) -> None:
+        if not self._output.lost:
+            return
+        position, lost = self.position, self._output
+        output = ClockOutput()
+        output.run(running=self._playing)
+        self._output = output
+        self._waiting.clear()
+        self._begin(int(position / FRAME_PERIOD))
+        self._segments = self._segments[-1:]
+        lost.close()

@@ -1,0 +1,8 @@
+"""`python -m phonemeanalyser` and the `phonemeanalyser` command."""
+
+import sys
+
+from phonemeanalyser.cli import main
+
+if __name__ == "__main__":
+    sys.exit(main())

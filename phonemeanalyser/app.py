@@ -1,0 +1,138 @@
+"""The desktop program: the only place where its objects are made and joined."""
+
+import logging
+import sys
+import tempfile
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from types import TracebackType
+
+from PySide6.QtCore import QSettings, QStandardPaths
+from PySide6.QtWidgets import QApplication, QMessageBox
+
+from engine.audio.stream import ClockOutput, Output, open_output
+from engine.errors import EngineError
+from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.models.session import Session
+from phonemeanalyser.theme import DARK, LIGHT, Theme, apply_theme, system_theme
+
+THEMES = {"light": LIGHT, "dark": DARK}
+
+
+class Desktop:
+    """The window with its models; makes the window anew when the theme changes.
+
+    Parameters
+    ----------
+    app : Qt's application.
+    settings : where layout and choices are kept between starts.
+    open_device : opens what is played on.
+    """
+
+    def __init__(
+        self, app: QApplication, settings: QSettings, open_device: Callable[[int], Output] = open_output
+    ) -> None:
+        self._app = app
+        self._settings = settings
+        self.preset = PresetModel()
+        self.session = Session(self.preset, open_device)
+        self.window = self._make_window()
+        app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
+
+    @property
+    def theme(self) -> Theme:
+        """The look that the user chose, or the system's."""
+        return THEMES.get(str(self._settings.value("theme", "system")), system_theme())
+
+    def set_theme(self, name: str) -> None:
+        """Choose ``light``, ``dark`` or ``system``."""
+        self._settings.setValue("theme", name)
+        old, frozen = self.window, self.window.frozen
+        old.save_state()
+        self.window = self._make_window()
+        self.window.set_frozen(frozen)
+        self.window.show()
+        old.retire()
+
+    def _make_window(self) -> MainWindow:
+        apply_theme(self._app, self.theme)
+        window = MainWindow(self.session, self.preset, self.theme, self._settings)
+        window.theme_asked.connect(self.set_theme)
+        return window
+
+    def _follow_system(self) -> None:
+        if str(self._settings.value("theme", "system")) == "system" and self.window.theme != system_theme():
+            self.set_theme("system")
+
+
+def make_application() -> QApplication:
+    """Make Qt's application, or give the one that is there."""
+    app = QApplication.instance()
+    if isinstance(app, QApplication):
+        return app
+    app = QApplication(sys.argv[:1])
+    app.setApplicationName("PhonemeAnalyser")
+    app.setOrganizationName("PhonemeAnalyser")
+    return app
+
+
+def run(file: Path, preset: Path | None = None) -> int:
+    """Open the window on a file and stay until it is closed; returns the exit code."""
+    app = make_application()
+    sys.excepthook = _report_bug
+    desktop = Desktop(app, QSettings())
+    desktop.window.dialogs.restore_preset()
+    if preset is not None:
+        desktop.window.dialogs.load_preset(preset)
+    desktop.window.show()
+    desktop.window.dialogs.open_sound(file)
+    code = app.exec()
+    desktop.session.close()
+    return code
+
+
+def screenshot(
+    file: Path, out: Path, *, at: float | None, size: tuple[int, int], theme: str, preset: Path | None
+) -> None:
+    """Save a picture of the window, with a file analysed up to a time (seconds; None means its end).
+
+    Raises
+    ------
+    EngineError : the sound or the preset cannot be read, or the picture cannot be written.
+    """
+    app = make_application()
+    with tempfile.TemporaryDirectory() as folder:
+        settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
+        settings.setValue("theme", theme)
+        desktop = Desktop(app, settings, lambda _n: ClockOutput())
+    if preset is not None:
+        desktop.preset.load(preset)
+    desktop.window.resize(*size)
+    desktop.window.show()
+    failures: list[str] = []
+    desktop.session.failed.connect(failures.append)
+    if not desktop.session.open(file):
+        raise EngineError(failures[0])
+    desktop.session.follow(desktop.session.duration if at is None else at)
+    desktop.window.refresh_all()
+    app.processEvents()
+    saved = desktop.window.grab().save(str(out), "PNG")
+    desktop.session.close()
+    desktop.window.retire()
+    if not saved:
+        raise EngineError(f"{out}: the picture cannot be written; choose another place with -o")
+
+
+def _report_bug(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+    """Write a bug to the log, and show one dialog however often it comes."""
+    folder = Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
+    folder.mkdir(parents=True, exist_ok=True)
+    log = folder / "phonemeanalyser.log"
+    logging.basicConfig(filename=log, format="%(asctime)s %(message)s")
+    logging.error("".join(traceback.format_exception(kind, error, trace)))
+    if QApplication.activeModalWidget() is None:
+        QMessageBox.critical(
+            None, "PhonemeAnalyser", f"Something went wrong in the program itself; the details are in {log}."
+        )

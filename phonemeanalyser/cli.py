@@ -1,0 +1,105 @@
+"""The command line: open the window, analyse files, make a picture."""
+
+import argparse
+import importlib
+import os
+import sys
+from collections.abc import Callable, Sequence
+from importlib.metadata import version
+from pathlib import Path
+from types import ModuleType
+
+from engine.errors import EngineError
+from engine.presets.preset import DEFAULT_PRESET, load_preset
+from phonemeanalyser.batch import Table, analyse_all, jobs_of
+from phonemeanalyser.display import why_no_qt, why_no_window
+
+DEMO = Path(__file__).parent / "demo" / "demo.flac"
+NO_DISPLAY = 3
+"""Exit code where there is no display."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the program; returns the exit code: 0, 1 something failed, 2 wrong usage, 3 no display."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    commands: dict[str, Callable[[list[str]], int]] = {"analyse": _analyse, "screenshot": _screenshot}
+    try:
+        if words and words[0] in commands:
+            return commands[words[0]](words[1:])
+        return _window(words)
+    except EngineError as error:
+        print(f"phonemeanalyser: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("phonemeanalyser: stopped", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # whoever read has gone: nothing to flush to
+        return 0
+
+
+def _window(words: list[str]) -> int:
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser",
+        description="Calibrate real-time phoneme recognition for lip sync.",
+        epilog="Commands: phonemeanalyser analyse --help; phonemeanalyser screenshot --help",
+    )
+    parser.add_argument("file", type=Path, nargs="?", default=DEMO, help="sound file to open (default: a demo)")
+    parser.add_argument("--preset", type=Path, help="preset (.toml) or PhonemeData file to begin with")
+    parser.add_argument("--version", action="version", version=f"%(prog)s {version('phonemeanalyser')}")
+    options = parser.parse_args(words)
+    if reason := why_no_window(os.environ):
+        print(f"phonemeanalyser: {reason}", file=sys.stderr)
+        return NO_DISPLAY
+    return int(_app().run(options.file, options.preset))
+
+
+def _analyse(words: list[str]) -> int:
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser analyse", description="Write the phonemes of sound files as tables."
+    )
+    parser.add_argument("inputs", type=Path, nargs="+", metavar="INPUT", help="sound files, or folders of them")
+    parser.add_argument("-o", "--out", type=Path, help="folder for the tables, or a file for one (default: print)")
+    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
+    parser.add_argument("--format", choices=["csv", "json"], default="csv", dest="kind")
+    parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
+    options = parser.parse_args(words)
+    preset = load_preset(options.preset)
+    jobs = jobs_of(options.inputs, options.out, options.kind)
+    return 1 if analyse_all(jobs, preset, Table(options.kind, options.features)) else 0
+
+
+def _screenshot(words: list[str]) -> int:
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser screenshot", description="Take a picture of the window, without a display."
+    )
+    parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
+    parser.add_argument("-o", "--out", type=Path, required=True, metavar="PNG")
+    parser.add_argument("--at", type=float, metavar="SECONDS", help="analysed up to here (default: the end)")
+    parser.add_argument("--size", type=_size, default=(1280, 800), metavar="WxH")
+    parser.add_argument("--theme", choices=["light", "dark"], default="light")
+    parser.add_argument("--preset", type=Path, help="preset (.toml) or PhonemeData file")
+    options = parser.parse_args(words)
+    os.environ["QT_QPA_PLATFORM"] = "offscreen"
+    _app().screenshot(
+        options.file, options.out, at=options.at, size=options.size, theme=options.theme, preset=options.preset
+    )
+    return 0
+
+
+def _size(text: str) -> tuple[int, int]:
+    try:
+        width, height = (int(part) for part in text.lower().split("x"))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"must be like 1280x800, got {text!r}") from None
+    if not (640 <= width <= 7680 and 480 <= height <= 4320):
+        raise argparse.ArgumentTypeError(f"must lie in 640x480..7680x4320, got {text!r}")
+    return width, height
+
+
+def _app() -> ModuleType:
+    """Import the desktop, which needs Qt; analysing files does not."""
+    try:
+        return importlib.import_module("phonemeanalyser.app")
+    except ImportError as error:
+        raise EngineError(why_no_qt(error)) from error

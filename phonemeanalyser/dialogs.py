@@ -1,0 +1,182 @@
+"""What the user is asked: files, names, and what is to become of unsaved changes."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
+
+from engine.errors import EngineError
+from engine.features.variables import Variable
+from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.models.session import Session
+
+N_RECENT = 8
+PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
+PRESET_FILTER = "Presets (*.toml *.phonemedata *.txt)"
+CURVE_FILTER = "Curves (*.csv)"
+
+
+class Dialogs(QObject):
+    """Asks, and passes the answers to the models; what is refused is said, and leaves everything as it was.
+
+    Signals
+    -------
+    refused : a sentence for the user; an empty one after something went well.
+    sound_opened : a sound file is in hand, and first among the recent ones.
+    variable_added : name of the user's new variable.
+    """
+
+    refused = Signal(str)
+    sound_opened = Signal()
+    variable_added = Signal(str)
+
+    def __init__(self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings) -> None:
+        super().__init__(window)
+        self._window = window
+        self._session = session
+        self._preset = preset
+        self._settings = settings
+
+    def open_any(self, path: Path) -> None:
+        """Load a preset, a curve or a sound, by the suffix of its name."""
+        loaders = dict.fromkeys(PRESET_SUFFIXES, self.load_preset) | {".csv": self.load_curve}
+        loaders.get(path.suffix.lower(), self.open_sound)(path)
+
+    # -- sounds -------------------------------------------------------------------------------------------
+
+    def open_sound(self, path: Path) -> None:
+        """Open a sound file."""
+        if self._session.open(path):
+            self.refused.emit("")
+            here = str(path.resolve())
+            recent = [here] + [other for other in self.recent_sounds() if other != here]
+            self._settings.setValue("recent", recent[:N_RECENT])
+            self.sound_opened.emit()
+
+    def ask_sound(self) -> None:
+        """Let the user choose a sound file."""
+        name, _ = QFileDialog.getOpenFileName(
+            self._window, "Open a sound file", self._folder("sound"), "All files (*)"
+        )
+        if name:
+            self._settings.setValue("folder/sound", str(Path(name).parent))
+            self.open_sound(Path(name))
+
+    def recent_sounds(self) -> list[str]:
+        """Give the paths of the sounds that were opened last, newest first."""
+        kept = self._settings.value("recent", [])
+        if isinstance(kept, str):
+            return [kept]
+        return [str(path) for path in kept] if isinstance(kept, list) else []
+
+    # -- presets ------------------------------------------------------------------------------------------
+
+    def load_preset(self, path: Path) -> None:
+        """Load a preset, after asking what is to become of unsaved changes."""
+        if self.may_go_on() and self._try(lambda: self._preset.load(path)):
+            self._settings.setValue("preset", str(path.resolve()))
+
+    def restore_preset(self) -> None:
+        """Load the preset that was in use when the window was last closed, if it is still there."""
+        path = Path(str(self._settings.value("preset", "")))
+        if path.is_file() and path != self._preset.path:
+            self._try(lambda: self._preset.load(path))
+
+    def ask_preset(self) -> None:
+        """Let the user choose a preset file."""
+        folder = self._folder("preset", self._preset.path.parent)
+        name, _ = QFileDialog.getOpenFileName(self._window, "Load a preset or PhonemeData", folder, PRESET_FILTER)
+        if name:
+            self._settings.setValue("folder/preset", str(Path(name).parent))
+            self.load_preset(Path(name))
+
+    def save(self) -> bool:
+        """Save the preset to its file; a factory preset is saved under a name of the user's own."""
+        if self._preset.is_factory:
+            return self.save_as()
+        return self._try(lambda: self._preset.save(self._preset.path))
+
+    def save_as(self) -> bool:
+        """Let the user choose a file to save the preset to; says whether it was saved."""
+        suggested = Path(self._folder("preset", Path.home())) / f"{self._preset.path.stem}-mine.toml"
+        filters = "Preset (*.toml);;PhonemeData (*.phonemedata)"
+        name, chosen = QFileDialog.getSaveFileName(self._window, "Save the preset", str(suggested), filters)
+        if not name:
+            return False
+        path = Path(name)
+        if path.suffix.lower() not in PRESET_SUFFIXES:
+            path = path.with_name(path.name + (".phonemedata" if "PhonemeData" in chosen else ".toml"))
+        self._settings.setValue("folder/preset", str(path.parent))
+        saved = self._try(lambda: self._preset.save(path))
+        if saved:
+            self._settings.setValue("preset", str(path.resolve()))
+        return saved
+
+    def may_go_on(self) -> bool:
+        """Ask what is to become of unsaved changes; says whether to go on."""
+        if not self._preset.has_unsaved_changes:
+            return True
+        buttons = QMessageBox.StandardButton
+        answer = QMessageBox.question(
+            self._window, "Unsaved changes", f"Save the changes to the preset {self._preset.preset.name}?",
+            buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
+        )  # fmt: skip
+        return self.save() if answer == buttons.Save else answer == buttons.Discard
+
+    # -- variables and curves -----------------------------------------------------------------------------
+
+    def ask_variable(self, low: float, high: float) -> None:
+        """Let the user name a variable over a frequency range (Hz)."""
+        text, named = QInputDialog.getText(
+            self._window, "New variable", f"Name of the sum over {low:.0f} to {high:.0f} Hz (a-z, 0-9, _):"
+        )
+        name = text.strip().lower()
+        if named and self._try(lambda: self._preset.add_variable(Variable(name, low, high))):
+            self.variable_added.emit(name)
+
+    def ask_remove_variable(self) -> None:
+        """Let the user choose a variable of his own to remove."""
+        names = [v.name for v in self._preset.preset.variables]
+        if not names:
+            self.refused.emit("There are no variables of your own yet; mark a range on the averaged spectrum first.")
+            return
+        name, chosen = QInputDialog.getItem(self._window, "Remove a variable", "Variable:", names, editable=False)
+        if chosen:
+            self._preset.remove_variable(name)
+
+    def ask_curves(self) -> None:
+        """Let the user choose curves to compare with."""
+        names, _ = QFileDialog.getOpenFileNames(self._window, "Load curves", self._folder("curve"), CURVE_FILTER)
+        for name in names:
+            self._settings.setValue("folder/curve", str(Path(name).parent))
+            self.load_curve(Path(name))
+
+    def load_curve(self, path: Path) -> None:
+        """Load a curve beside the averaged spectrum."""
+        self._try(lambda: self._session.averages.load(path))
+
+    def ask_save_curve(self) -> None:
+        """Let the user choose a file to save the averaged spectrum to."""
+        if not self._session.averages.n_frames:
+            self.refused.emit("There is no averaged spectrum yet; play a sound first.")
+            return
+        name, _ = QFileDialog.getSaveFileName(
+            self._window, "Save the averaged spectrum", self._folder("curve"), CURVE_FILTER
+        )
+        if name:
+            path = Path(name) if name.endswith(".csv") else Path(name + ".csv")
+            front_end = self._preset.in_force.settings.front_end()
+            self._try(lambda: self._session.averages.save(path, front_end))
+
+    def _try(self, act: Callable[[], object]) -> bool:
+        try:
+            act()
+        except EngineError as error:
+            self.refused.emit(str(error))
+            return False
+        self.refused.emit("")
+        return True
+
+    def _folder(self, kind: str, default: Path | None = None) -> str:
+        return str(self._settings.value(f"folder/{kind}", str(default or Path.home())))

@@ -1,0 +1,78 @@
+"""Whether a window can be opened at all, found out before Qt tries: Qt ends the process where it cannot."""
+
+import ctypes
+import socket
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+XCB_LIBRARIES = {
+    "libxcb-cursor.so.0": "libxcb-cursor0",
+    "libxcb-icccm.so.4": "libxcb-icccm4",
+    "libxcb-image.so.0": "libxcb-image0",
+    "libxcb-keysyms.so.1": "libxcb-keysyms1",
+    "libxcb-randr.so.0": "libxcb-randr0",
+    "libxcb-render-util.so.0": "libxcb-render-util0",
+    "libxcb-shape.so.0": "libxcb-shape0",
+    "libxcb-xinerama.so.0": "libxcb-xinerama0",
+    "libxcb-xkb.so.1": "libxcb-xkb1",
+    "libxkbcommon-x11.so.0": "libxkbcommon-x11-0",
+    "libX11-xcb.so.1": "libx11-xcb1",
+}
+"""What Qt needs for a window under X11, and the Debian package of each."""
+HINT = "to see it as a picture, use: phonemeanalyser screenshot FILE -o PNG"
+
+
+def why_no_window(environment: Mapping[str, str]) -> str:
+    """Say in a sentence why no window can be opened and what to do; an empty text if one can."""
+    if not sys.platform.startswith("linux") or environment.get("QT_QPA_PLATFORM"):
+        return ""
+    if _wayland_answers(environment):
+        return ""
+    if not environment.get("DISPLAY"):
+        return f"there is no display to open a window on; run it on a desktop, or {HINT}"
+    missing = [package for library, package in XCB_LIBRARIES.items() if not _loads(library)]
+    if missing:
+        return f"the window needs system libraries; install them with: apt-get install {' '.join(missing)}"
+    if not _x_answers():
+        return f"the display {environment['DISPLAY']} does not answer; check DISPLAY, or {HINT}"
+    return ""
+
+
+def why_no_qt(error: ImportError) -> str:
+    """Say in a sentence what an import of Qt lacks and what to do."""
+    text = str(error)
+    if ".so" in text:
+        library = text.split(":", maxsplit=1)[0]
+        return (
+            f"the window needs the system library {library}; install it, on Debian with: apt-get install "
+            "libgl1 libegl1 libfontconfig1 libglib2.0-0 libdbus-1-3 libxkbcommon0"
+        )
+    return f"the window needs the desktop parts ({text}); install them with: pip install 'phonemeanalyser[desktop]'"
+
+
+def _wayland_answers(environment: Mapping[str, str]) -> bool:
+    name = environment.get("WAYLAND_DISPLAY")
+    if not name:
+        return False
+    path = Path(environment.get("XDG_RUNTIME_DIR", "/")) / name
+    with socket.socket(socket.AF_UNIX) as connection:
+        return connection.connect_ex(str(path)) == 0
+
+
+def _loads(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def _x_answers() -> bool:
+    """Ask the X server as Qt will; a broken connection is an error, not an abort."""
+    xcb = ctypes.CDLL("libxcb.so.1")
+    xcb.xcb_connect.restype = ctypes.c_void_p
+    connection = ctypes.c_void_p(xcb.xcb_connect(None, None))
+    answers: bool = xcb.xcb_connection_has_error(connection) == 0
+    xcb.xcb_disconnect(connection)
+    return answers

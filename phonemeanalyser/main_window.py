@@ -1,0 +1,390 @@
+"""The main window: lays the views out, and joins menus, keys and drops to the models. No signal logic."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QSettings, Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QDockWidget,
+    QLabel,
+    QMainWindow,
+    QMenu,
+    QMessageBox,
+    QSplitter,
+    QToolBar,
+    QWidget,
+)
+
+from phonemeanalyser.dialogs import Dialogs
+from phonemeanalyser.models.history import shown_spectra
+from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.models.session import Session
+from phonemeanalyser.theme import Theme
+from phonemeanalyser.views.averaged_view import AveragedView
+from phonemeanalyser.views.banner import Banner
+from phonemeanalyser.views.filter_column import FilterColumn
+from phonemeanalyser.views.phoneme_view import PhonemeView
+from phonemeanalyser.views.shortcuts import ShortcutsDialog
+from phonemeanalyser.views.spectrum_view import SpectrumView
+from phonemeanalyser.views.threshold_view import ThresholdView
+from phonemeanalyser.views.time_view import TimeView
+from phonemeanalyser.views.transport import Transport
+from phonemeanalyser.views.waveform_view import WaveformView
+from phonemeanalyser.window_state import WindowState
+
+FRAME_MS = 16
+"""Between two pictures: 60 a second."""
+SLOW = 4
+"""Numbers and what changes slowly are drawn at every fourth picture."""
+
+
+@dataclass(frozen=True)
+class Command:
+    """An entry of a menu: its text, its key, and what it does; a checkable one is given its state."""
+
+    text: str
+    key: str
+    act: Callable[..., Any]
+    checkable: bool = False
+
+
+class MainWindow(QMainWindow):
+    """All views over one session and one preset.
+
+    Signals
+    -------
+    theme_asked : the user chose ``system``, ``light`` or ``dark``.
+    """
+
+    theme_asked = Signal(str)
+
+    def __init__(self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings) -> None:
+        super().__init__()
+        self.theme = theme
+        self.frozen = False
+        self.dialogs = Dialogs(self, session, preset, settings)
+        self.actions_by_text: dict[str, QAction] = {}
+        self._session = session
+        self._preset = preset
+        self._settings = settings
+        self._menus: dict[str, QMenu] = {}
+        self._ticks = 0
+        self._stale = True
+        self._retired = False
+        self._make_views()
+        self._lay_out()
+        self._make_menus()
+        self._connect()
+        self.state.restore(session, self.time_view)
+        self._banner_bar.hide()
+        self._show_recent()
+        self.refresh_all()
+
+    # -- what it is made of -------------------------------------------------------------------------------
+
+    def _make_views(self) -> None:
+        session, theme = self._session, self.theme
+        self.banner = Banner(theme)
+        self.transport = Transport(session, theme)
+        self.spectrum = SpectrumView("Spectrum", theme)
+        self.averaged = AveragedView(session.averages, theme)
+        self.waveform = WaveformView(theme)
+        self.time_view = TimeView(session.history, self._preset, theme)
+        self.filters = FilterColumn(self._preset, theme)
+        self.phoneme = PhonemeView(session, theme)
+        self.thresholds = ThresholdView(self._preset, session.history, theme)
+        self._file_label, self._output_label = QLabel(), QLabel()
+
+    def _lay_out(self) -> None:
+        self._bar("Transport", self.transport)
+        self._banner_bar = self._bar("Messages", self.banner)
+        self._spectra = QSplitter(Qt.Orientation.Horizontal)
+        self._spectra.addWidget(self.spectrum)
+        self._spectra.addWidget(self.averaged)
+        self._rows = QSplitter(Qt.Orientation.Vertical)
+        for widget in (self._spectra, self.waveform, self.time_view):
+            self._rows.addWidget(widget)
+        self._rows.setSizes([190, 130, 370])
+        for splitter in (self._spectra, self._rows):
+            splitter.setChildrenCollapsible(False)
+        self.setCentralWidget(self._rows)
+        switches: dict[str, QAbstractButton] = {
+            "sonagram_db": self.time_view.decibels,
+            "coarse_spectrum": self.spectrum.coarse,
+            "coarse_average": self.averaged.coarse,
+            "coarse_waveform": self.waveform.coarse,
+            "spectrum_db": self.spectrum.decibels,
+            "average_db": self.averaged.decibels,
+        }
+        self.state = WindowState(self, {"rows": self._rows, "spectra": self._spectra}, switches, self._settings)
+        self._dock("Filters", self.filters, Qt.DockWidgetArea.LeftDockWidgetArea)
+        self._dock("Phoneme", self.phoneme, Qt.DockWidgetArea.RightDockWidgetArea)
+        self._dock("Thresholds", self.thresholds, Qt.DockWidgetArea.RightDockWidgetArea)
+        self.statusBar().addWidget(self._file_label, 1)
+        self.statusBar().addPermanentWidget(self._output_label)
+        self.setAcceptDrops(True)
+        self.resize(1280, 800)
+
+    def _bar(self, title: str, view: QWidget) -> QToolBar:
+        bar = QToolBar(title)
+        bar.setObjectName(title)
+        bar.setMovable(False)
+        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        bar.addWidget(view)
+        self.addToolBar(bar)
+        self.insertToolBarBreak(bar)
+        return bar
+
+    def _dock(self, title: str, view: QWidget, area: Qt.DockWidgetArea) -> None:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(title)
+        dock.setWidget(view)
+        self.addDockWidget(area, dock)
+
+    def _make_menus(self) -> None:
+        session, preset, dialogs = self._session, self._preset, self.dialogs
+        self._add_menu(
+            "&File",
+            Command("Open Sound…", "Ctrl+O", dialogs.ask_sound),
+            Command("Load Preset…", "Ctrl+Shift+O", dialogs.ask_preset),
+            Command("Save Preset", "Ctrl+S", dialogs.save),
+            Command("Save Preset As…", "Ctrl+Shift+S", dialogs.save_as),
+            Command("Load Curve…", "Ctrl+L", dialogs.ask_curves),
+            Command("Save Curve…", "Ctrl+Shift+L", dialogs.ask_save_curve),
+            Command("Quit", "Ctrl+Q", self.close),
+        )
+        self._recent = QMenu("Open Recent", self)
+        self._menus["&File"].insertMenu(self.actions_by_text["Load Preset…"], self._recent)
+        self._make_edit_menu()
+        self._add_menu(
+            "&Play",
+            Command("Play or Pause", "Space", session.toggle),
+            Command("Stop", "Escape", session.stop),
+            Command("Loop", "L", session.set_loop, checkable=True),
+            Command("Back 1 s", "Ctrl+Left", lambda: session.seek(session.position - 1)),
+            Command("Forward 1 s", "Ctrl+Right", lambda: session.seek(session.position + 1)),
+            Command("To the Beginning", "Home", lambda: session.seek(0)),
+            Command("Louder", "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
+            Command("Quieter", "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
+        )
+        self._add_menu(
+            "&Analysis",
+            Command("Bypass All Filters", "B", preset.set_bypassed, checkable=True),
+            Command("Freeze Views", "F", self.set_frozen, checkable=True),
+            Command("Clear", "C", session.clear),
+            Command("New Variable…", "V", self.averaged.measure.toggle),
+            Command("Remove Variable…", "", dialogs.ask_remove_variable),
+        )
+        self._make_view_menu()
+        self._add_menu(
+            "&Help",
+            Command("Keyboard Shortcuts", "F1", self.show_shortcuts),
+            Command("About PhonemeAnalyser", "", self.show_about),
+        )
+
+    def _make_edit_menu(self) -> None:
+        edit = self._add_menu("&Edit")
+        stack = self._preset.undo_stack
+        for action, key in (
+            (stack.createUndoAction(self, "Undo"), QKeySequence.StandardKey.Undo),
+            (stack.createRedoAction(self, "Redo"), QKeySequence.StandardKey.Redo),
+        ):
+            action.setShortcut(key)
+            edit.addAction(action)
+
+    def _make_view_menu(self) -> None:
+        view = self._add_menu(
+            "&View",
+            Command("Coarse Display", "Shift+C", self._set_coarse, checkable=True),
+            Command("Spectra in dB", "D", self._set_decibels, checkable=True),
+        )
+        view.addSeparator()
+        for dock in self.findChildren(QDockWidget):
+            view.addAction(dock.toggleViewAction())
+        view.addSeparator()
+        group = QActionGroup(self)
+        chosen = str(self._settings.value("theme", "system"))
+        for name in ("system", "light", "dark"):
+            action = QAction(f"Theme: {name}", self, checkable=True, checked=name == chosen)
+            action.triggered.connect(partial(self.theme_asked.emit, name))
+            group.addAction(action)
+            view.addAction(action)
+
+    def _add_menu(self, title: str, *commands: Command) -> QMenu:
+        menu = self._menus[title] = self.menuBar().addMenu(title)
+        for command in commands:
+            action = QAction(command.text, self, checkable=command.checkable)
+            action.setShortcut(QKeySequence(command.key))
+            signal = action.toggled if command.checkable else action.triggered
+            signal.connect(command.act if command.checkable else partial(_call, command.act))
+            menu.addAction(action)
+            self.actions_by_text[command.text] = action
+        return menu
+
+    def _connect(self) -> None:
+        session, preset, dialogs = self._session, self._preset, self.dialogs
+        self.transport.open_asked.connect(dialogs.ask_sound)
+        self.averaged.load_asked.connect(dialogs.ask_curves)
+        self.averaged.save_asked.connect(dialogs.ask_save_curve)
+        self.averaged.variable_asked.connect(dialogs.ask_variable)
+        self.filters.bypass_asked.connect(preset.set_bypassed)
+        dialogs.refused.connect(self.banner.say)
+        dialogs.sound_opened.connect(self._show_recent)
+        dialogs.variable_added.connect(self.time_view.variable.setCurrentText)
+        self.banner.shown.connect(self._banner_bar.setVisible)
+        session.failed.connect(self.banner.say)
+        session.opened.connect(self._show_names)
+        session.cleared.connect(self.refresh_all)
+        session.transport_changed.connect(self._show_state)
+        preset.changed.connect(self._show_state)
+        preset.file_changed.connect(self._show_names)
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self.tick)
+        self._timer.start(FRAME_MS)
+        self._show_names()
+        self._show_state()
+
+    # -- drawing ------------------------------------------------------------------------------------------
+
+    def tick(self) -> None:
+        """Gather what is new and draw it: fast views each time, slow ones each fourth time."""
+        self._stale |= self._session.tick()
+        self._ticks += 1
+        slow = self._ticks % SLOW == 0
+        if self._session.playing and slow:
+            self.transport.refresh()
+        if not self._stale or self.frozen:
+            return
+        self._refresh_fast()
+        if slow:
+            self._refresh_slow()
+            self._stale = False
+
+    def refresh_all(self) -> None:
+        """Draw everything as it is now."""
+        self.transport.refresh()
+        self._refresh_fast()
+        self._refresh_slow()
+
+    def _refresh_fast(self) -> None:
+        newest = self._session.history.newest
+        if newest is not None:
+            self.spectrum.draw(shown_spectra(newest)[-1])
+            self.waveform.draw(newest.waveform)
+        self.time_view.refresh()
+
+    def _refresh_slow(self) -> None:
+        self.averaged.refresh()
+        self.phoneme.refresh()
+        self.thresholds.refresh()
+        self.time_view.refresh_numbers()
+        self._show_output()
+
+    def set_frozen(self, frozen: bool) -> None:
+        """Hold the views still while sound goes on, or let them go on."""
+        self.frozen = frozen
+        self.actions_by_text["Freeze Views"].setChecked(frozen)
+        self._show_state()
+
+    def _set_coarse(self, on: bool) -> None:
+        for view in (self.spectrum, self.averaged, self.waveform):
+            view.coarse.setChecked(on)
+
+    def _set_decibels(self, on: bool) -> None:
+        for view in (self.spectrum, self.averaged):
+            view.decibels.setChecked(on)
+
+    def _show_names(self) -> None:
+        path, preset = self._session.path, self._preset
+        sound = path.name if path else "no sound"
+        changed = " (changed)" if preset.has_unsaved_changes else ""
+        self.setWindowTitle(f"{sound} - {preset.preset.name}[*] - PhonemeAnalyser")
+        self.setWindowModified(preset.has_unsaved_changes)
+        self._file_label.setText(f" {sound}: {self._session.description}   ·   preset {preset.preset.name}{changed}")
+
+    def _show_recent(self) -> None:
+        self._recent.clear()
+        for path in self.dialogs.recent_sounds():
+            self._recent.addAction(path, partial(self.dialogs.open_sound, Path(path)))
+        self._recent.setEnabled(not self._recent.isEmpty())
+
+    def _show_state(self) -> None:
+        states = {"Loop": self._session.loop, "Bypass All Filters": self._preset.bypassed}
+        for text, state in states.items():
+            action = self.actions_by_text[text]
+            action.blockSignals(True)
+            action.setChecked(state)
+            action.blockSignals(False)
+        self._stale = True
+        self._show_output()
+
+    def _show_output(self) -> None:
+        session = self._session
+        parts = ["views frozen"] if self.frozen else []
+        parts += [f"{session.n_dropped} frames not shown"] if session.n_dropped else []
+        parts += [f"♪ {session.output_name}" if session.has_card else session.output_name]
+        text = "   ·   ".join(part for part in parts if part) + " "
+        if text != self._output_label.text():
+            self._output_label.setText(text)
+
+    # -- help ---------------------------------------------------------------------------------------------
+
+    def show_shortcuts(self) -> None:
+        """List all keys."""
+        menus = {
+            title.replace("&", ""): [(a.text().replace("&", ""), a.shortcut().toString()) for a in menu.actions()]
+            for title, menu in self._menus.items()
+        }
+        ShortcutsDialog(menus, self).open()
+
+    def show_about(self) -> None:
+        """Say what this is."""
+        QMessageBox.about(
+            self, "PhonemeAnalyser",
+            "<b>PhonemeAnalyser</b><p>Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme "
+            "was recognised.<p>MIT licence. The demo is a synthetic voice of the Festival project (CMU slt).",
+        )  # fmt: skip
+
+    # -- Qt's events --------------------------------------------------------------------------------------
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take files."""
+        if event.mimeData().hasUrls():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Load what was dropped."""
+        event.acceptProposedAction()
+        for url in event.mimeData().urls():
+            self.dialogs.open_any(Path(url.toLocalFile()))
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask about unsaved changes, and keep the layout for the next start."""
+        if not self._retired and not self.dialogs.may_go_on():
+            event.ignore()
+            return
+        self.save_state()
+        self._timer.stop()
+        if not self._retired:
+            self._session.pause()
+        event.accept()
+
+    def save_state(self) -> None:
+        """Keep layout and choices for the next start."""
+        self.state.save(self._session, self.time_view)
+
+    def retire(self) -> None:
+        """Close without asking, since another window takes over."""
+        self._retired = True
+        self.close()
+        self.deleteLater()
+
+
+def _call(act: Callable[[], Any], _checked: bool) -> None:
+    act()

@@ -1,0 +1,1 @@
+"""State and signals: what the views draw and the user changes. No painting."""

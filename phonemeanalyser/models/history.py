@@ -1,0 +1,115 @@
+"""What was found lately: the columns that scroll by, and the extremes since Clear."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.analyser import Analysis
+from engine.dsp.mel import spread_mel
+from engine.features.measure import Features
+from engine.settings import BIN_WIDTH, WINDOW
+
+CAPACITY = 6000
+"""Frames that are remembered: one minute."""
+MOST_BINS = WINDOW // 2
+
+
+class History:
+    """The last minute, frame by frame, and the extremes of every variable since Clear.
+
+    Column c (counted from Clear) lies at index ``c % CAPACITY`` of the arrays.
+
+    Attributes
+    ----------
+    n : columns since Clear.
+    n_bins : bins of the newest spectrum; the rest of a column is 0.
+    spectra : float16, shape (CAPACITY, 1024).
+    frames : int64, shape (CAPACITY,): the column's frame in the file.
+    phonemes, recognised : uint8, shape (CAPACITY,): with and without the statistics.
+    intensities : float32, shape (CAPACITY,).
+    """
+
+    def __init__(self) -> None:
+        self.n = 0
+        self.n_bins = MOST_BINS // 4
+        self.spectra = np.zeros((CAPACITY, MOST_BINS), np.float16)
+        self.frames = np.zeros(CAPACITY, np.int64)
+        self.phonemes = np.zeros(CAPACITY, np.uint8)
+        self.recognised = np.zeros(CAPACITY, np.uint8)
+        self.intensities = np.zeros(CAPACITY, np.float32)
+        self.newest: Analysis | None = None
+        self._names: tuple[str, ...] = ()
+        self._values = np.zeros((CAPACITY, 0), np.float32)
+        self._forget_extremes()
+
+    def clear(self) -> None:
+        """Forget everything."""
+        self.n = 0
+        self.newest = None
+        self._forget_extremes()
+
+    def append(self, analysis: Analysis, first_frame: int) -> None:
+        """Take in a block of frames (at most CAPACITY) and its place in the file."""
+        if analysis.features.names != self._names:
+            self._rename(analysis.features.names)
+        shown = shown_spectra(analysis)
+        at = (self.n + np.arange(len(analysis))) % CAPACITY
+        self.n_bins = shown.shape[1]
+        self.spectra[at, : self.n_bins] = shown
+        self.spectra[at, self.n_bins :] = 0
+        self.frames[at] = first_frame + np.arange(len(analysis))
+        self.phonemes[at] = analysis.phonemes
+        self.recognised[at] = analysis.recognised
+        self.intensities[at] = analysis.intensities
+        self._values[at] = analysis.features.values
+        self._widen_extremes(analysis.features.values)
+        self.newest = analysis
+        self.n += len(analysis)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The measured variables."""
+        return self._names
+
+    def indices(self, first: int, last: int) -> NDArray[np.intp]:
+        """Give the indices of columns first..last-1, as far as they are still remembered."""
+        first = max(first, 0, self.n - CAPACITY)
+        return np.arange(first, max(first, min(last, self.n))) % CAPACITY
+
+    def features(self, indices: NDArray[np.intp]) -> Features:
+        """Give the variables at these indices."""
+        return Features(self._names, self._values[indices])
+
+    def extremes(self, name: str) -> tuple[float, float, float] | None:
+        """Give maximum, mean and minimum of a variable since Clear, or None before the first frame."""
+        if name not in self._names or not self._n_measured:
+            return None
+        k = self._names.index(name)
+        return float(self._highest[k]), float(self._sum[k] / self._n_measured), float(self._lowest[k])
+
+    def _rename(self, names: tuple[str, ...]) -> None:
+        values = np.zeros((CAPACITY, len(names)), np.float32)
+        for k, name in enumerate(names):
+            if name in self._names:
+                values[:, k] = self._values[:, self._names.index(name)]
+        self._names, self._values = names, values
+        self._forget_extremes()
+
+    def _forget_extremes(self) -> None:
+        n = len(self._names)
+        self._n_measured = 0
+        self._highest = np.full(n, -np.inf)
+        self._lowest = np.full(n, np.inf)
+        self._sum = np.zeros(n)
+
+    def _widen_extremes(self, values: NDArray[np.float32]) -> None:
+        np.maximum(self._highest, values.max(axis=0), out=self._highest)
+        np.minimum(self._lowest, values.min(axis=0), out=self._lowest)
+        self._sum += values.sum(axis=0)
+        self._n_measured += len(values)
+
+
+def shown_spectra(analysis: Analysis) -> NDArray[np.float32]:
+    """Give the spectra as they are drawn: through the mel bank while it is on, on the linear axis."""
+    if analysis.mel is None:
+        return analysis.spectra
+    return spread_mel(analysis.mel, analysis.spectra.shape[1], BIN_WIDTH)

@@ -1,0 +1,193 @@
+"""The preset that is being tuned, with undo and redo."""
+
+from collections.abc import Callable
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from engine.features.variables import Variable
+from engine.presets.preset import DEFAULT_PRESET, FACTORY, Preset, load_preset, save_preset
+from engine.recognition.phoneme_data import PhonemeData
+from engine.settings import Filter
+
+FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
+    Filter.QUANTISE: ("quantise", "decimation"),
+    Filter.PRE_EMPHASIS: ("pre_emphasis",),
+    Filter.WINDOW_FUNCTION: ("window_function",),
+    Filter.FREQUENCY_SMOOTH: ("frequency_smooth",),
+    Filter.TIME_SMOOTH: ("time_smooth",),
+    Filter.HIGH_PASS: ("high_pass_start", "high_pass_end"),
+    Filter.LOW_PASS: ("low_pass_start", "low_pass_end"),
+    Filter.DENOISE: ("denoise_threshold",),
+    Filter.MEL: ("mel_bands",),
+    Filter.NORMALISE: (),
+}
+PAIRS = (
+    ("high_pass_start", "high_pass_end"),
+    ("low_pass_start", "low_pass_end"),
+    ("intensity_low", "intensity_high"),
+)
+
+
+class _Edit(QUndoCommand):
+    """One change of the preset; changes of the same thing in one run become one."""
+
+    def __init__(self, apply: Callable[[Preset], None], before: Preset, after: Preset, what: str, run: int) -> None:
+        super().__init__(what)
+        self._run = run
+        self._apply = apply
+        self._before = before
+        self._after = after
+
+    def id(self) -> int:
+        return 1
+
+    def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802 - Qt's name
+        if not isinstance(other, _Edit) or (other.text(), other._run) != (self.text(), self._run):
+            return False
+        self._after = other._after
+        return True
+
+    def redo(self) -> None:
+        self._apply(self._after)
+
+    def undo(self) -> None:
+        self._apply(self._before)
+
+
+class PresetModel(QObject):
+    """The preset in use, where it came from, and what has been changed since.
+
+    Signals
+    -------
+    changed : the preset in force is another one.
+    file_changed : the file's name, or whether there are unsaved changes.
+    """
+
+    changed = Signal()
+    file_changed = Signal()
+
+    def __init__(self, path: Path = DEFAULT_PRESET) -> None:
+        super().__init__()
+        self.undo_stack = QUndoStack(self)
+        self.undo_stack.cleanChanged.connect(lambda _clean: self.file_changed.emit())
+        self.bypassed = False
+        self.path = path
+        self.preset = load_preset(path)
+        self._saved = self.preset
+        self._run = 0
+
+    @property
+    def in_force(self) -> Preset:
+        """The preset that the analysis uses: all filters off while bypassed."""
+        if not self.bypassed:
+            return self.preset
+        return replace(self.preset, settings=replace(self.preset.settings, filters=frozenset()))
+
+    @property
+    def has_unsaved_changes(self) -> bool:
+        """Whether the preset differs from its file."""
+        return self.preset != self._saved
+
+    @property
+    def is_factory(self) -> bool:
+        """Whether the preset's file ships with the program, and so is not to be changed."""
+        return self.path.resolve().parent == FACTORY
+
+    def load(self, path: Path) -> None:
+        """Load a preset or PhonemeData file; EngineError leaves everything as it was."""
+        preset = load_preset(path, self.preset)
+        self._saved = preset
+        self.path = path
+        self.undo_stack.clear()
+        self._apply(preset)
+        self.file_changed.emit()
+
+    def save(self, path: Path) -> None:
+        """Save to a file, which becomes the preset's file; EngineError leaves everything as it was."""
+        named = replace(self.preset, name=path.stem) if path != self.path else self.preset
+        save_preset(named, path)
+        self.path = path
+        self._saved = named
+        if named != self.preset:
+            self._apply(named)
+        self.undo_stack.setClean()
+        self.file_changed.emit()
+
+    def set_bypassed(self, bypassed: bool) -> None:
+        """Switch all filters off at once, or back to what they were."""
+        self.bypassed = bypassed
+        self.changed.emit()
+
+    def edit(self, preset: Preset, what: str) -> None:
+        """Change the preset; `what` names the change in the Edit menu, and equal names in a row become one."""
+        if preset != self.preset:
+            self.undo_stack.push(_Edit(self._apply, self.preset, preset, what, self._run))
+            self.file_changed.emit()
+
+    def end_edit(self) -> None:
+        """End a run of changes that undo takes back together, such as a drag."""
+        self._run += 1
+
+    def set_setting(self, name: str, value: Any) -> None:
+        """Change one field of the settings; of an ordered pair, the other one gives way."""
+        changes = {name: value}
+        for low, high in PAIRS:
+            if name == low:
+                changes[high] = max(value, getattr(self.preset.settings, high))
+            if name == high:
+                changes[low] = min(value, getattr(self.preset.settings, low))
+        settings = replace(self.preset.settings, **changes)
+        self.edit(replace(self.preset, settings=settings), f"change of {name.replace('_', ' ')}")
+
+    def set_filter(self, step: Filter, on: bool) -> None:
+        """Switch a filter on or off."""
+        filters = self.preset.settings.filters
+        settings = replace(self.preset.settings, filters=filters | {step} if on else filters - {step})
+        self.edit(replace(self.preset, settings=settings), f"{step.replace('_', ' ')} {'on' if on else 'off'}")
+
+    def reset_filter(self, step: Filter) -> None:
+        """Give a filter back what the preset's file says."""
+        saved = self._saved.settings
+        changes: dict[str, Any] = {name: getattr(saved, name) for name in FILTER_PARAMETERS[step]}
+        filters = self.preset.settings.filters
+        changes["filters"] = filters | {step} if saved.has(step) else filters - {step}
+        settings = replace(self.preset.settings, **changes)
+        self.edit(replace(self.preset, settings=settings), f"reset of {step.replace('_', ' ')}")
+
+    def reset_settings(self, names: tuple[str, ...]) -> None:
+        """Give some fields of the settings back what the preset's file says."""
+        changes: dict[str, Any] = {name: getattr(self._saved.settings, name) for name in names}
+        settings = replace(self.preset.settings, **changes)
+        self.edit(replace(self.preset, settings=settings), f"reset of {names[0].replace('_', ' ')}")
+
+    def set_threshold(self, name: str, value: float) -> None:
+        """Change one of the 21 numbers of PhonemeData (high-pass bounds in bins)."""
+        data = self.preset.phoneme_data
+        numbers = {f.name: getattr(data, f.name) for f in fields(PhonemeData)} | {name: value}
+        if name == "high_pass_start":
+            numbers["high_pass_end"] = max(value, numbers["high_pass_end"])
+        if name == "high_pass_end":
+            numbers["high_pass_start"] = min(value, numbers["high_pass_start"])
+        self.edit(self.preset.with_phoneme_data(PhonemeData(**numbers)), f"change of {name.replace('_', ' ')}")
+
+    def saved_threshold(self, name: str) -> float:
+        """Give one of the 21 numbers as the preset's file has it."""
+        return float(getattr(self._saved.phoneme_data, name))
+
+    def add_variable(self, variable: Variable) -> None:
+        """Add a user's own variable; EngineError where the name is taken."""
+        preset = replace(self.preset, variables=(*self.preset.variables, variable))
+        self.edit(preset, f"variable {variable.name}")
+
+    def remove_variable(self, name: str) -> None:
+        """Remove a user's own variable."""
+        kept = tuple(v for v in self.preset.variables if v.name != name)
+        self.edit(replace(self.preset, variables=kept), f"removal of {name}")
+
+    def _apply(self, preset: Preset) -> None:
+        self.preset = preset
+        self.changed.emit()

@@ -1,0 +1,116 @@
+"""The averaged spectrum, curves beside it, and a region that becomes a variable."""
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
+
+from engine.settings import BIN_WIDTH
+from phonemeanalyser.models.averages import AveragesModel
+from phonemeanalyser.theme import CURVE_COLOURS, Theme
+from phonemeanalyser.views.plot import switch
+from phonemeanalyser.views.spectrum_view import SpectrumView
+
+
+class AveragedView(SpectrumView):
+    """Draws the running mean and every loaded curve on one frequency axis.
+
+    Signals
+    -------
+    load_asked, save_asked : the user wants to load or save a curve.
+    variable_asked : the user wants a variable over this range (Hz).
+    """
+
+    load_asked = Signal()
+    save_asked = Signal()
+    variable_asked = Signal(float, float)
+
+    def __init__(self, averages: AveragesModel, theme: Theme) -> None:
+        super().__init__("Averaged spectrum", theme)
+        self._averages = averages
+        self._overlays: list[pg.PlotCurveItem] = []
+        self._legend = QWidget()
+        self._entries = QHBoxLayout(self._legend)
+        self._names: list[QLabel] = []
+        self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"))
+        self.measure = switch("variable", "Mark a range of frequencies to measure as a variable of your own")
+        self._add_curve_controls()
+        self._add_region()
+        averages.curves_changed.connect(self._show_curves)
+
+    def refresh(self) -> None:
+        """Draw the running mean as it is now."""
+        self.draw(self._averages.current().amplitudes.astype(np.float32))
+        for label, curve, distance in zip(
+            self._names, self._averages.curves, self._averages.distances(), strict=True
+        ):
+            label.setText(curve.name if np.isnan(distance) else f"{curve.name} Δ {distance:.1f} dB")
+
+    def _change_scale(self) -> None:
+        super()._change_scale()
+        for overlay, curve in zip(self._overlays, self._averages.curves, strict=True):
+            overlay.setData(curve.frequencies, self.heights_of(curve.amplitudes))
+
+    def _add_curve_controls(self) -> None:
+        menu = QMenu(self)
+        menu.addAction("Load Curve…", self.load_asked.emit)
+        menu.addAction("Save Curve…", self.save_asked.emit)
+        curves = QToolButton()
+        curves.setText("curves")
+        curves.setToolTip("Save the averaged spectrum, or load saved ones to compare with")
+        curves.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        curves.setMenu(menu)
+        self.header.addWidget(curves)
+        self._entries.setContentsMargins(60, 0, 4, 2)
+        self._legend.setVisible(False)
+        self._body.addWidget(self._legend)
+
+    def _add_region(self) -> None:
+        self.header.addWidget(self.measure)
+        self.region.setVisible(False)
+        self.item.addItem(self.region, ignoreBounds=True)
+        self.measure.toggled.connect(self._toggle_region)
+
+    def _toggle_region(self, on: bool) -> None:
+        self.measure.setText("name it…" if on else "variable")
+        self.region.setVisible(on)
+        if not on:
+            low, high = (max(0.0, edge) for edge in self.region.getRegion())
+            self.variable_asked.emit(round(low / BIN_WIDTH) * BIN_WIDTH, round(high / BIN_WIDTH) * BIN_WIDTH)
+
+    def _show_curves(self) -> None:
+        self._remove_curves()
+        for k, curve in enumerate(self._averages.curves):
+            colour = CURVE_COLOURS[k % len(CURVE_COLOURS)]
+            overlay = pg.PlotCurveItem(curve.frequencies, self.heights_of(curve.amplitudes), pen=pg.mkPen(colour))
+            self.item.addItem(overlay)
+            self._overlays.append(overlay)
+            self._names.append(
+                self._legend_entry(k, curve.name, f"{curve.n_frames} frames; {curve.front_end}", colour)
+            )
+        self._entries.addStretch(1)
+        self._legend.setVisible(bool(self._overlays))
+
+    def _remove_curves(self) -> None:
+        for overlay in self._overlays:
+            self.item.removeItem(overlay)
+        self._overlays.clear()
+        self._names.clear()
+        while self._entries.count():
+            entry = self._entries.takeAt(0)
+            widget = entry.widget() if entry else None
+            if widget is not None:
+                widget.deleteLater()
+
+    def _legend_entry(self, k: int, name: str, tip: str, colour: str) -> QLabel:
+        label = QLabel(name)
+        label.setStyleSheet(f"color: {colour}; font-weight: bold")
+        label.setToolTip(tip)
+        button = QToolButton()
+        button.setText("✕")
+        button.setAutoRaise(True)
+        button.setToolTip(f"Remove {name}")
+        button.clicked.connect(lambda _checked: self._averages.remove(k))
+        self._entries.addWidget(label)
+        self._entries.addWidget(button)
+        return label

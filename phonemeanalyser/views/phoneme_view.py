@@ -1,0 +1,120 @@
+"""The recognised phoneme in large letters, its intensity, why it was recognised, and the plain measures."""
+
+from typing import Any
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QPainter
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from engine.phonemes import Phoneme
+from engine.recognition.trace import Comparison, Trace
+from phonemeanalyser.models.session import Session
+from phonemeanalyser.theme import PHONEME_COLOURS, Theme
+
+ROW = 15
+"""Height of a line of the trace in pixels."""
+N_ROWS = 10
+METERS = (("zc", "zero_crossings", "{:.0f}"), ("vol", "volume", "{:.3f}"), ("e", "energy", "{:.3f}"),
+          ("f(g)", "f0", "{:.0f} Hz"))  # fmt: skip
+
+
+class PhonemeView(QWidget):
+    """Paints everything about the newest frame at once, since it changes many times a second."""
+
+    def __init__(self, session: Session, theme: Theme) -> None:
+        super().__init__()
+        self._session = session
+        self._theme = theme
+        self.trace: Trace | None = None
+        self.phoneme = Phoneme.SILENCE
+        self.intensity = 0.0
+        self.meters: dict[str, str] = {}
+        self.setMinimumSize(250, 132 + N_ROWS * ROW)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        self.setToolTip(
+            "The phoneme now, its intensity, the measures zc (zero crossings), vol (peak level), e (energy), f(g) "
+            "(fundamental frequency), and what each rule said, down to the one that fired"
+        )
+
+    def refresh(self) -> None:
+        """Show the newest frame."""
+        newest = self._session.history.newest
+        if newest is None:
+            self.phoneme, self.intensity, self.meters = Phoneme.SILENCE, 0.0, {}
+        else:
+            values = newest.features.frame(len(newest) - 1)
+            self.phoneme = Phoneme(int(newest.phonemes[-1]))
+            self.intensity = float(newest.intensities[-1])
+            self.meters = {name: form.format(values[variable]) for name, variable, form in METERS}
+            if values["f0"] == 0:
+                self.meters["f(g)"] = "–"
+        self.trace = self._session.explain()
+        self.setAccessibleName(self.phoneme.label)
+        self.update()
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint phoneme, intensity, measures and trace from top to bottom."""
+        painter = QPainter(self)
+        width = self.width() - 16
+        self._paint_phoneme(painter, QRectF(8, 4, width, 58))
+        self._paint_intensity(painter, QRectF(8, 66, width, 14))
+        self._paint_meters(painter, QRectF(8, 84, width, 32))
+        if self.trace is not None:
+            self._paint_trace(painter, self.trace, QRectF(8, 122, width, ROW))
+
+    def _paint_phoneme(self, painter: QPainter, box: QRectF) -> None:
+        colour = QColor(PHONEME_COLOURS[self.phoneme])
+        painter.fillRect(box, QColor(colour.red(), colour.green(), colour.blue(), 50))
+        painter.fillRect(QRectF(box.left(), box.top(), 5, box.height()), colour)
+        name = self.phoneme.label
+        self._write(painter, box, name, self._theme.text, 42 if len(name) < 4 else 30, Qt.AlignmentFlag.AlignCenter)
+
+    def _paint_intensity(self, painter: QPainter, box: QRectF) -> None:
+        painter.fillRect(box, QColor(self._theme.raised))
+        bar = QRectF(box.left(), box.top(), box.width() * self.intensity, box.height())
+        painter.fillRect(bar, QColor(self._theme.accent))
+        self._write(painter, box.adjusted(5, 0, -5, 0), f"intensity {self.intensity:.2f}", self._theme.text, 10)
+
+    def _paint_meters(self, painter: QPainter, box: QRectF) -> None:
+        cell = box.width() / len(METERS)
+        for k, (name, _, _) in enumerate(METERS):
+            place = QRectF(box.left() + k * cell, box.top(), cell, box.height())
+            self._write(painter, place.adjusted(0, 0, 0, -16), name, self._theme.faint, 10)
+            self._write(painter, place.adjusted(0, 14, 0, 0), self.meters.get(name, "–"), self._theme.text, 14)
+
+    def _paint_trace(self, painter: QPainter, trace: Trace, line: QRectF) -> None:
+        for comparison, asked, fired in rows_of(trace)[:N_ROWS]:
+            colour = self._theme.text if fired else self._theme.faint
+            mark = self._theme.good if comparison.margin > 0 else self._theme.bad
+            self._write(painter, line, "✓" if comparison.margin > 0 else "✗", mark, 11)
+            self._write(painter, line.adjusted(16, 0, 0, 0), asked, colour, 11)
+            self._write(painter, line.adjusted(62, 0, 0, 0), _words(comparison), colour, 11)
+            right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            self._write(painter, line, f"{comparison.margin:+.3g}", mark, 11, right)
+            line = line.translated(0, ROW)
+
+    def _write(
+        self, painter: QPainter, box: QRectF, text: str, colour: str, size: int,
+        align: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignVCenter,
+    ) -> None:  # fmt: skip
+        font = painter.font()
+        font.setPixelSize(size)
+        painter.setFont(font)
+        painter.setPen(QColor(colour))
+        painter.drawText(box, align, text)
+
+
+def rows_of(trace: Trace) -> list[tuple[Comparison, str, bool]]:
+    """Give a line for each rule that failed (its first failed comparison) and all of the one that fired."""
+    rows = []
+    told = set()
+    for comparison in trace.comparisons:
+        fired = comparison.rule == trace.rule
+        if fired or (comparison.margin <= 0 and comparison.rule not in told):
+            told.add(comparison.rule)
+            rows.append((comparison, comparison.rule, fired))
+    return rows
+
+
+def _words(comparison: Comparison) -> str:
+    return f"{comparison.variable} {comparison.value:.3g} {comparison.sign} {comparison.limit:.3g}"

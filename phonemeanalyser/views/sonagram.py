@@ -1,0 +1,135 @@
+"""The items that scroll: sonagram and phoneme lane, with time as seconds before now (0 at the right)."""
+
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter
+
+from engine.phonemes import Phoneme
+from engine.settings import BIN_WIDTH, FRAME_PERIOD
+from phonemeanalyser.models.history import CAPACITY, MOST_BINS, History
+from phonemeanalyser.theme import PHONEME_COLOURS, Theme
+
+SPAN = CAPACITY * FRAME_PERIOD
+"""Seconds that can be seen."""
+COLOUR_MAPS = ("viridis", "inferno", "magma", "plasma", "cividis", "grey")
+NARROWEST_LETTER = 13
+"""Pixels that a stretch of one phoneme needs to carry its name."""
+
+
+def colours_of(name: str) -> NDArray[np.uint32]:
+    """Give a colour map as 256 pixels of a QImage, 0xffRRGGBB."""
+    if name == "grey":
+        rgb = np.repeat(np.arange(256, dtype=np.uint32)[:, None], 3, axis=1)
+    else:
+        rgb = pg.colormap.get(name).getLookupTable(nPts=256)[:, :3].astype(np.uint32)
+    pixels = np.uint32(0xFF000000) | (rgb[:, 0] << 16) | (rgb[:, 1] << 8) | rgb[:, 2]
+    return np.asarray(pixels, np.uint32)
+
+
+class SonagramItem(pg.GraphicsObject):
+    """The last minute of spectra as an image.
+
+    The image is a ring: only new columns are coloured, and it is painted in two pieces.
+    """
+
+    def __init__(self, history: History) -> None:
+        super().__init__()
+        self._history = history
+        self._pixels = np.zeros((MOST_BINS, CAPACITY), np.uint32)
+        self._image = QImage(self._pixels.data, CAPACITY, MOST_BINS, 4 * CAPACITY, QImage.Format.Format_RGB32)
+        self._drawn = 0
+        self._colours = colours_of(COLOUR_MAPS[0])
+        self._in_decibels = True
+        self._low, self._high = -60.0, 0.0
+        self.recolour()
+
+    def set_colours(self, colours: NDArray[np.uint32], in_decibels: bool, low: float, high: float) -> None:
+        """Choose colours, and the amplitudes (0..1 or dB) of the darkest and the brightest."""
+        self._colours, self._in_decibels, self._low, self._high = colours, in_decibels, low, high
+        self.recolour()
+
+    def recolour(self) -> None:
+        """Draw everything remembered anew."""
+        self._pixels[:] = self._colours[0]
+        self._drawn = max(0, self._history.n - CAPACITY)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Colour what is new since the last call."""
+        if self._history.n < self._drawn:
+            self._drawn = 0
+            self._pixels[:] = self._colours[0]
+        at = self._history.indices(self._drawn, self._history.n)
+        if len(at):
+            self._pixels[:, at] = self._colours[self._levels_of(self._history.spectra[at]).T]
+        self._drawn = self._history.n
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        """One minute by half the sample rate."""
+        return QRectF(-SPAN, 0, SPAN, MOST_BINS * BIN_WIDTH)
+
+    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+        """Paint the ring's two pieces: what was written last ends at time 0."""
+        split = self._drawn % CAPACITY
+        rows = min(MOST_BINS, int(self.viewRect().bottom() / BIN_WIDTH) + 2)
+        height = rows * BIN_WIDTH
+        older = CAPACITY - split
+        x = -SPAN
+        for first, n in ((split, older), (0, split)):
+            visible = x + n * FRAME_PERIOD > self.viewRect().left()
+            if n and visible:
+                target = QRectF(x, -BIN_WIDTH / 2, n * FRAME_PERIOD, height)
+                painter.drawImage(target, self._image, QRectF(first, 0, n, rows))
+            x += n * FRAME_PERIOD
+
+    def _levels_of(self, spectra: NDArray[np.float16]) -> NDArray[np.uint8]:
+        amplitudes = spectra.astype(np.float32)
+        if self._in_decibels:
+            amplitudes = 20 * np.log10(np.maximum(amplitudes, np.float32(1e-6)))
+        scaled = (amplitudes - self._low) * (255 / max(self._high - self._low, 1e-6))
+        return np.asarray(np.clip(scaled, 0, 255), np.uint8)
+
+
+class PhonemeLane(pg.GraphicsObject):
+    """The recognised phonemes as coloured stretches, named where there is room."""
+
+    def __init__(self, history: History, theme: Theme) -> None:
+        super().__init__()
+        self._history = history
+        self._brushes = [QColor(PHONEME_COLOURS[p]) for p in Phoneme]
+        self._empty = QColor(theme.base)
+
+    def boundingRect(self) -> QRectF:
+        """One minute by one."""
+        return QRectF(-SPAN, 0, SPAN, 1)
+
+    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+        """Paint the stretches that are in view."""
+        view = self.viewRect()
+        n_shown = int(-view.left() / FRAME_PERIOD) + 1
+        first = max(0, self._history.n - min(n_shown, CAPACITY))
+        codes = self._history.phonemes[self._history.indices(first, self._history.n)]
+        if len(codes) == 0:
+            return
+        edges = np.flatnonzero(np.diff(codes, prepend=255, append=255))
+        transform = painter.transform()
+        painter.resetTransform()
+        font = painter.font()
+        font.setPixelSize(11)
+        painter.setFont(font)
+        for begin, end in zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True):
+            x = (begin - len(codes)) * FRAME_PERIOD
+            stretch = transform.mapRect(QRectF(x, 0, (end - begin) * FRAME_PERIOD, 1))
+            self._paint_stretch(painter, stretch, int(codes[begin]))
+
+    def _paint_stretch(self, painter: QPainter, stretch: QRectF, code: int) -> None:
+        painter.fillRect(stretch, self._brushes[code])
+        name = {"silence": "–", "unidentified": "?"}.get(Phoneme(code).label, Phoneme(code).label)
+        if stretch.width() >= max(NARROWEST_LETTER, 8 * len(name)):
+            painter.setPen(Qt.GlobalColor.white)
+            painter.drawText(stretch, Qt.AlignmentFlag.AlignCenter, name)

@@ -1,0 +1,239 @@
+"""The 21 thresholds as sliders, with the live value of each one's variable drawn on it."""
+
+import math
+from typing import Any
+
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
+from PySide6.QtWidgets import QDoubleSpinBox, QFrame, QGridLayout, QLabel, QScrollArea, QToolButton, QWidget
+
+from engine.recognition.phoneme_data import LAYOUT
+from engine.recognition.rules import CONDITIONS
+from phonemeanalyser.models.history import History
+from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.theme import Theme
+
+GROUPS = (
+    ("Filters", ""),
+    ("Silence", "all of these, else it is no silence"),
+    ("SZ and SCH", "SZ if both, SCH if the first only"),
+    ("P", "all of these"),
+    ("A and E", "A if both, E if the first only"),
+    ("U, O, I, M", "below the first; then U, O, I by m_o1, else M"),
+)
+HIGHEST: dict[str, tuple[float, int]] = {
+    "time_smooth": (1, 3),
+    "frequency_smooth": (1, 3),
+    "high_pass_start": (60, 2),
+    "high_pass_end": (60, 2),
+    "denoise_threshold": (0.1, 5),
+    "zero_crossings": (1500, 1),
+    "energy": (20, 4),
+    "max_energy": (1, 5),
+    "m_szsch1": (51, 3),
+    "m_s1": (66, 3),
+    "energy_n": (150, 3),
+    "m_p1": (3, 4),
+    "m_p2": (1, 4),
+    "m_ae1": (1, 4),
+    "m_a1": (16, 3),
+    "m_o1": (11, 3),
+}
+"""The right end of a slider, and decimals, by variable or by filter parameter."""
+CURVATURE = 2.5
+"""Sliders give small values more room: position = (value / highest) ** (1 / CURVATURE)."""
+CONDITION_OF = {c.threshold: c for c in CONDITIONS}
+
+
+class ThresholdSlider(QWidget):
+    """A track with a handle for the threshold and a mark for the live value.
+
+    The side of the handle on which the comparison holds is coloured; the mark is green where it holds.
+
+    Signals
+    -------
+    moved : the user chose another value.
+    released : the drag is over.
+    """
+
+    moved = Signal(float)
+    released = Signal()
+
+    def __init__(self, highest: float, sign: str, theme: Theme) -> None:
+        super().__init__()
+        self.value = 0.0
+        self.live: float | None = None
+        self._highest = highest
+        self._sign = sign
+        self._theme = theme
+        self._mark_at = -1
+        self.setMinimumSize(70, 20)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def set_value(self, value: float) -> None:
+        """Move the handle."""
+        if value != self.value:
+            self.value = value
+            self.update()
+
+    def set_live(self, value: float | None) -> None:
+        """Move the mark; None hides it."""
+        self.live = value
+        mark = -1 if value is None else round(self._x_of(value))
+        if mark != self._mark_at:
+            self._mark_at = mark
+            self.update()
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint track, handle and mark."""
+        painter = QPainter(self)
+        middle, handle = self.height() / 2, self._x_of(self.value)
+        left, right = 6.0, self.width() - 6.0
+        painter.fillRect(QRectF(left, middle - 2, right - left, 4), QColor(self._theme.line))
+        if self._sign:
+            holds = QRectF(left, middle - 2, handle - left, 4)
+            if self._sign == ">":
+                holds = QRectF(handle, middle - 2, right - handle, 4)
+            painter.fillRect(holds, QColor(self._theme.accent))
+        if self.live is not None:
+            good = (self.live > self.value) == (self._sign == ">") and self.live != self.value
+            colour = QColor(self._theme.good if good else self._theme.bad)
+            painter.fillRect(QRectF(self._mark_at - 1.5, 1, 3, self.height() - 2), colour)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QColor(self._theme.base))
+        painter.setBrush(QColor(self._theme.accent if self.hasFocus() else self._theme.text))
+        top = self.height() - 1.0
+        corners = ((handle, middle - 1), (handle + 5, middle + 5), (handle + 5, top), (handle - 5, top),
+                   (handle - 5, middle + 5))  # fmt: skip
+        painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in corners]))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Jump to the mouse."""
+        self._follow(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Follow the mouse."""
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            self._follow(event)
+
+    def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
+        """End the drag."""
+        self.released.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move by a hundredth of the track, with Shift by a tenth of that."""
+        steps = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+        if event.key() not in steps:
+            super().keyPressEvent(event)
+            return
+        fine = 0.1 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
+        self._choose(self._share_of(self.value) + steps[Qt.Key(event.key())] * 0.01 * fine)
+
+    def _follow(self, event: QMouseEvent) -> None:
+        self.setFocus()
+        self._choose((event.position().x() - 6) / max(1, self.width() - 12))
+
+    def _choose(self, share: float) -> None:
+        value = self._highest * min(max(share, 0.0), 1.0) ** CURVATURE
+        self.moved.emit(float(f"{value:.4g}"))
+
+    def _share_of(self, value: float) -> float:
+        return float(min(max(value / self._highest, 0.0), 1.0) ** (1 / CURVATURE))
+
+    def _x_of(self, value: float) -> float:
+        return 6 + self._share_of(value) * (self.width() - 12)
+
+
+class ThresholdView(QScrollArea):
+    """All thresholds, grouped by rule."""
+
+    def __init__(self, preset: PresetModel, history: History, theme: Theme) -> None:
+        super().__init__()
+        self._preset = preset
+        self._history = history
+        self._theme = theme
+        self.sliders: dict[str, ThresholdSlider] = {}
+        self.numbers: dict[str, QDoubleSpinBox] = {}
+        self.resets: dict[str, QToolButton] = {}
+        self._fill()
+        preset.changed.connect(self._show_preset)
+        self._show_preset()
+
+    def refresh(self) -> None:
+        """Move the marks to the newest frame's values."""
+        newest = self._history.newest
+        values = newest.features.frame(len(newest) - 1) if newest is not None else {}
+        for name, condition in CONDITION_OF.items():
+            self.sliders[name].set_live(values.get(condition.variable))
+
+    def _fill(self) -> None:
+        body = QWidget()
+        grid = QGridLayout(body)
+        grid.setContentsMargins(6, 2, 6, 6)
+        grid.setHorizontalSpacing(5)
+        grid.setVerticalSpacing(1)
+        grid.setColumnStretch(1, 1)
+        row = 0
+        for (title, note), names in zip(GROUPS, LAYOUT, strict=True):
+            heading = QLabel(f"<b>{title}</b> <span style='color:{self._theme.faint}'>{note}</span>")
+            heading.setContentsMargins(0, 5, 0, 1)
+            grid.addWidget(heading, row, 0, 1, 4)
+            for row, name in enumerate(names, row + 1):  # noqa: B020 - rows go on from group to group
+                self._add_row(grid, row, name)
+            row += 1
+        grid.setRowStretch(row, 1)
+        self.setWidget(body)
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+
+    def _add_row(self, grid: QGridLayout, row: int, name: str) -> None:
+        condition = CONDITION_OF.get(name)
+        variable = condition.variable if condition else name
+        highest, decimals = HIGHEST[variable]
+        label = QLabel(f"{variable} {condition.sign}" if condition else _words(name))
+        label.setTextFormat(Qt.TextFormat.PlainText)
+        label.setToolTip(f"PhonemeData name: {name}")
+        slider = ThresholdSlider(highest, condition.sign if condition else "", self._theme)
+        slider.setAccessibleName(name)
+        slider.setToolTip(f"{name}: drag, or arrow keys (with Shift finer). The bar is the live value.")
+        number = QDoubleSpinBox()
+        number.setRange(0, 1e6)
+        number.setDecimals(decimals)
+        number.setButtonSymbols(QDoubleSpinBox.ButtonSymbols.NoButtons)
+        number.setKeyboardTracking(False)
+        number.setFixedWidth(60)
+        number.setSingleStep(highest / 100)
+        number.setAccessibleName(name)
+        reset = QToolButton()
+        reset.setText("↺")
+        reset.setAutoRaise(True)
+        reset.setToolTip("Reset to what the preset's file says")
+        for column, widget in enumerate((label, slider, number, reset)):
+            grid.addWidget(widget, row, column)
+        slider.moved.connect(lambda value: self._preset.set_threshold(name, value))
+        slider.released.connect(self._preset.end_edit)
+        number.valueChanged.connect(lambda value: self._type(name, value))
+        reset.clicked.connect(lambda _checked: self._preset.set_threshold(name, self._preset.saved_threshold(name)))
+        self.sliders[name], self.numbers[name], self.resets[name] = slider, number, reset
+
+    def _type(self, name: str, value: float) -> None:
+        shown = float(getattr(self._preset.preset.phoneme_data, name))
+        if not math.isclose(value, shown, abs_tol=0.5 * 10 ** -self.numbers[name].decimals()):
+            self._preset.set_threshold(name, value)
+
+    def _show_preset(self) -> None:
+        data = self._preset.preset.phoneme_data
+        for name, slider in self.sliders.items():
+            value = float(getattr(data, name))
+            slider.set_value(value)
+            number = self.numbers[name]
+            number.blockSignals(True)
+            number.setValue(value)
+            number.blockSignals(False)
+            self.resets[name].setVisible(value != self._preset.saved_threshold(name))
+
+
+def _words(name: str) -> str:
+    unit = " (bins)" if name.startswith("high_pass") else ""
+    return name.replace("_", " ") + unit

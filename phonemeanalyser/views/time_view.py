@@ -1,0 +1,256 @@
+"""What scrolls: the sonagram, the lane of phonemes under it, and the course of one variable."""
+
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QLabel, QSpinBox, QVBoxLayout, QWidget
+
+from engine.features.variables import BUILT_IN_NAMES
+from engine.phonemes import Phoneme
+from engine.recognition.rules import CONDITIONS
+from engine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
+from phonemeanalyser.models.history import CAPACITY, History
+from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.theme import Theme
+from phonemeanalyser.views.colour_bar import ColourBar
+from phonemeanalyser.views.plot import READOUTS_PER_SECOND, switch
+from phonemeanalyser.views.sonagram import COLOUR_MAPS, SPAN, PhonemeLane, SonagramItem, colours_of
+
+LANE_HEIGHT = 22
+COURSE_HEIGHT = 110
+AXIS_WIDTH = 52
+SECONDS_SHOWN = 6.0
+
+
+class TimeView(QWidget):
+    """Three plots over the same seconds before now; 0 is what is heard."""
+
+    def __init__(self, history: History, preset: PresetModel, theme: Theme) -> None:
+        super().__init__()
+        self._history = history
+        self._preset = preset
+        self._theme = theme
+        self._graphics = pg.GraphicsLayoutWidget()
+        self.sonagram = SonagramItem(history)
+        self._lane = PhonemeLane(history, theme)
+        self._course = pg.PlotCurveItem(pen=pg.mkPen(theme.signal))
+        self._limits: list[pg.InfiniteLine] = []
+        self._course_range = (0.0, 0.0)
+        self.decibels = switch("dB", "Brightness in dB, or linear")
+        self.low = QSpinBox()
+        self.colours = QComboBox()
+        self.variable = QComboBox()
+        self._extremes = QLabel()
+        self._cursor_label = QLabel(self._graphics)
+        self._colour_bar = ColourBar()
+        self._make_plots()
+        self._lay_out()
+        self._connect()
+        self._list_variables()
+        self._choose_colours()
+
+    def refresh(self) -> None:
+        """Draw what is new."""
+        self.sonagram.refresh()
+        self._lane.update()
+        self._draw_course()
+
+    def refresh_numbers(self) -> None:
+        """Write maximum, mean and minimum of the chosen variable."""
+        extremes = self._history.extremes(self.variable.currentText())
+        names = ("max", "mid", "min")
+        shown = ("–",) * 3 if extremes is None else tuple(f"{value:.4g}" for value in extremes)
+        text = "".join(
+            f"<span style='color:{self._theme.faint}'>&nbsp; {name}</span> {value}"
+            for name, value in zip(names, shown, strict=True)
+        )
+        if text != self._extremes.text():
+            self._extremes.setText(text)
+
+    def _make_plots(self) -> None:
+        layout = self._graphics.ci
+        layout.setContentsMargins(0, 0, 6, 0)
+        layout.setSpacing(0)
+        self._plots = [layout.addPlot(row=row, col=0) for row in range(3)]
+        labels = ("frequency (Hz)", "", "variable")
+        for plot, item, label in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
+            plot.addItem(item)
+            plot.hideButtons()
+            plot.setMenuEnabled(False)
+            plot.getAxis("left").setWidth(AXIS_WIDTH)
+            plot.getAxis("left").enableAutoSIPrefix(False)
+            plot.setLabel("left", label)
+            plot.setMouseEnabled(x=True, y=plot is self._plots[0])
+            plot.vb.setLimits(xMin=-SPAN, xMax=0)
+            plot.vb.setDefaultPadding(0)
+        self._fix_ranges()
+
+    def _fix_ranges(self) -> None:
+        sonagram, lane, course = self._plots
+        sonagram.setYRange(0, SAMPLE_RATE / 8, padding=0)
+        sonagram.vb.setLimits(yMin=0, yMax=SAMPLE_RATE / 2)
+        lane.setYRange(0, 1, padding=0)
+        lane.setFixedHeight(LANE_HEIGHT)
+        lane.getAxis("left").setStyle(showValues=False, tickLength=0)
+        course.setFixedHeight(COURSE_HEIGHT)
+        course.setLabel("bottom", "time before now (s)")
+        course.getAxis("bottom").enableAutoSIPrefix(False)
+        for plot in (sonagram, lane):
+            plot.hideAxis("bottom")
+        for plot in (lane, course):
+            plot.setXLink(sonagram)
+        sonagram.setXRange(-SECONDS_SHOWN, 0, padding=0)
+
+    def _lay_out(self) -> None:
+        header = QHBoxLayout()
+        header.setContentsMargins(6, 3, 6, 1)
+        header.addWidget(QLabel("<b>Sonagram and phonemes</b>"))
+        header.addStretch(1)
+        self.low.setRange(-120, -10)
+        self.low.setValue(-60)
+        self.low.setSuffix(" dB")
+        self.low.setToolTip("Amplitude of the darkest colour; the brightest is full scale")
+        self.colours.addItems(COLOUR_MAPS)
+        self.colours.setToolTip("Colour map")
+        self.decibels.setChecked(True)
+        header.setSpacing(8)
+        controls: tuple[QWidget, ...] = (self.decibels, self.low, self.colours)
+        for widget in controls:
+            header.addWidget(widget)
+        footer = QHBoxLayout()
+        footer.setContentsMargins(6, 1, 6, 3)
+        self.variable.setToolTip("The variable whose course and extremes are shown")
+        self.variable.setMinimumWidth(150)
+        self._extremes.setToolTip("Largest, mean and smallest value since Clear")
+        row: tuple[QWidget, ...] = (QLabel("<b>Variable</b>"), self.variable, self._extremes)
+        footer.setSpacing(8)
+        for widget in row:
+            footer.addWidget(widget)
+        footer.addStretch(1)
+        plots = QGridLayout()
+        plots.setContentsMargins(0, 0, 0, 0)
+        plots.setSpacing(0)
+        plots.addWidget(self._graphics, 0, 0, 2, 1)
+        plots.addWidget(self._colour_bar, 0, 1)
+        plots.setRowMinimumHeight(1, LANE_HEIGHT + COURSE_HEIGHT)
+        plots.setRowStretch(0, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(header)
+        layout.addLayout(plots, 1)
+        layout.addLayout(footer)
+
+    def _connect(self) -> None:
+        self.decibels.toggled.connect(lambda _on: self._choose_colours())
+        self.low.valueChanged.connect(lambda _value: self._choose_colours())
+        self.colours.currentTextChanged.connect(lambda _name: self._choose_colours())
+        self.variable.currentTextChanged.connect(lambda _name: self._choose_variable())
+        self._preset.changed.connect(self._list_variables)
+        self._cursor_label.setVisible(False)
+        self._cursor_label.setStyleSheet(
+            f"color: {self._theme.text}; background: {self._theme.raised}; padding: 2px 5px; border-radius: 3px"
+        )
+        scene = self._graphics.scene()
+        self._proxy = pg.SignalProxy(scene.sigMouseMoved, rateLimit=READOUTS_PER_SECOND, slot=self._on_mouse)
+
+    # -- colours ------------------------------------------------------------------------------------------
+
+    def _choose_colours(self) -> None:
+        colours, in_decibels = colours_of(self.colours.currentText()), self.decibels.isChecked()
+        self.low.setEnabled(in_decibels)
+        low, high = (float(self.low.value()), 0.0) if in_decibels else (0.0, 1.0)
+        self.sonagram.set_colours(colours, in_decibels, low, high)
+        form = "{:.0f} dB" if in_decibels else "{:.1f}"
+        self._colour_bar.draw(colours, *(form.format(value) for value in (low, (low + high) / 2, high)))
+
+    # -- the variable -------------------------------------------------------------------------------------
+
+    def _list_variables(self) -> None:
+        chosen = self.variable.currentText()
+        names = [*BUILT_IN_NAMES, *(v.name for v in self._preset.preset.variables)]
+        if names != [self.variable.itemText(k) for k in range(self.variable.count())]:
+            self.variable.blockSignals(True)
+            self.variable.clear()
+            self.variable.addItems(names)
+            self.variable.setCurrentText(chosen if chosen in names else "energy")
+            self.variable.blockSignals(False)
+        self._choose_variable()
+
+    def _choose_variable(self) -> None:
+        course = self._plots[2]
+        course.setLabel("left", self.variable.currentText().replace("_", " "))
+        for line in self._limits:
+            course.removeItem(line)
+        thresholds = self._preset.preset.thresholds
+        mine = [c.threshold for c in CONDITIONS if c.variable == self.variable.currentText()]
+        pen = pg.mkPen(self._theme.bad, style=Qt.PenStyle.DashLine)
+        self._limits = [
+            pg.InfiniteLine(
+                getattr(thresholds, name), angle=0, pen=pen, label=name,
+                labelOpts={"position": 0.02, "anchors": [(0, 0), (0, 1)], "color": self._theme.bad},
+            )
+            for name in mine
+        ]  # fmt: skip
+        for line in self._limits:
+            course.addItem(line, ignoreBounds=True)
+        self._draw_course()
+        self.refresh_numbers()
+
+    def _draw_course(self) -> None:
+        n_shown = min(CAPACITY, int(-self._plots[0].vb.viewRange()[0][0] / FRAME_PERIOD) + 1)
+        at = self._history.indices(self._history.n - n_shown, self._history.n)
+        name = self.variable.currentText()
+        if len(at) == 0 or name not in self._history.names:
+            self._course.setData([], [])
+            return
+        values = self._history.features(at)[name]
+        self._course.setData((np.arange(len(at)) - len(at) + 0.5) * FRAME_PERIOD, values, skipFiniteCheck=True)
+        self._fit_course(name)
+
+    def _fit_course(self, name: str) -> None:
+        highest, _, lowest = self._history.extremes(name) or (1.0, 0.0, 0.0)
+        wanted = (min(0.0, lowest), _round_up(highest))
+        if wanted != self._course_range:
+            self._course_range = wanted
+            self._plots[2].setYRange(*wanted, padding=0.02)
+
+    # -- the cursor ---------------------------------------------------------------------------------------
+
+    def leaveEvent(self, event: Any) -> None:
+        """Hide the read-out when the mouse leaves."""
+        self._cursor_label.setVisible(False)
+        super().leaveEvent(event)
+
+    def _on_mouse(self, event: tuple[QPointF]) -> None:
+        under = [plot for plot in self._plots if plot.vb.sceneBoundingRect().contains(event[0])]
+        text = self._describe(under[0], under[0].vb.mapSceneToView(event[0])) if under else ""
+        self._cursor_label.setVisible(bool(text))
+        self._cursor_label.setText(text)
+        self._cursor_label.adjustSize()
+        self._cursor_label.move(self._graphics.width() - self._cursor_label.width() - 14, 8)
+
+    def _describe(self, plot: Any, point: QPointF) -> str:
+        column = self._history.n + int(np.floor(point.x() / FRAME_PERIOD))
+        at = self._history.indices(column, column + 1)
+        if len(at) == 0:
+            return ""
+        k = int(at[0])
+        phoneme = Phoneme(int(self._history.phonemes[k])).label
+        text = f"{self._history.frames[k] * FRAME_PERIOD:.2f} s   {phoneme}"
+        if plot is self._plots[0]:
+            level = float(self._history.spectra[k, min(1023, max(0, round(point.y() / BIN_WIDTH)))])
+            decibels = f"{20 * np.log10(level):.1f} dB" if level > 0 else "−∞ dB"
+            return f"{text}   {point.y():.0f} Hz   {level:.4f}   {decibels}"
+        name = self.variable.currentText()
+        return f"{text}   {name} {self._history.features(at)[name][0]:.4g}"
+
+
+def _round_up(value: float) -> float:
+    """Give the next of 1, 1.5, 2, 3, 5, 7, 10 times a power of ten, so that an axis seldom changes."""
+    if value <= 0:
+        return 1.0
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(power * next(step for step in (1, 1.5, 2, 3, 5, 7, 10) if step * power >= value * 0.999))

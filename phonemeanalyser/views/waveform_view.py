@@ -1,0 +1,59 @@
+"""The newest analysed window, after the filters of the time domain."""
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QSlider
+
+from engine.settings import SAMPLE_RATE, WINDOW
+from phonemeanalyser.theme import Theme
+from phonemeanalyser.views.plot import Plot, switch
+
+COARSE = 8
+"""Samples that share a bar of the coarse display."""
+LENGTH_MS = 1000 * WINDOW / SAMPLE_RATE
+
+
+class WaveformView(Plot):
+    """Draws a window, fine (every sample) or coarse (lowest and highest of eight); the slider enlarges it."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__("Waveform", (("time in the window", "ms"), ("amplitude", "")), self._describe, theme)
+        self._wave = np.zeros(0, np.float32)
+        self._curve = pg.PlotCurveItem(pen=pg.mkPen(theme.signal))
+        self.item.addItem(self._curve)
+        self.coarse = switch("coarse", "Coarse display: lowest and highest of eight neighbouring samples")
+        self.scale = QSlider(Qt.Orientation.Horizontal)
+        self._add_controls()
+        self._set_range()
+        self.item.setXRange(0, LENGTH_MS, padding=0)
+        self.item.vb.setLimits(xMin=0, xMax=LENGTH_MS, yMin=-1.1, yMax=1.1)
+
+    def draw(self, wave: NDArray[np.float32]) -> None:
+        """Draw a window, shape (n_samples,), full scale ±1; it always spans 46.4 ms."""
+        self._wave = wave
+        y = wave
+        if self.coarse.isChecked() and len(y):
+            groups = y.reshape(-1, COARSE)
+            y = np.stack((groups.min(axis=1), groups.max(axis=1)), axis=1).ravel()
+        self._curve.setData(np.linspace(0, LENGTH_MS, len(y), endpoint=False), y, skipFiniteCheck=True)
+
+    def _add_controls(self) -> None:
+        self.scale.setRange(0, 40)
+        self.scale.setFixedWidth(70)
+        self.scale.setToolTip("Vertical scale: enlarges quiet sound, in dB")
+        self.header.addWidget(self.coarse)
+        self.header.addWidget(QLabel("scale"))
+        self.header.addWidget(self.scale)
+        self.coarse.toggled.connect(lambda _on: self.draw(self._wave))
+        self.scale.valueChanged.connect(lambda _value: self._set_range())
+
+    def _set_range(self) -> None:
+        half = 1.05 * 10 ** (-self.scale.value() / 20)
+        self.item.setYRange(-half, half, padding=0)
+
+    def _describe(self, milliseconds: float, _height: float) -> str:
+        k = int(milliseconds / LENGTH_MS * len(self._wave))
+        value = f"   {self._wave[k]:+.4f}" if 0 <= k < len(self._wave) else ""
+        return f"{milliseconds:.1f} ms{value}"

@@ -1,0 +1,175 @@
+"""What cannot be read is refused at once, with one sentence that says what to do."""
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+from engine.audio.files import SoundReader
+from engine.errors import AudioError
+from engine.settings import SAMPLE_RATE, Channel
+from tests.bad_files import BAD_FILES, DAMAGED, HOSTILE, LYING, ODD_FILES, a_sound
+
+READ_ALL = """
+import sys, time
+from pathlib import Path
+from engine.audio.files import SoundReader
+from engine.errors import AudioError
+start = time.perf_counter()
+try:
+    with SoundReader(Path(sys.argv[1])) as reader:
+        for _ in reader.blocks(10_000): pass
+except AudioError as error:
+    print(time.perf_counter() - start, error)
+"""
+
+
+def refusal_of(path: Path) -> str:
+    with pytest.raises(AudioError) as refusal, SoundReader(path) as reader:
+        for _ in reader.blocks(10_000):
+            pass
+    return str(refusal.value)
+
+
+@pytest.mark.parametrize("name", [n for n in BAD_FILES if n not in HOSTILE])
+def test_a_bad_file_is_refused_in_one_sentence_that_begins_with_its_name(name: str, tmp_path: Path) -> None:
+    path = BAD_FILES[name](tmp_path)
+    message = refusal_of(path)
+    assert message.startswith(f"{path.name}: ".replace("\n", "?"))
+    assert message.isprintable()
+    assert ". " not in message
+    assert not message.endswith(".")
+    assert len(message) < 250
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_hostile_file_is_refused_within_a_second(name: str, tmp_path: Path) -> None:
+    path = HOSTILE[name](tmp_path)
+    command = [sys.executable, "-c", READ_ALL, str(path)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    seconds, message = done.stdout.strip().split(" ", 1)
+    assert float(seconds) < 1
+    assert message.startswith(f"{path.name}: the sizes in its header do not match the file (")
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize("name", LYING)
+def test_sizes_that_lie_are_named_before_the_sound_is_opened(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = LYING[name](tmp_path)
+    monkeypatch.setattr("engine.audio.files._Decoder", None)
+    with pytest.raises(AudioError, match=r"the sizes in its header do not match the file .*export it again"):
+        SoundReader(path)
+
+
+@pytest.mark.parametrize("name", DAMAGED)
+def test_damage_in_the_middle_shows_when_it_is_met(name: str, tmp_path: Path) -> None:
+    with SoundReader(DAMAGED[name](tmp_path)) as reader:
+        assert len(reader.read(4410)) == 4410
+        with pytest.raises(AudioError, match=r" \d\.\d{3} s"):
+            reader.read(reader.n_samples)
+
+
+def test_the_place_of_a_number_that_is_none_is_named(tmp_path: Path) -> None:
+    assert f"at {30_000 / SAMPLE_RATE:.3f} s" in refusal_of(DAMAGED["not_a_number"](tmp_path))
+
+
+def test_a_number_too_large_for_a_sample_counts_as_infinite(tmp_path: Path) -> None:
+    path = tmp_path / "large.wav"
+    soundfile.write(path, np.full(100, 1e300), SAMPLE_RATE, subtype="DOUBLE")
+    assert "infinity" in refusal_of(path)
+
+
+def test_a_rate_too_low_for_speech_is_refused_with_the_limits(tmp_path: Path) -> None:
+    assert refusal_of(BAD_FILES["one_hertz"](tmp_path)) == (
+        "one_hertz.wav: its sample rate of 1 Hz is too low to hold speech; it must lie in 1000..768000 Hz, "
+        "so export it again at 44100 Hz"
+    )
+
+
+def test_a_file_that_may_not_be_read_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    path = ODD_FILES["one_sample"](tmp_path)
+    monkeypatch.setattr(Path, "open", refuse)
+    assert refusal_of(path) == "one_sample.wav: reading it is not permitted; change its permissions or copy it"
+
+
+def test_a_folder_that_may_not_be_entered_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    path = ODD_FILES["one_sample"](tmp_path)
+    monkeypatch.setattr(Path, "stat", refuse)
+    assert "not permitted" in refusal_of(path)
+
+
+@pytest.mark.parametrize("name", ["x" * 300 + ".wav", "nul\0l.wav"])
+def test_a_name_that_no_file_can_have_is_refused(name: str, tmp_path: Path) -> None:
+    assert refusal_of(tmp_path / name).isprintable()
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes with names")
+def test_a_pipe_is_refused_without_waiting_for_its_writer(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.wav")
+    assert "not a sound file" in refusal_of(tmp_path / "pipe.wav")
+
+
+@pytest.mark.parametrize("name", ODD_FILES)
+def test_an_unusual_file_is_read_to_its_end(name: str, tmp_path: Path) -> None:
+    with SoundReader(ODD_FILES[name](tmp_path)) as reader:
+        assert sum(len(block) for block in reader.blocks(1000)) == reader.n_samples
+
+
+def test_one_sample_is_a_sound_with_a_remark(tmp_path: Path) -> None:
+    with SoundReader(ODD_FILES["one_sample"](tmp_path)) as reader:
+        assert reader.n_samples == 1
+        assert reader.notes == ("shorter than one window (46 ms), so silence surrounds it",)
+        np.testing.assert_allclose(reader.read(10)[:, 0], a_sound()[:1], atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("channel", "remark"),
+    [
+        (Channel.MIX, "200 channels are mixed to one"),
+        (Channel.LEFT, "only the first of 200 channels is used"),
+        (Channel.RIGHT, "only the second of 200 channels is used"),
+    ],
+)
+def test_two_hundred_channels_become_one_with_a_remark(channel: Channel, remark: str, tmp_path: Path) -> None:
+    with SoundReader(ODD_FILES["two_hundred_channels"](tmp_path), channel) as reader:
+        assert (reader.n_file_channels, reader.n_channels, reader.notes) == (200, 1, (remark,))
+        np.testing.assert_allclose(reader.read(22_050)[:, 0], a_sound(0.5), atol=1e-4)
+
+
+def test_junk_behind_the_last_chunk_is_no_part_of_the_sound(tmp_path: Path) -> None:
+    with SoundReader(ODD_FILES["trailing_junk"](tmp_path)) as reader:
+        assert reader.n_samples == a_sound(0.1).nbytes // 2
+
+
+def test_large_files_are_checked_by_their_headers_alone(tmp_path: Path) -> None:
+    path = tmp_path / "large.rf64"
+    soundfile.write(path, a_sound(0.1), SAMPLE_RATE, format="RF64")
+    content = bytearray(path.read_bytes())
+    data = content.index(b"data")
+    n_bytes = 1 << 32  # more than 32 bits can say
+    content[20:28] = (data + n_bytes).to_bytes(8, "little")
+    content[28:36] = n_bytes.to_bytes(8, "little")
+    content[36:44] = (n_bytes // 2).to_bytes(8, "little")
+    content[data + 4 : data + 8] = b"\xff" * 4
+    path.write_bytes(content)
+    with path.open("r+b") as file:
+        file.truncate(data + 8 + n_bytes)  # a hole, which takes no room on the disk
+    start = time.perf_counter()
+    with SoundReader(path) as reader:
+        assert reader.n_samples == n_bytes // 2
+        reader.seek(reader.n_samples - 100)
+        assert len(reader.read(1000)) == 100
+    assert time.perf_counter() - start < 2
