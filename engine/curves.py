@@ -145,12 +145,19 @@ def _parse(lines: list[str]) -> Curve:
         if key not in header:
             raise ValueError(f"the header lacks '{key}'")
     points = np.array([_point(row, number) for number, row in enumerate(rows[1:], 1)]).reshape(-1, 2)
-    n_bins, n_frames = int(header["bins"]), int(header["frames"])
-    if len(points) != n_bins or not 1 <= n_bins <= MOST_BINS or n_frames < 0:
+    n_bins, n_frames = _count(header, "bins"), _count(header, "frames")
+    if len(points) != n_bins or not 1 <= n_bins <= MOST_BINS:
         raise ValueError(f"the header announces {n_bins} bins (1..{MOST_BINS}), found {len(points)}")
     if np.any(np.diff(points[:, 0]) <= 0):
         raise ValueError("the frequencies must rise from row to row")
     return Curve(header["name"], points[:, 0], points[:, 1], n_frames, header["front end"])
+
+
+def _count(header: dict[str, str], key: str) -> int:
+    text = header[key]
+    if not (text.isascii() and text.isdigit() and len(text) <= 12):
+        raise ValueError(f"'{key}' in the header must be a whole number of 0 or more, found {text[:40]!r}")
+    return int(text)
 
 
 def _point(row: str, number: int) -> tuple[float, float]:

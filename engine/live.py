@@ -13,7 +13,6 @@ from pathlib import Path
 from engine.analyser import Analyser, Analysis
 from engine.audio.files import SoundReader, mono_of
 from engine.audio.stream import ClockOutput, Output, open_output
-from engine.errors import EngineError
 from engine.presets.preset import Preset
 from engine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, Channel
 
@@ -83,6 +82,7 @@ class FilePlayer:
         self._error: Exception | None = None
         self._segments: tuple[tuple[int, int], ...] = ((0, 0),)
         self._waiting: deque[_Waiting] = deque()
+        self._handover = threading.Lock()
         self._commands: deque[Callable[[], None]] = deque()
         self._wake = threading.Event()
         self._thread = threading.Thread(target=self._run, name="analysis", daemon=True)
@@ -95,7 +95,9 @@ class FilePlayer:
 
     @property
     def finished(self) -> bool:
-        """Whether the end of the file has been heard and taken."""
+        """Whether the end of the file has been heard and taken, and nothing else is asked for."""
+        if self._target is not None:
+            return False
         drained = self._output.heard >= self._output.n_written
         return self._at_end and not self._waiting and (drained or not self._playing)
 
@@ -132,7 +134,7 @@ class FilePlayer:
 
     def seek(self, seconds: float) -> None:
         """Go to a place in the file, rounded down to a frame."""
-        frame = int(max(0.0, min(seconds, self.reader.duration)) / FRAME_PERIOD)
+        frame = _frame_at(max(0.0, min(seconds, self.reader.duration)))
         self._target = frame
         self._do(lambda: self._jump(frame))
 
@@ -154,8 +156,9 @@ class FilePlayer:
             self._do(self._go_on_without_card)
         heard = self._output.heard
         due = []
-        while self._waiting and self._waiting[0].due <= heard:
-            due.append(self._waiting.popleft().heard)
+        with self._handover:
+            while self._waiting and self._waiting[0].due <= heard:
+                due.append(self._waiting.popleft().heard)
         return due
 
     def close(self) -> None:
@@ -178,8 +181,8 @@ class FilePlayer:
                 busy = self._playing and not self._at_end and self._output.room >= STEP
                 if busy:
                     self._advance()
-            except EngineError as error:
-                self._error, self._at_end, busy = error, True, False
+            except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
+                self._error, self._at_end, self._target, busy = error, True, None, False
             if not busy:
                 self._wake.wait(0.02 if self._playing else 1.0)
                 self._wake.clear()
@@ -197,7 +200,7 @@ class FilePlayer:
             self._at_end = True
 
     def _jump(self, frame: int) -> None:
-        self._waiting.clear()
+        self._forget_waiting()
         self._output.skip()
         self._begin(frame)
         if self._target == frame:
@@ -225,9 +228,14 @@ class FilePlayer:
             return
         first = self._base_frame + analysis.start
         due = written + (first + len(analysis) - 1) * HOP + HOP // 2 - sample
-        self._waiting.append(_Waiting(Heard(analysis, first), min(due, self._output.n_written)))
-        while len(self._waiting) > MOST_WAITING:
-            self.n_dropped += len(self._waiting.popleft().heard.analysis)
+        with self._handover:
+            self._waiting.append(_Waiting(Heard(analysis, first), min(due, self._output.n_written)))
+            while len(self._waiting) > MOST_WAITING:
+                self.n_dropped += len(self._waiting.popleft().heard.analysis)
+
+    def _forget_waiting(self) -> None:
+        with self._handover:
+            self._waiting.clear()
 
     def _go_on_without_card(self) -> None:
         if not self._output.lost:
@@ -236,7 +244,12 @@ class FilePlayer:
         output = ClockOutput()
         output.run(running=self._playing)
         self._output = output
-        self._waiting.clear()
-        self._begin(int(position / FRAME_PERIOD))
+        self._forget_waiting()
+        self._begin(_frame_at(position))
         self._segments = self._segments[-1:]
         lost.close()
+
+
+def _frame_at(seconds: float) -> int:
+    """Give the frame in which a time lies; a frame's own beginning belongs to it, however it is rounded."""
+    return int(seconds / FRAME_PERIOD + 1e-6)

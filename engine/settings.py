@@ -132,7 +132,7 @@ class AnalysisSettings:
     denoise_threshold: float = 0.0
     mel_bands: int = 40
     statistics: bool = True
-    minimum_hold: float = 0.03
+    minimum_hold: float = 0.02
     intensity_low: float = -45.0
     intensity_high: float = -6.0
 

@@ -1,6 +1,7 @@
 """Analyse files without a window: each sound file becomes a table of phonemes, or of every frame's variables."""
 
 import csv
+import io
 import json
 import os
 import sys
@@ -14,6 +15,7 @@ from tqdm import tqdm
 
 from engine.analyser import Analysis, analyses_of
 from engine.audio.files import SUFFIXES, SoundReader
+from engine.audio.opening import shown_name
 from engine.errors import AudioError, EngineError
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
@@ -26,7 +28,7 @@ BLOCK = 5 * SAMPLE_RATE
 
 @dataclass(frozen=True)
 class Job:
-    """A sound file, and where its table goes; None means standard output."""
+    """A sound file (or a folder without any), and where its table goes; None means standard output."""
 
     source: Path
     target: Path | None
@@ -49,11 +51,12 @@ def jobs_of(inputs: list[Path], out: Path | None, kind: str) -> Iterator[Job]:
     """
     found = [(file, relative) for path in inputs for file, relative in _files_under(path)]
     if out is None:
-        if len(found) > 1 or any(path.is_dir() for path in inputs):
+        if len(found) > 1 or any(_is_folder(path) for path in inputs):
             raise EngineError("several files need a folder for their tables; name one with -o")
         yield from (Job(file, None) for file, _ in found)
         return
-    single = len(inputs) == 1 and not inputs[0].is_dir() and out.suffix.lower() == f".{kind}" and not out.is_dir()
+    is_table = out.suffix.lower() == f".{kind}" and not _is_folder(out)
+    single = len(inputs) == 1 and not _is_folder(inputs[0]) and is_table
     for file, relative in found:
         yield Job(file, out if single else out / relative.with_suffix(f".{kind}"))
 
@@ -76,13 +79,19 @@ def analyse_all(jobs: Iterable[Job], preset: Preset, table: Table) -> int:
 
 
 def _files_under(path: Path) -> Iterator[tuple[Path, Path]]:
-    if not path.is_dir():
-        yield path, Path(path.name)
-        return
-    found = [file for file in sorted(path.rglob("*")) if file.is_file() and file.suffix.lower() in SUFFIXES]
-    if not found:
-        raise AudioError(f"{path}: there is no sound file in this folder; name another")
-    yield from ((file, file.relative_to(path)) for file in found)
+    inside = sorted(path.rglob("*")) if _is_folder(path) else []
+    found = [file for file in inside if file.is_file() and file.suffix.lower() in SUFFIXES]
+    if found:
+        yield from ((file, file.relative_to(path)) for file in found)
+    else:
+        yield path, Path(path.name or "folder")
+
+
+def _is_folder(path: Path) -> bool:
+    try:
+        return path.is_dir()
+    except OSError:  # a name too long, or a folder that may not be entered: whoever opens it says so
+        return False
 
 
 def _refuse_collision(job: Job, taken: dict[Path, Path]) -> None:
@@ -97,17 +106,20 @@ def _refuse_collision(job: Job, taken: dict[Path, Path]) -> None:
 
 
 def _analyse(job: Job, preset: Preset, table: Table) -> None:
+    name = shown_name(job.source)
+    if _is_folder(job.source):
+        raise AudioError(f"{name}: there is no sound file in this folder; name another")
     with SoundReader(job.source) as reader:
         for note in reader.notes:
-            tqdm.write(f"phonemeanalyser: {job.source.name}: note: {note}", file=sys.stderr)
-        write = _writer_of(table)
+            tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
+
+        def write(file: TextIO) -> None:
+            _writer_of(table)(file, _watched(reader, preset, table, name), reader, preset)
+
         if job.target is None:
-            text = list(_watched(reader, preset, table, job.source.name))
-            write(sys.stdout, iter(text), reader, preset)
-            return
-        _write_whole(
-            job.target, lambda file: write(file, _watched(reader, preset, table, job.source.name), reader, preset)
-        )
+            _print_whole(write)
+        else:
+            _write_whole(job.target, write)
 
 
 def _watched(reader: SoundReader, preset: Preset, table: Table, name: str) -> Iterator[Analysis]:
@@ -118,6 +130,14 @@ def _watched(reader: SoundReader, preset: Preset, table: Table, name: str) -> It
         for analysis in analyses_of(reader.blocks(BLOCK), preset, pitch=table.features):
             progress.update(len(analysis) * FRAME_PERIOD)
             yield analysis
+
+
+def _print_whole(write: Callable[[TextIO], None]) -> None:
+    """Print a table once it is complete, so that nothing is printed of a file that breaks in the middle."""
+    text = io.StringIO()
+    write(text)
+    sys.stdout.write(text.getvalue())
+    sys.stdout.flush()
 
 
 def _write_whole(target: Path, write: Callable[[TextIO], None]) -> None:

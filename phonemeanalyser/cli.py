@@ -2,6 +2,7 @@
 
 import argparse
 import importlib
+import math
 import os
 import sys
 from collections.abc import Callable, Sequence
@@ -75,7 +76,7 @@ def _screenshot(words: list[str]) -> int:
     )
     parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="PNG")
-    parser.add_argument("--at", type=float, metavar="SECONDS", help="analysed up to here (default: the end)")
+    parser.add_argument("--at", type=_seconds, metavar="SECONDS", help="analysed up to here (default: the end)")
     parser.add_argument("--size", type=_size, default=(1280, 800), metavar="WxH")
     parser.add_argument("--theme", choices=["light", "dark"], default="light")
     parser.add_argument("--preset", type=Path, help="preset (.toml) or PhonemeData file")
@@ -85,6 +86,16 @@ def _screenshot(words: list[str]) -> int:
         options.file, options.out, at=options.at, size=options.size, theme=options.theme, preset=options.preset
     )
     return 0
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"must be a number of seconds, got {text!r}") from None
+    if not 0 <= seconds < math.inf:
+        raise argparse.ArgumentTypeError(f"must be 0 s or later, got {text!r}")
+    return seconds
 
 
 def _size(text: str) -> tuple[int, int]:

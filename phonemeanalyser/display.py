@@ -25,8 +25,9 @@ HINT = "to see it as a picture, use: phonemeanalyser screenshot FILE -o PNG"
 
 def why_no_window(environment: Mapping[str, str]) -> str:
     """Say in a sentence why no window can be opened and what to do; an empty text if one can."""
-    if not sys.platform.startswith("linux") or environment.get("QT_QPA_PLATFORM"):
-        return ""
+    platform = environment.get("QT_QPA_PLATFORM", "xcb")
+    if not sys.platform.startswith("linux") or not platform.startswith(("xcb", "wayland")):
+        return ""  # such as offscreen, which needs no display
     if _wayland_answers(environment):
         return ""
     if not environment.get("DISPLAY"):
@@ -56,8 +57,11 @@ def _wayland_answers(environment: Mapping[str, str]) -> bool:
     if not name:
         return False
     path = Path(environment.get("XDG_RUNTIME_DIR", "/")) / name
-    with socket.socket(socket.AF_UNIX) as connection:
-        return connection.connect_ex(str(path)) == 0
+    try:
+        with socket.socket(socket.AF_UNIX) as connection:
+            return connection.connect_ex(str(path)) == 0
+    except OSError:  # a path too long for a socket
+        return False
 
 
 def _loads(library: str) -> bool:

@@ -39,6 +39,7 @@ from phonemeanalyser.window_state import WindowState
 
 FRAME_MS = 16
 """Between two pictures: 60 a second."""
+FILTERS_WIDTH, PHONEME_WIDTH = 240, 310
 SLOW = 4
 """Numbers and what changes slowly are drawn at every fourth picture."""
 
@@ -106,6 +107,7 @@ class MainWindow(QMainWindow):
         self._spectra = QSplitter(Qt.Orientation.Horizontal)
         self._spectra.addWidget(self.spectrum)
         self._spectra.addWidget(self.averaged)
+        self._spectra.setSizes([380, 380])
         self._rows = QSplitter(Qt.Orientation.Vertical)
         for widget in (self._spectra, self.waveform, self.time_view):
             self._rows.addWidget(widget)
@@ -125,6 +127,8 @@ class MainWindow(QMainWindow):
         self._dock("Filters", self.filters, Qt.DockWidgetArea.LeftDockWidgetArea)
         self._dock("Phoneme", self.phoneme, Qt.DockWidgetArea.RightDockWidgetArea)
         self._dock("Thresholds", self.thresholds, Qt.DockWidgetArea.RightDockWidgetArea)
+        docks = self.findChildren(QDockWidget)
+        self.resizeDocks(docks[:2], [FILTERS_WIDTH, PHONEME_WIDTH], Qt.Orientation.Horizontal)
         self.statusBar().addWidget(self._file_label, 1)
         self.statusBar().addPermanentWidget(self._output_label)
         self.setAcceptDrops(True)

@@ -17,6 +17,7 @@ class Theme:
     name: str
     window: str
     base: str
+    field: str
     raised: str
     text: str
     faint: str
@@ -28,11 +29,13 @@ class Theme:
 
 
 LIGHT = Theme(
-    name="light", window="#f3f4f6", base="#ffffff", raised="#e6e8ec", text="#1c2128", faint="#656d78",
+    name="light", window="#f3f4f6", base="#ffffff", field="#ffffff",
+    raised="#e6e8ec", text="#1c2128", faint="#656d78",
     line="#c3c8d0", accent="#2563c9", signal="#1a5fb4", good="#1d8348", bad="#c0392b",
 )  # fmt: skip
 DARK = Theme(
-    name="dark", window="#1f2228", base="#15171c", raised="#2c3038", text="#e4e7ec", faint="#98a1ae",
+    name="dark", window="#1f2228", base="#15171c", field="#343a45",
+    raised="#2c3038", text="#e4e7ec", faint="#98a1ae",
     line="#434954", accent="#5b9bf5", signal="#7cc4ff", good="#58c98a", bad="#ff7b6b",
 )  # fmt: skip
 
@@ -65,7 +68,7 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
     roles = {
         QPalette.ColorRole.Window: theme.window,
         QPalette.ColorRole.WindowText: theme.text,
-        QPalette.ColorRole.Base: theme.base,
+        QPalette.ColorRole.Base: theme.field,
         QPalette.ColorRole.AlternateBase: theme.raised,
         QPalette.ColorRole.Text: theme.text,
         QPalette.ColorRole.PlaceholderText: theme.faint,
@@ -87,5 +90,9 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
     app.setPalette(palette)
     app.setStyleSheet(
         f"QToolTip {{ color: {theme.text}; background: {theme.raised}; border: 1px solid {theme.line} }}"
+        f"QToolButton[checkable=true] {{ color: {theme.text}; background: {theme.raised}; padding: 1px 4px;"
+        f" border: 1px solid {theme.line}; border-radius: 3px }}"
+        f"QToolButton[checkable=true]:checked {{ color: white; background: {theme.accent} }}"
+        f"QToolButton[checkable=true]:hover {{ border-color: {theme.accent} }}"
     )
     pg.setConfigOptions(background=theme.base, foreground=theme.text, antialias=False)

@@ -4,6 +4,7 @@ Both count samples since they were opened, and say which one is being heard now:
 """
 
 import math
+import threading
 import time
 from typing import Any, Protocol
 
@@ -74,6 +75,7 @@ class ClockOutput:
         self.n_written = 0
         self._heard = 0.0
         self._since: float | None = None
+        self._moving = threading.Lock()
 
     @property
     def room(self) -> int:
@@ -83,11 +85,8 @@ class ClockOutput:
     @property
     def heard(self) -> float:
         """Number of the sample whose time it is; never beyond what was written."""
-        now = time.monotonic()
-        if self._since is not None:
-            self._heard = min(self._heard + (now - self._since) * SAMPLE_RATE, self.n_written)
-            self._since = now
-        return self._heard
+        with self._moving:
+            return self._move()
 
     def write(self, block: NDArray[np.float32]) -> None:
         """Count a block."""
@@ -95,15 +94,25 @@ class ClockOutput:
 
     def skip(self) -> None:
         """Pass over everything that is written."""
-        self._heard = float(self.n_written)
+        with self._moving:
+            self._move()
+            self._heard = float(self.n_written)
 
     def run(self, running: bool) -> None:
         """Go on, or hold still."""
-        self._heard = self.heard
-        self._since = time.monotonic() if running else None
+        with self._moving:
+            self._move()
+            self._since = time.monotonic() if running else None
 
     def close(self) -> None:
         """Nothing has to be let go."""
+
+    def _move(self) -> float:
+        now = time.monotonic()
+        if self._since is not None:
+            self._heard = min(self._heard + (now - self._since) * SAMPLE_RATE, float(self.n_written))
+            self._since = now
+        return self._heard
 
 
 class CardOutput:
@@ -154,9 +163,11 @@ class CardOutput:
     @property
     def heard(self) -> float:
         """Number of the sample that leaves the card now, by the stream's own clock."""
-        if not self._running or self._finished:
+        if not self._running:
             return self._paused_at
         first, leaves_at, n = self._mark
+        if self._finished:
+            return float(max(first + n, self._paused_at))
         since = (self._stream.time - leaves_at) * SAMPLE_RATE
         return float(min(max(first + since, self._paused_at), first + n))
 

@@ -16,7 +16,9 @@ from engine.phonemes import Phoneme
 from engine.recognition.phoneme_data import Thresholds
 from engine.recognition.rules import CONDITIONS, RULES, Condition
 
-N_CANDIDATES = 64
+N_CANDIDATES = 24
+"""Few, since finer ones only fit better to the speakers that are there, not to others."""
+
 SIGNIFICANT_DIGITS = 4
 LEAST_GAIN = 2e-4
 MOST_SWEEPS = 12

@@ -92,12 +92,15 @@ BAND_VARIABLES: tuple[Variable, ...] = (
 WHOLE_FRAME_VARIABLES = ("zero_crossings", "volume", "energy", "max_energy", "f0")
 """What is measured on the window or on the whole spectrum: a count, 0..1, amplitudes, an amplitude, Hz."""
 
+TABLE_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
+"""What stands beside the variables in a table of frames."""
+
 BUILT_IN_NAMES = (*WHOLE_FRAME_VARIABLES, *(v.name for v in BAND_VARIABLES))
 
 
 def check_user_variables(variables: tuple[Variable, ...]) -> None:
-    """Refuse names that are built in or stand twice (`SettingsError`)."""
-    seen = set(BUILT_IN_NAMES)
+    """Refuse names that are built in, head another column of a table, or stand twice (`SettingsError`)."""
+    seen = {*BUILT_IN_NAMES, *TABLE_COLUMNS}
     for variable in variables:
         if variable.name in seen:
             raise SettingsError(f"a variable named {variable.name} exists already; choose another name")

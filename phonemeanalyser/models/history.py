@@ -1,5 +1,7 @@
 """What was found lately: the columns that scroll by, and the extremes since Clear."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -81,22 +83,31 @@ class History:
 
     def extremes(self, name: str) -> tuple[float, float, float] | None:
         """Give maximum, mean and minimum of a variable since Clear, or None before the first frame."""
-        if name not in self._names or not self._n_measured:
+        if name not in self._names:
             return None
         k = self._names.index(name)
-        return float(self._highest[k]), float(self._sum[k] / self._n_measured), float(self._lowest[k])
+        if not self._n_measured[k]:
+            return None
+        return float(self._highest[k]), float(self._sum[k] / self._n_measured[k]), float(self._lowest[k])
 
     def _rename(self, names: tuple[str, ...]) -> None:
-        values = np.zeros((CAPACITY, len(names)), np.float32)
-        for k, name in enumerate(names):
-            if name in self._names:
-                values[:, k] = self._values[:, self._names.index(name)]
-        self._names, self._values = names, values
+        """Take up other variables; those that stay keep their values and extremes."""
+        before = self._measured
+        stayed = [(names.index(name), k) for k, name in enumerate(self._names) if name in names]
+        self._names, self._values = names, np.zeros((CAPACITY, len(names)), np.float32)
         self._forget_extremes()
+        for old, new in zip(before, self._measured, strict=True):
+            for k_new, k_old in stayed:
+                new[..., k_new] = old[..., k_old]
+
+    @property
+    def _measured(self) -> tuple[NDArray[Any], ...]:
+        """Everything whose last axis is the variable."""
+        return self._values, self._highest, self._lowest, self._sum, self._n_measured
 
     def _forget_extremes(self) -> None:
         n = len(self._names)
-        self._n_measured = 0
+        self._n_measured = np.zeros(n, np.int64)
         self._highest = np.full(n, -np.inf)
         self._lowest = np.full(n, np.inf)
         self._sum = np.zeros(n)

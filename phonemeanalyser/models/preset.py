@@ -73,7 +73,7 @@ class PresetModel(QObject):
     def __init__(self, path: Path = DEFAULT_PRESET) -> None:
         super().__init__()
         self.undo_stack = QUndoStack(self)
-        self.undo_stack.cleanChanged.connect(lambda _clean: self.file_changed.emit())
+        self.undo_stack.indexChanged.connect(lambda _index: self.file_changed.emit())
         self.bypassed = False
         self.path = path
         self.preset = load_preset(path)
@@ -125,7 +125,7 @@ class PresetModel(QObject):
     def edit(self, preset: Preset, what: str) -> None:
         """Change the preset; `what` names the change in the Edit menu, and equal names in a row become one."""
         if preset != self.preset:
-            self.undo_stack.push(_Edit(self._apply, self.preset, preset, what, self._run))
+            self.undo_stack.push(_Edit(self._apply_edit, self.preset, preset, what, self._run))
             self.file_changed.emit()
 
     def end_edit(self) -> None:
@@ -187,6 +187,9 @@ class PresetModel(QObject):
         """Remove a user's own variable."""
         kept = tuple(v for v in self.preset.variables if v.name != name)
         self.edit(replace(self.preset, variables=kept), f"removal of {name}")
+
+    def _apply_edit(self, preset: Preset) -> None:
+        self._apply(replace(preset, name=self.preset.name))  # the name is the file's, and saving is not undone
 
     def _apply(self, preset: Preset) -> None:
         self.preset = preset

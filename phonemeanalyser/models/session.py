@@ -166,13 +166,16 @@ class Session(QObject):
         """Choose what is analysed of a stereo file; it goes on from the same place."""
         if channel is self.channel:
             return
-        self.channel = channel
+        before, self.channel = self.channel, channel
         if self._player is not None:
             path, position, playing = self._player.reader.path, self.position, self.playing
-            if self.open(path):
+            if not self.open(path):
+                self.channel = before
+            else:
                 self.seek(position)
                 if playing:
                     self.play()
+        self.transport_changed.emit()
 
     def clear(self) -> None:
         """Forget spectra, averages, sonagram and extremes."""

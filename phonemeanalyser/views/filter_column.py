@@ -10,14 +10,12 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDoubleSpinBox,
-    QFormLayout,
     QFrame,
-    QHBoxLayout,
+    QGridLayout,
     QLabel,
     QScrollArea,
     QSizePolicy,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -37,28 +35,26 @@ class Field:
 
 
 TITLES: dict[Filter, tuple[str, str]] = {
-    Filter.QUANTISE: ("Quantise", "Keeps every n-th sample. Plain folds high frequencies onto low ones, as the thesis "
-                      "did; anti-aliased removes them first."),
+    Filter.QUANTISE: ("Quantise", "Keeps every n-th sample. Plain folds high frequencies onto low ones, as the "
+                      "thesis did; anti-aliased removes them first."),
     Filter.PRE_EMPHASIS: ("Pre-emphasis", "Raises high frequencies: each sample less a share of the one before it."),
-    Filter.WINDOW_FUNCTION: ("Window function", "Fades the window's ends, so that a tone stays on few bins. "
+    Filter.WINDOW_FUNCTION: ("Window", "Fades the window's ends, so that a tone stays on few bins. "
                              "Off is a rectangle."),
-    Filter.FREQUENCY_SMOOTH: ("Smooth frequency", "Blurs each bin with its neighbours; 1 is the mean of three."),
+    Filter.FREQUENCY_SMOOTH: ("Smooth F", "Blurs each bin with its neighbours; 1 is the mean of three."),
     Filter.TIME_SMOOTH: ("Smooth time", "Blurs each spectrum with the one before; nearer 1 is slower."),
-    Filter.HIGH_PASS: ("High-pass", "Removes what lies below start, and fades it in up to end: hum and rumble."),
+    Filter.HIGH_PASS: ("High-pass", "Removes what lies below start (hum, rumble), and fades in up to end."),
     Filter.LOW_PASS: ("Low-pass", "Fades out from start to end, and removes what lies above."),
     Filter.DENOISE: ("Denoise", "Sets amplitudes below the threshold to 0."),
-    Filter.MEL: ("Mel", "Shows the spectrum through triangular filters, equally spaced as the ear hears (HTK mel); "
+    Filter.MEL: ("Mel", "Shows the spectrum through triangular filters, spaced as the ear hears (HTK mel); "
                  "variables can measure it."),
-    Filter.NORMALISE: ("Normalise", "Divides each spectrum by its largest amplitude, so that loudness does not matter."),
+    Filter.NORMALISE: ("Normalise", "Divides each spectrum by its largest amplitude: loudness does not matter."),
 }  # fmt: skip
 
 FIELDS: dict[str, Field] = {
     "quantise": Field("every", tuple((f"{n}: {SAMPLE_RATE // n:,} Hz".replace(",", " "), n) for n in QUANTISATIONS)),
     "decimation": Field("kind", (("plain", Decimation.PLAIN), ("anti-aliased", Decimation.ANTI_ALIASED))),
     "pre_emphasis": Field("share", decimals=2, step=0.01),
-    "window_function": Field(
-        "shape", tuple((w.value.replace("_", "-").title().replace("-H", "–H"), w) for w in WindowFunction)
-    ),
+    "window_function": Field("shape", tuple((w.value.replace("_", "-").title(), w) for w in WindowFunction)),
     "frequency_smooth": Field("strength"),
     "time_smooth": Field("strength"),
     "high_pass_start": Field("start", decimals=1, step=10),
@@ -71,6 +67,24 @@ FIELDS: dict[str, Field] = {
     "intensity_low": Field("0 at", decimals=0, step=1),
     "intensity_high": Field("1 at", decimals=0, step=1),
 }
+
+
+AFTER_THE_FILTERS: dict[str, tuple[tuple[str, str], tuple[str, ...]]] = {
+    "statistics": (
+        (
+            "Statistics",
+            "Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower.",
+        ),
+        ("minimum_hold",),
+    ),
+    "intensity": (
+        ("Intensity", "Peak levels at which the intensity is 0 and 1."),
+        ("intensity_low", "intensity_high"),
+    ),
+}
+
+
+FIELD_WIDTH = 90
 
 
 class FilterColumn(QScrollArea):
@@ -91,7 +105,7 @@ class FilterColumn(QScrollArea):
         self.fields: dict[str, QComboBox | QDoubleSpinBox] = {}
         self.resets: dict[str, QToolButton] = {}
         self.bypass = QCheckBox("Bypass all filters")
-        self._column = QVBoxLayout()
+        self._grid = QGridLayout()
         self._fill()
         preset.changed.connect(self._show_preset)
         self._show_preset()
@@ -99,72 +113,69 @@ class FilterColumn(QScrollArea):
     def _fill(self) -> None:
         self.bypass.setToolTip("All filters off at once, and back to what they were (B)")
         self.bypass.toggled.connect(self.bypass_asked)
-        self._column.setContentsMargins(6, 4, 6, 6)
-        self._column.setSpacing(3)
-        self._column.addWidget(self.bypass)
+        self._grid.setContentsMargins(8, 6, 6, 6)
+        self._grid.setHorizontalSpacing(4)
+        self._grid.setVerticalSpacing(3)
+        self._grid.setColumnStretch(1, 1)
+        self._grid.addWidget(self.bypass, 0, 0, 1, 3)
         for step in Filter:
             self._add_step(step.value, TITLES[step], FILTER_PARAMETERS[step], partial(self._switch, step))
             self.resets[step.value].clicked.connect(lambda _checked, s=step: self._preset.reset_filter(s))
-        self._add_after_the_filters()
-        self._column.addStretch(1)
+        for key, (title, parameters) in AFTER_THE_FILTERS.items():
+            switch = partial(self._preset.set_setting, key) if key == "statistics" else None
+            self._add_step(key, title, parameters, switch)
+            self.resets[key].clicked.connect(lambda _checked, names=parameters: self._preset.reset_settings(names))
+        self._grid.setRowStretch(self._grid.rowCount(), 1)
         body = QWidget()
-        body.setLayout(self._column)
+        body.setLayout(self._grid)
         self.setWidget(body)
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setMinimumWidth(212)
-
-    def _add_after_the_filters(self) -> None:
-        statistics = ("Statistics", "Holds each phoneme for a least time, and replaces an unidentified one by the "
-                      "likeliest successor.")  # fmt: skip
-        intensity = ("Intensity", "Peak levels at which the intensity is 0 and 1.")
-        names = {"statistics": ("minimum_hold",), "intensity": ("intensity_low", "intensity_high")}
-        self._add_step(
-            "statistics", statistics, names["statistics"], lambda on: self._preset.set_setting("statistics", on)
-        )
-        self._add_step("intensity", intensity, names["intensity"], None)
-        for key, fields in names.items():
-            self.resets[key].clicked.connect(lambda _checked, f=fields: self._preset.reset_settings(f))
+        self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
     def _add_step(
         self, key: str, title: tuple[str, str], parameters: tuple[str, ...], switch: Callable[[bool], None] | None
     ) -> None:
-        frame = QFrame()
-        frame.setObjectName("step")
-        frame.setStyleSheet(f"#step {{ background: {self._theme.raised}; border-radius: 4px }}")
-        frame.setToolTip(f"{title[0]}: {title[1]}")
-        form = QFormLayout(frame)
-        form.setContentsMargins(6, 3, 4, 3)
-        form.setVerticalSpacing(2)
-        form.addRow(self._heading(key, title[0], switch))
-        for name in parameters:
-            form.addRow(self._label(FIELDS[name].label), self._field(name))
-        self._column.addWidget(frame)
+        """Add a line above, the switch, its first parameter beside it, further ones below, and the reset."""
+        line = QFrame()
+        line.setFixedHeight(1)
+        line.setStyleSheet(f"background: {self._theme.line}")
+        row = self._grid.rowCount()
+        self._grid.addWidget(line, row, 0, 1, 3)
+        heading = self._heading(key, title[0], switch)
+        self._grid.addWidget(heading, row + 1, 0)
+        self._grid.addWidget(self._reset(key, title[0]), row + 1, 2)
+        for k, name in enumerate(parameters):
+            label = FIELDS[name].label
+            field = self._field(name)
+            field.setToolTip(f"{title[0]}, {label}: {title[1]}")
+            field.setAccessibleName(f"{title[0]} {label}")
+            self._grid.addWidget(field, row + 1 + k, 1)
+            if k:
+                self._grid.addWidget(self._label(f"{FIELDS[parameters[0]].label} / {label}"), row + 1 + k, 0)
+        heading.setToolTip(f"{title[0]}: {title[1]}")
 
-    def _heading(self, key: str, text: str, switch: Callable[[bool], None] | None) -> QHBoxLayout:
-        heading = QHBoxLayout()
+    def _heading(self, key: str, text: str, switch: Callable[[bool], None] | None) -> QWidget:
         if switch is None:
-            heading.addWidget(QLabel(f"<b>{text}</b>"))
-        else:
-            box = QCheckBox(text)
-            box.setStyleSheet("font-weight: bold")
-            box.toggled.connect(switch)
-            heading.addWidget(box)
-            self.switches[key] = box
+            return QLabel(text)
+        box = QCheckBox(text)
+        box.toggled.connect(switch)
+        self.switches[key] = box
+        return box
+
+    def _reset(self, key: str, text: str) -> QToolButton:
         reset = QToolButton()
         reset.setText("↺")
         reset.setAutoRaise(True)
         reset.setToolTip(f"Reset {text.lower()} to what the preset's file says")
         self.resets[key] = reset
-        heading.addStretch(1)
-        heading.addWidget(reset)
-        return heading
+        return reset
 
     def _label(self, text: str) -> QLabel:
         label = QLabel(text)
         label.setStyleSheet(f"color: {self._theme.faint}")
-        label.setMinimumWidth(52)
+        label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         return label
 
     def _field(self, name: str) -> QWidget:
@@ -184,7 +195,8 @@ class FilterColumn(QScrollArea):
             widget.setSuffix(f" {unit}" if unit else "")
             widget.setKeyboardTracking(False)
             widget.valueChanged.connect(lambda value: self._edit(name, value))
-        widget.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        widget.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        widget.setMinimumWidth(FIELD_WIDTH)
         self.fields[name] = widget
         return widget
 

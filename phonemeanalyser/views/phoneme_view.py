@@ -29,7 +29,7 @@ class PhonemeView(QWidget):
         self.phoneme = Phoneme.SILENCE
         self.intensity = 0.0
         self.meters: dict[str, str] = {}
-        self.setMinimumSize(250, 132 + N_ROWS * ROW)
+        self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.setToolTip(
             "The phoneme now, its intensity, the measures zc (zero crossings), vol (peak level), e (energy), f(g) "
@@ -72,7 +72,8 @@ class PhonemeView(QWidget):
     def _paint_intensity(self, painter: QPainter, box: QRectF) -> None:
         painter.fillRect(box, QColor(self._theme.raised))
         bar = QRectF(box.left(), box.top(), box.width() * self.intensity, box.height())
-        painter.fillRect(bar, QColor(self._theme.accent))
+        accent = QColor(self._theme.accent)
+        painter.fillRect(bar, QColor(accent.red(), accent.green(), accent.blue(), 110))
         self._write(painter, box.adjusted(5, 0, -5, 0), f"intensity {self.intensity:.2f}", self._theme.text, 10)
 
     def _paint_meters(self, painter: QPainter, box: QRectF) -> None:
@@ -92,6 +93,9 @@ class PhonemeView(QWidget):
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             self._write(painter, line, f"{comparison.margin:+.3g}", mark, 11, right)
             line = line.translated(0, ROW)
+        if trace.phoneme is not self.phoneme:
+            calmed = f"statistics: {trace.phoneme.label} → {self.phoneme.label}"
+            self._write(painter, line.adjusted(16, 0, 0, 0), calmed, self._theme.accent, 11)
 
     def _write(
         self, painter: QPainter, box: QRectF, text: str, colour: str, size: int,

@@ -5,7 +5,7 @@ from typing import Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.theme import Theme
 
@@ -60,9 +60,11 @@ class Plot(QWidget):
             axis = self.item.getAxis(side)
             axis.enableAutoSIPrefix(False)
             axis.setStyle(tickTextOffset=2, tickLength=-4)
+            axis.setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # painting an axis costs half a ms
         self.item.getAxis("left").setWidth(52)
         self.item.showGrid(x=True, y=True, alpha=0.12)
         self.item.hideButtons()
+        self.item.layout.setContentsMargins(0, 2, 10, 4)
         self.item.setMenuEnabled(False)
         self.item.addItem(self._cursor, ignoreBounds=True)
         self._cursor.setVisible(False)
@@ -74,6 +76,7 @@ class Plot(QWidget):
         )
         self._cursor_label.setVisible(False)
         self.header.setContentsMargins(6, 3, 6, 1)
+        self.header.setSpacing(6)
         self.header.addWidget(heading)
         self.header.addStretch(1)
         self._body = QVBoxLayout(self)

@@ -17,7 +17,9 @@ SPAN = CAPACITY * FRAME_PERIOD
 """Seconds that can be seen."""
 COLOUR_MAPS = ("viridis", "inferno", "magma", "plasma", "cividis", "grey")
 NARROWEST_LETTER = 13
-"""Pixels that a stretch of one phoneme needs to carry its name."""
+"""Pixels that a stretch of one phoneme needs to carry a name."""
+LETTER = 8
+"""Pixels of a letter."""
 
 
 def colours_of(name: str) -> NDArray[np.uint32]:
@@ -36,9 +38,10 @@ class SonagramItem(pg.GraphicsObject):
     The image is a ring: only new columns are coloured, and it is painted in two pieces.
     """
 
-    def __init__(self, history: History) -> None:
+    def __init__(self, history: History, theme: Theme) -> None:
         super().__init__()
         self._history = history
+        self._nothing = np.uint32(QColor(theme.base).rgb())
         self._pixels = np.zeros((MOST_BINS, CAPACITY), np.uint32)
         self._image = QImage(self._pixels.data, CAPACITY, MOST_BINS, 4 * CAPACITY, QImage.Format.Format_RGB32)
         self._drawn = 0
@@ -54,7 +57,7 @@ class SonagramItem(pg.GraphicsObject):
 
     def recolour(self) -> None:
         """Draw everything remembered anew."""
-        self._pixels[:] = self._colours[0]
+        self._pixels[:] = self._nothing
         self._drawn = max(0, self._history.n - CAPACITY)
         self.refresh()
 
@@ -62,7 +65,7 @@ class SonagramItem(pg.GraphicsObject):
         """Colour what is new since the last call."""
         if self._history.n < self._drawn:
             self._drawn = 0
-            self._pixels[:] = self._colours[0]
+            self._pixels[:] = self._nothing
         at = self._history.indices(self._drawn, self._history.n)
         if len(at):
             self._pixels[:, at] = self._colours[self._levels_of(self._history.spectra[at]).T]
@@ -98,38 +101,40 @@ class SonagramItem(pg.GraphicsObject):
 class PhonemeLane(pg.GraphicsObject):
     """The recognised phonemes as coloured stretches, named where there is room."""
 
-    def __init__(self, history: History, theme: Theme) -> None:
+    def __init__(self, history: History) -> None:
         super().__init__()
         self._history = history
-        self._brushes = [QColor(PHONEME_COLOURS[p]) for p in Phoneme]
-        self._empty = QColor(theme.base)
+        self._pixels = np.array([QColor(PHONEME_COLOURS[p]).rgb() for p in Phoneme], np.uint32)
+        self._names = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
 
     def boundingRect(self) -> QRectF:
         """One minute by one."""
         return QRectF(-SPAN, 0, SPAN, 1)
 
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
-        """Paint the stretches that are in view."""
+        """Paint the stretches that are in view, and the names of those that are wide enough."""
         view = self.viewRect()
-        n_shown = int(-view.left() / FRAME_PERIOD) + 1
-        first = max(0, self._history.n - min(n_shown, CAPACITY))
-        codes = self._history.phonemes[self._history.indices(first, self._history.n)]
+        n_shown = min(int(-view.left() / FRAME_PERIOD) + 1, CAPACITY)
+        codes = self._history.phonemes[self._history.indices(self._history.n - n_shown, self._history.n)]
         if len(codes) == 0:
             return
+        row = np.ascontiguousarray(self._pixels[codes])
+        image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
+        painter.drawImage(QRectF(-len(row) * FRAME_PERIOD, 0, len(row) * FRAME_PERIOD, 1), image)
+        self._paint_names(painter, codes)
+
+    def _paint_names(self, painter: QPainter, codes: NDArray[np.uint8]) -> None:
         edges = np.flatnonzero(np.diff(codes, prepend=255, append=255))
         transform = painter.transform()
+        room = np.diff(edges) * FRAME_PERIOD * transform.m11()
         painter.resetTransform()
+        painter.setPen(Qt.GlobalColor.white)
         font = painter.font()
         font.setPixelSize(11)
         painter.setFont(font)
-        for begin, end in zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True):
-            x = (begin - len(codes)) * FRAME_PERIOD
-            stretch = transform.mapRect(QRectF(x, 0, (end - begin) * FRAME_PERIOD, 1))
-            self._paint_stretch(painter, stretch, int(codes[begin]))
-
-    def _paint_stretch(self, painter: QPainter, stretch: QRectF, code: int) -> None:
-        painter.fillRect(stretch, self._brushes[code])
-        name = {"silence": "–", "unidentified": "?"}.get(Phoneme(code).label, Phoneme(code).label)
-        if stretch.width() >= max(NARROWEST_LETTER, 8 * len(name)):
-            painter.setPen(Qt.GlobalColor.white)
-            painter.drawText(stretch, Qt.AlignmentFlag.AlignCenter, name)
+        for k in np.flatnonzero(room >= NARROWEST_LETTER).tolist():
+            begin, end = int(edges[k]), int(edges[k + 1])
+            name = self._names[codes[begin]]
+            if room[k] >= LETTER * len(name):
+                place = QRectF((begin - len(codes)) * FRAME_PERIOD, 0, (end - begin) * FRAME_PERIOD, 1)
+                painter.drawText(transform.mapRect(place), Qt.AlignmentFlag.AlignCenter, name)

@@ -62,7 +62,7 @@ class SpectrumView(Plot):
 
     def _add_controls(self) -> None:
         self.scale.setRange(0, SCALE_STEPS)
-        self.scale.setFixedWidth(70)
+        self.scale.setFixedWidth(54)
         self.scale.setToolTip("Amplitude scale: enlarges small amplitudes, in dB")
         for widget in (self.coarse, self.decibels, self.scale):
             self.header.addWidget(widget)

@@ -5,7 +5,16 @@ from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
-from PySide6.QtWidgets import QDoubleSpinBox, QFrame, QGridLayout, QLabel, QScrollArea, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QDoubleSpinBox,
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
 
 from engine.recognition.phoneme_data import LAYOUT
 from engine.recognition.rules import CONDITIONS
@@ -177,6 +186,8 @@ class ThresholdView(QScrollArea):
         for (title, note), names in zip(GROUPS, LAYOUT, strict=True):
             heading = QLabel(f"<b>{title}</b> <span style='color:{self._theme.faint}'>{note}</span>")
             heading.setContentsMargins(0, 5, 0, 1)
+            heading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            heading.setToolTip(note)
             grid.addWidget(heading, row, 0, 1, 4)
             for row, name in enumerate(names, row + 1):  # noqa: B020 - rows go on from group to group
                 self._add_row(grid, row, name)
@@ -186,6 +197,7 @@ class ThresholdView(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
     def _add_row(self, grid: QGridLayout, row: int, name: str) -> None:
         condition = CONDITION_OF.get(name)
@@ -209,6 +221,9 @@ class ThresholdView(QScrollArea):
         reset.setText("↺")
         reset.setAutoRaise(True)
         reset.setToolTip("Reset to what the preset's file says")
+        keep_place = reset.sizePolicy()
+        keep_place.setRetainSizeWhenHidden(True)
+        reset.setSizePolicy(keep_place)
         for column, widget in enumerate((label, slider, number, reset)):
             grid.addWidget(widget, row, column)
         slider.moved.connect(lambda value: self._preset.set_threshold(name, value))
@@ -236,4 +251,7 @@ class ThresholdView(QScrollArea):
 
 def _words(name: str) -> str:
     unit = " (bins)" if name.startswith("high_pass") else ""
-    return name.replace("_", " ") + unit
+    return (
+        name.replace("_", " ").replace("frequency", "freq.").replace("high pass", "pass").removesuffix(" threshold")
+        + unit
+    )

@@ -5,7 +5,16 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QLabel, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QGraphicsItem,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
 
 from engine.features.variables import BUILT_IN_NAMES
 from engine.phonemes import Phoneme
@@ -33,8 +42,8 @@ class TimeView(QWidget):
         self._preset = preset
         self._theme = theme
         self._graphics = pg.GraphicsLayoutWidget()
-        self.sonagram = SonagramItem(history)
-        self._lane = PhonemeLane(history, theme)
+        self.sonagram = SonagramItem(history, theme)
+        self._lane = PhonemeLane(history)
         self._course = pg.PlotCurveItem(pen=pg.mkPen(theme.signal))
         self._limits: list[pg.InfiniteLine] = []
         self._course_range = (0.0, 0.0)
@@ -81,6 +90,8 @@ class TimeView(QWidget):
             plot.setMenuEnabled(False)
             plot.getAxis("left").setWidth(AXIS_WIDTH)
             plot.getAxis("left").enableAutoSIPrefix(False)
+            for side in ("left", "bottom"):
+                plot.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
             plot.setLabel("left", label)
             plot.setMouseEnabled(x=True, y=plot is self._plots[0])
             plot.vb.setLimits(xMin=-SPAN, xMax=0)

@@ -210,12 +210,21 @@ def test_another_preset_acts_on_the_next_frame_and_on_no_earlier_one(next_preset
             np.testing.assert_allclose(values, expected[what][frames], rtol=1e-4, atol=1e-5)
 
 
-def test_a_new_threshold_leaves_the_memory_of_the_smoothing_alone():
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"thresholds": Thresholds(ae_ae1=0.9)},
+        {"variables": MINE},
+        {"settings": replace(SMOOTH.settings, intensity_low=-50)},
+    ],
+)
+def test_what_does_not_concern_the_smoothing_leaves_its_memory_alone(change: dict[str, object]):
     analyser = Analyser(SMOOTH)
-    parts = [analyser.push(SPEECH[:20_000])]
-    analyser.use(replace(SMOOTH, thresholds=Thresholds(ae_ae1=0.9)))
-    parts += [analyser.push(SPEECH[20_000:]), analyser.finish()]
-    np.testing.assert_allclose(joined(parts)["spectra"], analysed([SPEECH], SMOOTH)["spectra"], rtol=1e-3, atol=1e-4)
+    parts = [analyser.push(SPEECH[:8000])]
+    analyser.use(replace(SMOOTH, **change))
+    parts += [analyser.push(SPEECH[8000:]), analyser.finish()]
+    spectra = np.concatenate([part.spectra for part in parts])
+    np.testing.assert_allclose(spectra, analysed([SPEECH], SMOOTH)["spectra"], rtol=1e-3, atol=1e-4)
 
 
 def test_smoothing_that_was_off_for_a_while_forgets_what_was_before():

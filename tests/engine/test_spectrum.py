@@ -75,6 +75,14 @@ def test_anti_aliased_quantising_removes_high_sound(step: int, first_gone: int):
 
 
 @pytest.mark.parametrize("step", [2, 4])
+def test_anti_aliased_quantising_removes_the_new_half_rate_in_every_phase(step: int):
+    phase = 2 * np.pi * (1024 // step) * np.arange(WINDOW) / WINDOW
+    for frame in (np.sin(phase), np.cos(phase), np.cos(phase + 1)):
+        wave = decimate(frame[None].astype(np.float32), step, Decimation.ANTI_ALIASED)
+        assert np.abs(wave).max() < 1e-5
+
+
+@pytest.mark.parametrize("step", [2, 4])
 def test_anti_aliased_quantising_leaves_low_bins_as_they_were(step: int):
     frame = noise(WINDOW / 44_100)[None]
     full = spectrum_of(frame, 1, Decimation.PLAIN)

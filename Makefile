@@ -1,0 +1,36 @@
+# Thin: each target is what a person would type.
+PYTHON ?= python3
+BIN = .venv/bin
+
+.PHONY: setup run test bench screenshots fit
+
+setup: .venv/ready
+
+.venv/ready: pyproject.toml constraints.txt .ci/system-packages
+	.ci/system-packages
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[desktop,test]'
+	touch $@
+
+run: setup
+	@$(BIN)/phonemeanalyser || { [ $$? -eq 3 ] && mkdir -p build \
+	  && $(BIN)/phonemeanalyser screenshot phonemeanalyser/demo/demo.flac --at 4 -o build/demo.png \
+	  && echo "The demo as a picture: build/demo.png"; }
+
+test: setup
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	$(BIN)/python -m pytest -q
+
+bench: setup
+	$(BIN)/python -m tests.bench
+
+screenshots: setup
+	$(BIN)/python -m tests.screenshots
+
+# Fits the factory presets anew; CORPUS is a folder in the corpus format.
+CORPUS ?= ../shared/corpus
+fit: setup
+	$(BIN)/python -m engine.calibration.fit_thesis $(CORPUS) -o presets
