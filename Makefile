@@ -25,6 +25,7 @@ test: setup
 	$(BIN)/python -m pytest -q
 
 bench: setup
+	@$(BIN)/python -c 'import librosa' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[bench]'
 	$(BIN)/python -m tests.bench
 
 screenshots: setup

@@ -46,7 +46,7 @@ class Analysis:
     start : number of the first frame, counted from the beginning of the sound.
     spectra : float32, shape (n_frames, n_bins): amplitudes after all filters, bin k at k x 21.53 Hz.
     mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
-    waveform : float32, shape (n_samples,): the newest window after the filters of the time domain.
+    waveforms : float32, shape (n_frames, n_samples): the windows after the filters of the time domain.
     features : the measured variables.
     recognised : uint8, shape (n_frames,): codes of `Phoneme`, as the recogniser says.
     phonemes : uint8, shape (n_frames,): the same after the statistics.
@@ -56,7 +56,7 @@ class Analysis:
     start: int
     spectra: Block
     mel: Block | None
-    waveform: Block
+    waveforms: Block
     features: Features
     recognised: NDArray[np.uint8]
     phonemes: NDArray[np.uint8]
@@ -78,6 +78,7 @@ class Analysis:
             start=self.start + first,
             spectra=self.spectra[first:last],
             mel=None if self.mel is None else self.mel[first:last],
+            waveforms=self.waveforms[first:last],
             features=Features(self.features.names, self.features.values[first:last]),
             recognised=self.recognised[first:last],
             phonemes=self.phonemes[first:last],
@@ -106,7 +107,7 @@ class SpectrumPath:
         self._sees_mel = settings.has(Filter.MEL)
 
     def push(self, frames: Block) -> tuple[Block, Block | None, Block, Features]:
-        """Give the final spectra, the mel spectra, the newest waveform and the features of raw frames."""
+        """Give the final spectra, the mel spectra, the waveforms and the features of raw frames."""
         values = np.zeros((len(frames), len(self.names)), np.float32)
         bands = values[:, len(WHOLE_FRAME_VARIABLES) :]
 
@@ -134,7 +135,7 @@ class SpectrumPath:
         self._meters[Spectrum.NORMALISED].measure(spectra, bands)
         if mel is not None:
             self._meters[Spectrum.MEL].measure(mel, bands)
-        return spectra, mel, waves[-1], Features(self.names, values)
+        return spectra, mel, waves, Features(self.names, values)
 
 
 def _gains_of(settings: AnalysisSettings) -> Block:
@@ -212,13 +213,13 @@ class Analyser:
 
     def _analyse_block(self, frames: Block) -> Analysis:
         settings = self._preset.settings
-        spectra, mel, waveform, features = self._path.push(frames)
+        spectra, mel, waveforms, features = self._path.push(frames)
         recognised = self._recogniser.recognise(features)
         phonemes = self._statistics.push(recognised) if settings.statistics else recognised
         levels = features.values[:, VOLUME]
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         start, self.n_frames = self.n_frames, self.n_frames + len(frames)
-        return Analysis(start, spectra, mel, waveform, features, recognised, phonemes, intensities)
+        return Analysis(start, spectra, mel, waveforms, features, recognised, phonemes, intensities)
 
     def _join(self, blocks: list[Analysis]) -> Analysis:
         blocks = blocks or [self._nothing()]
@@ -227,7 +228,7 @@ class Analyser:
             start=blocks[0].start,
             spectra=np.concatenate([b.spectra for b in blocks]),
             mel=None if blocks[0].mel is None else np.concatenate([b.mel for b in blocks if b.mel is not None]),
-            waveform=blocks[-1].waveform,
+            waveforms=np.concatenate([b.waveforms for b in blocks]),
             features=features,
             recognised=np.concatenate([b.recognised for b in blocks]),
             phonemes=np.concatenate([b.phonemes for b in blocks]),
@@ -241,7 +242,7 @@ class Analyser:
             start=self.n_frames,
             spectra=np.zeros((0, settings.n_bins), np.float32),
             mel=np.zeros((0, settings.mel_bands), np.float32) if settings.has(Filter.MEL) else None,
-            waveform=np.zeros(settings.n_samples, np.float32),
+            waveforms=np.zeros((0, settings.n_samples), np.float32),
             features=Features(self._path.names, np.zeros((0, len(self._path.names)), np.float32)),
             recognised=codes,
             phonemes=codes,

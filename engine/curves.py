@@ -1,7 +1,7 @@
 """Averaged spectra: accumulated, kept as small text files, compared on one frequency axis."""
 
-import csv
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -87,7 +87,7 @@ def distance_of(one: Curve, other: Curve) -> float:
 
 
 def save_curve(curve: Curve, path: Path) -> None:
-    """Save a curve as CSV with a header that says what it is.
+    """Save a curve as CSV with a header that says what it is; an old file stays until the new one is complete.
 
     Raises
     ------
@@ -99,16 +99,16 @@ def save_curve(curve: Curve, path: Path) -> None:
         "bins": len(curve.frequencies),
         "frames": curve.n_frames,
     }
+    lines = [f"# {FORMAT}", *(f"# {key}: {' '.join(str(value).split())}" for key, value in header.items())]
+    lines.append(",".join(COLUMNS))
+    lines += [f"{f:.9g},{a:.9g}" for f, a in zip(curve.frequencies, curve.amplitudes, strict=True)]
+    part = path.with_name(path.name + ".part")
     try:
-        with path.open("w", encoding="utf-8", newline="") as file:
-            file.write(f"# {FORMAT}\n")
-            file.writelines(f"# {key}: {' '.join(str(value).split())}\n" for key, value in header.items())
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(COLUMNS)
-            writer.writerows(
-                (f"{f:.9g}", f"{a:.9g}") for f, a in zip(curve.frequencies, curve.amplitudes, strict=True)
-            )
+        part.write_bytes("".join(line + "\n" for line in lines).encode(errors="replace"))
+        part.replace(path)
     except OSError as error:
+        with suppress(OSError):
+            part.unlink()
         raise CurveError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
 
 

@@ -76,6 +76,7 @@ class FilePlayer:
         self._analyser = Analyser(preset, pitch=True)
         self._base_frame = 0
         self._playing = False
+        self._running = False
         self._at_end = False
         self._closing = False
         self._target: int | None = None
@@ -122,15 +123,14 @@ class FilePlayer:
         return max(0.0, sample + heard - written) / SAMPLE_RATE
 
     def play(self) -> None:
-        """Go on from where it stands."""
+        """Go on from where it stands, as soon as enough is read ahead."""
         self._playing = True
-        self._output.run(running=True)
         self._wake.set()
 
     def pause(self) -> None:
         """Hold still."""
         self._playing = False
-        self._output.run(running=False)
+        self._do(self._hold)
 
     def seek(self, seconds: float) -> None:
         """Go to a place in the file, rounded down to a frame."""
@@ -181,6 +181,9 @@ class FilePlayer:
                 busy = self._playing and not self._at_end and self._output.room >= STEP
                 if busy:
                     self._advance()
+                elif self._playing and not self._running:
+                    self._running = True
+                    self._output.run(running=True)
             except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
                 self._error, self._at_end, self._target, busy = error, True, None, False
             if not busy:
@@ -199,7 +202,13 @@ class FilePlayer:
         else:
             self._at_end = True
 
+    def _hold(self) -> None:
+        """Hold the output still: until the user plays on, or until enough is read ahead again."""
+        self._running = False
+        self._output.run(running=False)
+
     def _jump(self, frame: int) -> None:
+        self._hold()
         self._forget_waiting()
         self._output.skip()
         self._begin(frame)
@@ -238,14 +247,16 @@ class FilePlayer:
             self._waiting.clear()
 
     def _go_on_without_card(self) -> None:
-        if not self._output.lost:
+        """Go on silently from the first frame that was not handed out."""
+        lost = self._output
+        if not lost.lost:
             return
-        position, lost = self.position, self._output
-        output = ClockOutput()
-        output.run(running=self._playing)
-        self._output = output
-        self._forget_waiting()
-        self._begin(_frame_at(position))
+        with self._handover:
+            frame = self._waiting[0].heard.first_frame if self._waiting else _frame_at(self.position)
+            self._waiting.clear()
+            self._output = ClockOutput()
+            self._running = False
+        self._begin(frame)
         self._segments = self._segments[-1:]
         lost.close()
 

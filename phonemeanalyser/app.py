@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import QSettings, QStandardPaths
+from PySide6.QtCore import QMessageLogContext, QSettings, QStandardPaths, QtMsgType, qInstallMessageHandler
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from engine.audio.stream import ClockOutput, Output, open_output
@@ -103,6 +103,7 @@ def screenshot(
     EngineError : the sound or the preset cannot be read, or the picture cannot be written.
     """
     app = make_application()
+    qInstallMessageHandler(_pass_message)
     with tempfile.TemporaryDirectory() as folder:
         settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings.setValue("theme", theme)
@@ -123,6 +124,12 @@ def screenshot(
     desktop.window.retire()
     if not saved:
         raise EngineError(f"{out}: the picture cannot be written; choose another place with -o")
+
+
+def _pass_message(_kind: QtMsgType, _context: QMessageLogContext, message: str) -> None:
+    """Pass Qt's messages on, but for one that every window makes that is not on a screen."""
+    if "propagateSizeHints" not in message:
+        print(message, file=sys.stderr)
 
 
 def _report_bug(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:

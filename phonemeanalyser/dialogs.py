@@ -1,15 +1,16 @@
 """What the user is asked: files, names, and what is to become of unsaved changes."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
 from engine.errors import EngineError
-from engine.features.variables import Variable
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
+from phonemeanalyser.views.variable_dialog import VariableDialog
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
@@ -113,6 +114,17 @@ class Dialogs(QObject):
             self._settings.setValue("preset", str(path.resolve()))
         return saved
 
+    def ask_notes(self) -> None:
+        """Let the user read and change the preset's notes."""
+        notes, changed = QInputDialog.getMultiLineText(
+            self._window,
+            "Preset notes",
+            f"Notes of the preset {self._preset.preset.name}:",
+            self._preset.preset.notes,
+        )
+        if changed:
+            self._preset.edit(replace(self._preset.preset, notes=notes), "change of notes")
+
     def may_go_on(self) -> bool:
         """Ask what is to become of unsaved changes; says whether to go on."""
         if not self._preset.has_unsaved_changes:
@@ -127,13 +139,10 @@ class Dialogs(QObject):
     # -- variables and curves -----------------------------------------------------------------------------
 
     def ask_variable(self, low: float, high: float) -> None:
-        """Let the user name a variable over a frequency range (Hz)."""
-        text, named = QInputDialog.getText(
-            self._window, "New variable", f"Name of the sum over {low:.0f} to {high:.0f} Hz (a-z, 0-9, _):"
-        )
-        name = text.strip().lower()
-        if named and self._try(lambda: self._preset.add_variable(Variable(name, low, high))):
-            self.variable_added.emit(name)
+        """Let the user name a variable over a frequency range (Hz), and choose what it measures."""
+        dialog = VariableDialog(low, high, self._window)
+        if dialog.exec() and self._try(lambda: self._preset.add_variable(dialog.variable())):
+            self.variable_added.emit(dialog.variable().name)
 
     def ask_remove_variable(self) -> None:
         """Let the user choose a variable of his own to remove."""

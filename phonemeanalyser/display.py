@@ -25,12 +25,13 @@ HINT = "to see it as a picture, use: phonemeanalyser screenshot FILE -o PNG"
 
 def why_no_window(environment: Mapping[str, str]) -> str:
     """Say in a sentence why no window can be opened and what to do; an empty text if one can."""
-    platform = environment.get("QT_QPA_PLATFORM", "xcb")
-    if not sys.platform.startswith("linux") or not platform.startswith(("xcb", "wayland")):
+    platform = environment.get("QT_QPA_PLATFORM") or "wayland;xcb"
+    wayland, x11 = "wayland" in platform, "xcb" in platform
+    if not sys.platform.startswith("linux") or not (wayland or x11):
         return ""  # such as offscreen, which needs no display
-    if _wayland_answers(environment):
+    if wayland and _wayland_answers(environment):
         return ""
-    if not environment.get("DISPLAY"):
+    if not (x11 and environment.get("DISPLAY")):
         return f"there is no display to open a window on; run it on a desktop, or {HINT}"
     missing = [package for library, package in XCB_LIBRARIES.items() if not _loads(library)]
     if missing:

@@ -28,6 +28,7 @@ from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.averaged_view import AveragedView
 from phonemeanalyser.views.banner import Banner
 from phonemeanalyser.views.filter_column import FilterColumn
+from phonemeanalyser.views.keys import KeysOfButtons
 from phonemeanalyser.views.phoneme_view import PhonemeView
 from phonemeanalyser.views.shortcuts import ShortcutsDialog
 from phonemeanalyser.views.spectrum_view import SpectrumView
@@ -158,6 +159,7 @@ class MainWindow(QMainWindow):
             Command("Load Preset…", "Ctrl+Shift+O", dialogs.ask_preset),
             Command("Save Preset", "Ctrl+S", dialogs.save),
             Command("Save Preset As…", "Ctrl+Shift+S", dialogs.save_as),
+            Command("Preset Notes…", "Ctrl+N", dialogs.ask_notes),
             Command("Load Curve…", "Ctrl+L", dialogs.ask_curves),
             Command("Save Curve…", "Ctrl+Shift+L", dialogs.ask_save_curve),
             Command("Quit", "Ctrl+Q", self.close),
@@ -251,6 +253,7 @@ class MainWindow(QMainWindow):
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
         self._timer.start(FRAME_MS)
+        self.installEventFilter(KeysOfButtons(self))
         self._show_names()
         self._show_state()
 
@@ -280,7 +283,7 @@ class MainWindow(QMainWindow):
         newest = self._session.history.newest
         if newest is not None:
             self.spectrum.draw(shown_spectra(newest)[-1])
-            self.waveform.draw(newest.waveform)
+            self.waveform.draw(newest.waveforms[-1])
         self.time_view.refresh()
 
     def _refresh_slow(self) -> None:
@@ -390,5 +393,5 @@ class MainWindow(QMainWindow):
         self.deleteLater()
 
 
-def _call(act: Callable[[], Any], _checked: bool) -> None:
+def _call(act: Callable[[], Any], *_checked: bool) -> None:  # PySide passes none to a partial
     act()

@@ -47,6 +47,7 @@ class WindowState:
         keep("variable", view.variable.currentText())
         keep("colours", view.colours.currentText())
         keep("darkest", view.low.value())
+        keep("brightest", view.high.value())
 
     def restore(self, session: Session, view: TimeView) -> None:
         """Take up everything of the last start; what was never kept stays as it is."""
@@ -62,6 +63,7 @@ class WindowState:
         view.variable.setCurrentText(self._kept("variable", view.variable.currentText()))
         view.colours.setCurrentText(self._kept("colours", view.colours.currentText()))
         view.low.setValue(int(self._kept("darkest", view.low.value())))
+        view.high.setValue(int(self._kept("brightest", view.high.value())))
 
     def _kept(self, name: str, default: Any) -> str:
         return str(self._settings.value(name, default))

@@ -6,6 +6,7 @@ Both count samples since they were opened, and say which one is being heard now:
 import math
 import threading
 import time
+from contextlib import ExitStack
 from typing import Any, Protocol
 
 import numpy as np
@@ -89,8 +90,10 @@ class ClockOutput:
             return self._move()
 
     def write(self, block: NDArray[np.float32]) -> None:
-        """Count a block."""
-        self.n_written += len(block)
+        """Count a block; time in which there was nothing to hear is not made up for."""
+        with self._moving:
+            self._move()
+            self.n_written += len(block)
 
     def skip(self) -> None:
         """Pass over everything that is written."""
@@ -132,21 +135,25 @@ class CardOutput:
         self.gain = 1.0
         self._ring = Ring(AHEAD, n_channels)
         self._running = False
-        self._paused_at = 0.0
+        self._latest = 0.0
+        self._moving = threading.Lock()
         self._mark = (0, 0.0, 0)
         self._closing = False
         self._finished = False
         try:
-            self._stream = sounddevice.OutputStream(
-                samplerate=SAMPLE_RATE,
-                channels=n_channels,
-                dtype="float32",
-                latency=0.05,
-                callback=self._fill,
-                finished_callback=self._finish,
-            )
-            self._stream.start()
-            self.name = str(sounddevice.query_devices(self._stream.device)["name"])
+            with ExitStack() as unless_started:
+                self._stream = sounddevice.OutputStream(
+                    samplerate=SAMPLE_RATE,
+                    channels=n_channels,
+                    dtype="float32",
+                    latency=0.05,
+                    callback=self._fill,
+                    finished_callback=self._finish,
+                )
+                unless_started.callback(self._stream.close)
+                self._stream.start()
+                self.name = str(sounddevice.query_devices(self._stream.device)["name"])
+                unless_started.pop_all()
         except (sounddevice.PortAudioError, ValueError) as error:
             raise DeviceError(f"the sound card cannot be opened ({_reason(error)})") from error
 
@@ -162,14 +169,13 @@ class CardOutput:
 
     @property
     def heard(self) -> float:
-        """Number of the sample that leaves the card now, by the stream's own clock."""
-        if not self._running:
-            return self._paused_at
-        first, leaves_at, n = self._mark
-        if self._finished:
-            return float(max(first + n, self._paused_at))
-        since = (self._stream.time - leaves_at) * SAMPLE_RATE
-        return float(min(max(first + since, self._paused_at), first + n))
+        """Number of the sample that leaves the card now, by the stream's own clock; never runs back."""
+        with self._moving:
+            first, leaves_at, n = self._mark
+            if self._running:
+                since = math.inf if self._finished else (self._stream.time - leaves_at) * SAMPLE_RATE
+                self._latest = float(max(min(first + since, first + n), self._latest))
+            return self._latest
 
     @property
     def lost(self) -> bool:
@@ -182,13 +188,14 @@ class CardOutput:
 
     def skip(self) -> None:
         """Pass over everything that is written."""
-        self._ring.skip()
-        self._paused_at = float(self._ring.n_written)
-        self._mark = (self._ring.n_written, math.inf, 0)
+        with self._moving:
+            self._ring.skip()
+            self._latest = float(self._ring.n_written)
+            self._mark = (self._ring.n_written, math.inf, 0)
 
     def run(self, running: bool) -> None:
         """Go on, or hold still."""
-        self._paused_at = self.heard
+        self._latest = self.heard
         self._running = running
 
     def close(self) -> None:

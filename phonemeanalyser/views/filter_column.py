@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 from engine.settings import LIMITS, QUANTISATIONS, SAMPLE_RATE, Decimation, Filter, WindowFunction
 from phonemeanalyser.models.preset import FILTER_PARAMETERS, PresetModel
 from phonemeanalyser.theme import Theme
+from phonemeanalyser.views.keys import KeysOfNumbers
 
 
 @dataclass(frozen=True)
@@ -84,7 +85,7 @@ AFTER_THE_FILTERS: dict[str, tuple[tuple[str, str], tuple[str, ...]]] = {
 }
 
 
-FIELD_WIDTH = 90
+FIELD_WIDTH, RESET_WIDTH = 112, 18
 
 
 class FilterColumn(QScrollArea):
@@ -112,9 +113,10 @@ class FilterColumn(QScrollArea):
 
     def _fill(self) -> None:
         self.bypass.setToolTip("All filters off at once, and back to what they were (B)")
+        self.bypass.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.bypass.toggled.connect(self.bypass_asked)
-        self._grid.setContentsMargins(8, 6, 6, 6)
-        self._grid.setHorizontalSpacing(4)
+        self._grid.setContentsMargins(6, 6, 2, 6)
+        self._grid.setHorizontalSpacing(3)
         self._grid.setVerticalSpacing(3)
         self._grid.setColumnStretch(1, 1)
         self._grid.addWidget(self.bypass, 0, 0, 1, 3)
@@ -160,6 +162,7 @@ class FilterColumn(QScrollArea):
         if switch is None:
             return QLabel(text)
         box = QCheckBox(text)
+        box.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         box.toggled.connect(switch)
         self.switches[key] = box
         return box
@@ -168,6 +171,7 @@ class FilterColumn(QScrollArea):
         reset = QToolButton()
         reset.setText("↺")
         reset.setAutoRaise(True)
+        reset.setFixedWidth(RESET_WIDTH)
         reset.setToolTip(f"Reset {text.lower()} to what the preset's file says")
         self.resets[key] = reset
         return reset
@@ -194,6 +198,7 @@ class FilterColumn(QScrollArea):
             widget.setSingleStep(field.step)
             widget.setSuffix(f" {unit}" if unit else "")
             widget.setKeyboardTracking(False)
+            widget.installEventFilter(KeysOfNumbers(widget))
             widget.valueChanged.connect(lambda value: self._edit(name, value))
         widget.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         widget.setMinimumWidth(FIELD_WIDTH)

@@ -48,7 +48,7 @@ class TimeView(QWidget):
         self._limits: list[pg.InfiniteLine] = []
         self._course_range = (0.0, 0.0)
         self.decibels = switch("dB", "Brightness in dB, or linear")
-        self.low = QSpinBox()
+        self.low, self.high = QSpinBox(), QSpinBox()
         self.colours = QComboBox()
         self.variable = QComboBox()
         self._extremes = QLabel()
@@ -119,15 +119,19 @@ class TimeView(QWidget):
         header.setContentsMargins(6, 3, 6, 1)
         header.addWidget(QLabel("<b>Sonagram and phonemes</b>"))
         header.addStretch(1)
-        self.low.setRange(-120, -10)
-        self.low.setValue(-60)
-        self.low.setSuffix(" dB")
-        self.low.setToolTip("Amplitude of the darkest colour; the brightest is full scale")
+        for box, value, tip in (
+            (self.low, -60, "Amplitude of the darkest colour"),
+            (self.high, 0, "of the brightest"),
+        ):
+            box.setRange(-120, 0)
+            box.setValue(value)
+            box.setSuffix(" dB")
+            box.setToolTip(tip)
         self.colours.addItems(COLOUR_MAPS)
         self.colours.setToolTip("Colour map")
         self.decibels.setChecked(True)
         header.setSpacing(8)
-        controls: tuple[QWidget, ...] = (self.decibels, self.low, self.colours)
+        controls: tuple[QWidget, ...] = (self.decibels, self.low, self.high, self.colours)
         for widget in controls:
             header.addWidget(widget)
         footer = QHBoxLayout()
@@ -156,7 +160,8 @@ class TimeView(QWidget):
 
     def _connect(self) -> None:
         self.decibels.toggled.connect(lambda _on: self._choose_colours())
-        self.low.valueChanged.connect(lambda _value: self._choose_colours())
+        for box in (self.low, self.high):
+            box.valueChanged.connect(lambda _value: self._choose_colours())
         self.colours.currentTextChanged.connect(lambda _name: self._choose_colours())
         self.variable.currentTextChanged.connect(lambda _name: self._choose_variable())
         self._preset.changed.connect(self._list_variables)
@@ -171,8 +176,10 @@ class TimeView(QWidget):
 
     def _choose_colours(self) -> None:
         colours, in_decibels = colours_of(self.colours.currentText()), self.decibels.isChecked()
-        self.low.setEnabled(in_decibels)
-        low, high = (float(self.low.value()), 0.0) if in_decibels else (0.0, 1.0)
+        ends = (float(self.low.value()), float(self.high.value())) if in_decibels else (0.0, 1.0)
+        low, high = min(ends), max(ends)
+        for box in (self.low, self.high):
+            box.setEnabled(in_decibels)
         self.sonagram.set_colours(colours, in_decibels, low, high)
         form = "{:.0f} dB" if in_decibels else "{:.1f}"
         self._colour_bar.draw(colours, *(form.format(value) for value in (low, (low + high) / 2, high)))

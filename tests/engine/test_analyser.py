@@ -137,8 +137,8 @@ def test_the_waveform_is_the_newest_window_with_its_middle_in_the_middle():
     click[220] = 1
     analysis = Analyser(BARE).push(click[: 220 + 1024])
     assert len(analysis) == 1
-    assert analysis.waveform.shape == (2048,)
-    assert analysis.waveform.argmax() == 1024
+    assert analysis.waveforms.shape == (1, 2048)
+    assert analysis.waveforms[0].argmax() == 1024
 
 
 def test_times_are_the_middles_of_the_frames():

@@ -1,0 +1,31 @@
+"""Plays a sound file on the default sound card and prints what was seen: run by test_sound_card.py."""
+
+import json
+import sys
+import time
+from pathlib import Path
+
+from engine.live import FilePlayer
+from engine.presets.preset import DEFAULT_PRESET, load_preset
+
+player = FilePlayer(Path(sys.argv[1]), load_preset(DEFAULT_PRESET))
+seen: list[tuple[float, float]] = []
+frames: list[int] = []
+early = 0
+player.play()
+started = time.monotonic()
+while not player.finished and time.monotonic() - started < 30:
+    position = player.position
+    seen.append((time.monotonic(), position))
+    for block in player.take():
+        last = block.first_frame + len(block.analysis) - 1
+        frames += range(block.first_frame, last + 1)
+        early += (last + 0.5) * 0.01 > player.position + 0.001
+    time.sleep(0.005)
+print(
+    json.dumps({
+        "card": player.has_card, "name": player.output_name, "seen": seen, "frames": frames, "early": early,
+        "dropped": player.n_dropped, "finished": player.finished,
+    })
+)  # fmt: skip
+player.close()

@@ -1,0 +1,289 @@
+"""Averaged spectra: means that are known, files that come back, shapes that are compared."""
+
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from engine.analyser import analyses_of
+from engine.curves import Curve, SpectrumAverage, distance_of, load_curve, save_curve
+from engine.errors import CurveError
+from engine.presets.preset import Preset
+from engine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter
+from tests.sounds import Sound, noise, tone, vowel
+
+COARSE = AnalysisSettings(filters=frozenset({Filter.QUANTISE}), quantise=4, decimation=Decimation.ANTI_ALIASED)
+FINE = AnalysisSettings(filters=frozenset())
+SPEECH = np.concatenate((vowel((700, 1200, 2500), 0.5), vowel((310, 800, 2300), 0.4, f0=210), noise(0.4, 0.05)))
+
+
+def spectra(*rows: list[float]) -> np.ndarray:
+    return np.array(rows, np.float32)
+
+
+def curve_of(sound: Sound, settings: AnalysisSettings, name: str = "sound") -> Curve:
+    average = SpectrumAverage()
+    for analysis in analyses_of([sound], Preset(settings=settings)):
+        average.add(analysis.spectra)
+    return average.curve(name, settings.front_end())
+
+
+def refusal_of(path: Path) -> str:
+    with pytest.raises(CurveError) as refusal:
+        load_curve(path)
+    message = str(refusal.value)
+    assert message.startswith(f"{path.name}: ")
+    assert message.isprintable()
+    assert len(message) < 250
+    return message
+
+
+# -- the mean -------------------------------------------------------------------------------------------------
+
+
+def test_the_average_of_known_spectra_is_their_mean() -> None:
+    average = SpectrumAverage()
+    average.add(spectra([0, 1, 2, 3], [2, 1, 0, 1]))
+    average.add(spectra([1, 4, 1, 2]))
+    curve = average.curve("three", "quantise off")
+    assert curve.amplitudes.tolist() == [1, 2, 1, 2]
+    assert curve.frequencies.tolist() == [0, BIN_WIDTH, 2 * BIN_WIDTH, 3 * BIN_WIDTH]
+    assert (curve.name, curve.front_end, curve.n_frames, average.n_frames) == ("three", "quantise off", 3, 3)
+
+
+def test_an_hour_of_equal_spectra_averages_to_that_spectrum() -> None:
+    average = SpectrumAverage()
+    row = np.float32([0.1, 1e-6, 0.7])
+    for _ in range(360):
+        average.add(np.tile(row, (1000, 1)))
+    np.testing.assert_allclose(average.curve("", "").amplitudes, row, rtol=1e-9)
+
+
+@given(cuts=st.lists(st.integers(0, 40), max_size=6))
+def test_the_average_does_not_depend_on_how_the_frames_came(cuts: list[int]) -> None:
+    rows = np.random.default_rng(0).random((40, 5), np.float32)
+    average = SpectrumAverage()
+    for block in np.split(rows, np.sort(cuts).astype(int)):
+        average.add(block)
+    assert average.n_frames == 40
+    np.testing.assert_allclose(average.curve("", "").amplitudes, rows.mean(axis=0), rtol=1e-6)
+
+
+def test_clearing_forgets_everything() -> None:
+    average = SpectrumAverage()
+    average.add(spectra([5, 5]))
+    average.clear()
+    assert average.n_frames == 0
+    average.add(spectra([1, 2]))
+    assert average.curve("", "").amplitudes.tolist() == [1, 2]
+
+
+def test_spectra_of_another_size_begin_the_average_anew() -> None:
+    average = SpectrumAverage()
+    average.add(spectra([5, 5], [5, 5]))
+    average.add(spectra([1, 2, 3]))
+    assert average.n_frames == 1
+    assert average.curve("", "").amplitudes.tolist() == [1, 2, 3]
+
+
+# -- one axis for all front ends ------------------------------------------------------------------------------
+
+
+def test_curves_of_two_front_ends_agree_where_both_hear() -> None:
+    coarse, fine = curve_of(SPEECH, COARSE), curve_of(SPEECH, FINE)
+    assert (len(coarse.frequencies), len(fine.frequencies)) == (256, 1024)
+    below = fine.frequencies[(fine.frequencies > 100) & (fine.frequencies < 5000)]
+    difference = 20 * np.log10(coarse.at(below) / fine.at(below))
+    assert np.abs(difference).max() < 1.0
+    assert np.abs(difference).mean() < 0.2
+
+
+def test_the_distance_of_one_sound_through_two_front_ends_is_less_than_that_of_two_sounds() -> None:
+    coarse, fine = curve_of(SPEECH, COARSE), curve_of(SPEECH, FINE)
+    other = curve_of(vowel((280, 2200, 3000), 1.0), COARSE)
+    assert distance_of(coarse, fine) < 1.5
+    assert distance_of(fine, other) > 5
+
+
+def test_a_curve_says_nothing_beyond_its_end() -> None:
+    curve = curve_of(SPEECH, COARSE)
+    assert np.isnan(curve.at(np.array([5600.0]))).all()
+    assert curve.at(curve.frequencies).tolist() == curve.amplitudes.tolist()
+
+
+def test_a_curve_is_linear_between_its_bins() -> None:
+    curve = Curve("", np.array([0.0, 10, 20]), np.array([1.0, 3, 0]), 1, "")
+    assert curve.at(np.array([5.0, 12.5])).tolist() == [2.0, 2.25]
+
+
+@pytest.mark.parametrize("settings", [COARSE, FINE])
+def test_a_curve_has_no_distance_from_itself_however_loud(settings: AnalysisSettings) -> None:
+    curve = curve_of(SPEECH, settings)
+    assert distance_of(curve, curve) == 0
+    assert distance_of(curve, replace(curve, amplitudes=curve.amplitudes * 2)) == pytest.approx(0, abs=0.01)
+
+
+def test_a_distance_is_the_same_both_ways() -> None:
+    one, other = curve_of(SPEECH, COARSE), curve_of(tone(1000, 0.5), FINE)
+    assert distance_of(one, other) == distance_of(other, one)
+
+
+def test_a_known_difference_in_shape_is_its_distance() -> None:
+    flat = Curve("", np.arange(4.0), np.full(4, 0.1), 1, "")
+    stepped = replace(flat, amplitudes=np.array([0.1, 0.1, 0.01, 0.01]))  # 0 dB and -20 dB: ±10 dB about the mean
+    assert distance_of(flat, stepped) == pytest.approx(10)
+
+
+def test_curves_without_a_common_frequency_have_no_distance() -> None:
+    low = Curve("", np.array([0.0, 10]), np.ones(2), 1, "")
+    high = Curve("", np.array([20.0, 30, 40]), np.ones(3), 1, "")
+    assert np.isnan(distance_of(low, high))
+
+
+# -- files ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("settings", [COARSE, FINE])
+def test_a_saved_curve_comes_back(settings: AnalysisSettings, tmp_path: Path) -> None:
+    curve = curve_of(SPEECH, settings, "Frau Müller, a: laut")
+    save_curve(curve, tmp_path / "curve.csv")
+    back = load_curve(tmp_path / "curve.csv")
+    assert (back.name, back.front_end, back.n_frames) == (curve.name, curve.front_end, curve.n_frames)
+    np.testing.assert_allclose(back.frequencies, curve.frequencies, rtol=1e-8)
+    np.testing.assert_allclose(back.amplitudes, curve.amplitudes, rtol=1e-8)
+    assert list(tmp_path.iterdir()) == [tmp_path / "curve.csv"]
+
+
+def test_a_saved_curve_describes_itself(tmp_path: Path) -> None:
+    save_curve(curve_of(SPEECH, COARSE, "two\nlines"), tmp_path / "curve.csv")
+    lines = (tmp_path / "curve.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[:6] == [
+        "# phonemeanalyser curve 1",
+        "# name: two lines",
+        "# front end: quantise 4 anti_aliased",
+        "# bins: 256",
+        "# frames: 130",
+        "frequency_hz,amplitude",
+    ]
+    assert len(lines) == 6 + 256
+
+
+@given(name=st.text(max_size=20))
+def test_any_name_survives_its_file(name: str, tmp_path_factory: pytest.TempPathFactory) -> None:
+    name = name.encode("utf-8", "replace").decode()
+    path = tmp_path_factory.getbasetemp() / "named.csv"
+    save_curve(Curve(name, np.array([0.0, 1]), np.ones(2), 1, "bare"), path)
+    back = load_curve(path)
+    assert back.name == " ".join(name.split())
+    assert back.front_end == "bare"
+
+
+def test_a_file_from_an_editor_on_windows_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "curve.csv"
+    save_curve(curve_of(SPEECH, COARSE), path)
+    path.write_bytes(b"\xef\xbb\xbf" + path.read_bytes().replace(b"\n", b"\r\n"))
+    assert load_curve(path).n_frames == 130
+
+
+GOOD = """# phonemeanalyser curve 1
+# name: mine
+# front end: quantise off
+# bins: 3
+# frames: 7
+frequency_hz,amplitude
+0,1
+10,2
+20,0.5
+"""
+
+# name: (what stands in the file, what is put there instead, what the refusal says)
+CHANGES = {
+    "another format": ("curve 1", "curve 2", "begins with the line '# phonemeanalyser curve 1'"),
+    "no name": ("# name: mine\n", "", "the header lacks 'name'"),
+    "no front end": ("# front end: quantise off\n", "", "the header lacks 'front end'"),
+    "no bins": ("# bins: 3\n", "", "the header lacks 'bins'"),
+    "no frames": ("# frames: 7\n", "", "the header lacks 'frames'"),
+    "bins as a word": ("bins: 3", "bins: three", "'bins' in the header must be a whole number"),
+    "frames as a fraction": ("frames: 7", "frames: 7.5", "'frames' in the header must be a whole number"),
+    "endless frames": ("frames: 7", "frames: " + "9" * 9000, "'frames' in the header must be a whole number"),
+    "fewer frames than none": ("frames: 7", "frames: -7", "'frames' in the header must be a whole number"),
+    "a bin too few": ("20,0.5\n", "", "announces 3 bins .* found 2"),
+    "a bin too many": ("20,0.5\n", "20,0.5\n30,1\n", "announces 3 bins .* found 4"),
+    "other columns": ("frequency_hz", "hertz", "columns must be frequency_hz,amplitude, found 'hertz,amplitude'"),
+    "a word": ("10,2", "10,loud", "row 2 must hold two numbers, found '10,loud'"),
+    "a third number": ("10,2", "10,2,3", "row 2 must hold two numbers, found '10,2,3'"),
+    "one number": ("10,2", "10", "row 2 must hold two numbers, found '10'"),
+    "an empty row": ("10,2", "", "row 2 must hold two numbers, found ''"),
+    "not a number": ("10,2", "10,nan", "row 2 must hold finite numbers"),
+    "infinity": ("10,2", "inf,2", "row 2 must hold finite numbers"),
+    "less than nothing": ("10,2", "10,-2", "row 2 must hold finite numbers of 0 or more"),
+    "frequencies that fall": ("20,0.5", "5,0.5", "frequencies must rise"),
+    "a frequency twice": ("20,0.5", "10,0.5", "frequencies must rise"),
+}
+
+
+def test_the_good_file_is_good(tmp_path: Path) -> None:
+    (tmp_path / "good.csv").write_text(GOOD)
+    assert load_curve(tmp_path / "good.csv").amplitudes.tolist() == [1, 2, 0.5]
+
+
+@pytest.mark.parametrize(("old", "new", "said"), CHANGES.values(), ids=CHANGES)
+def test_a_wrong_curve_is_refused_with_what_is_wrong(old: str, new: str, said: str, tmp_path: Path) -> None:
+    assert old in GOOD
+    path = tmp_path / "wrong.csv"
+    path.write_text(GOOD.replace(old, new, 1))
+    with pytest.raises(CurveError, match=said):
+        load_curve(path)
+    refusal_of(path)
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"\n", b"start_s,end_s\n0,1\n", b"# phonemeanalyser curve 1\n", b"\xff\xfe\0"]
+)
+def test_what_is_no_curve_is_refused(content: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "none.csv"
+    path.write_bytes(content)
+    refusal_of(path)
+
+
+def test_a_missing_file_a_folder_and_an_endless_file_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "folder.csv").mkdir()
+    with (tmp_path / "endless.csv").open("wb") as file:
+        file.truncate(5 << 20)
+    assert "cannot be read" in refusal_of(tmp_path / "missing.csv")
+    assert "cannot be read" in refusal_of(tmp_path / "folder.csv")
+    assert "smaller than 4 MB" in refusal_of(tmp_path / "endless.csv")
+
+
+@given(where=st.integers(0, len(GOOD)), length=st.integers(0, 9), new=st.text("09.-,:#\nenaf ", max_size=6))
+def test_a_damaged_curve_is_read_or_refused(
+    where: int, length: int, new: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    path = tmp_path_factory.getbasetemp() / "damaged.csv"
+    path.write_text(GOOD[:where] + new + GOOD[where + length :])
+    with suppress(CurveError):
+        curve = load_curve(path)
+        assert len(curve.frequencies) == len(curve.amplitudes) >= 1
+
+
+def test_a_place_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(CurveError, match=r"^curve\.csv: cannot be written \(.*\); choose another folder$"):
+        save_curve(curve_of(SPEECH, COARSE), tmp_path / "nowhere" / "curve.csv")
+
+
+def test_an_old_curve_stays_until_the_new_one_is_complete(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "curve.csv"
+    save_curve(curve_of(SPEECH, COARSE, "old"), path)
+
+    def refuse(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "replace", refuse)
+    with pytest.raises(CurveError, match="No space left on device"):
+        save_curve(curve_of(SPEECH, COARSE, "new"), path)
+    assert load_curve(path).name == "old"
+    assert list(tmp_path.iterdir()) == [path]

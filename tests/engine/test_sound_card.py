@@ -1,0 +1,84 @@
+"""Playing on a real sound server: a virtual sound card, and what comes out of it."""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+from tests.sounds import noise
+from tests.virtual_sound import VirtualSound
+
+DRIVER = Path(__file__).with_name("play_on_card.py")
+SECONDS = 3.0
+
+
+def play(path: Path, sound: VirtualSound) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [sys.executable, str(DRIVER), str(path)], env=sound.environment, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def played(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict, np.ndarray, np.ndarray]:
+    """What the player saw, what the speaker gave, and what was in the file."""
+    folder = tmp_path_factory.mktemp("card")
+    pcm = np.clip(noise(SECONDS, 0.1) * 32767, -32768, 32767).astype(np.int16)
+    soundfile.write(folder / "noise.wav", pcm, 44_100)
+    with VirtualSound() as sound:
+        recorder = sound.record_speaker(folder / "heard.wav")
+        time.sleep(0.3)
+        player = play(folder / "noise.wav", sound)
+        out, errors = player.communicate(timeout=60)
+        time.sleep(0.3)
+        recorder.terminate()
+        recorder.wait(5)
+    assert player.returncode == 0, errors
+    heard = np.fromfile(folder / "heard.wav", np.int16, offset=44).reshape(-1, 2)
+    return json.loads(out), heard, pcm
+
+
+def test_the_sound_card_is_found_and_everything_is_heard(played):
+    seen, _, _ = played
+    assert seen["card"]
+    assert seen["finished"]
+    assert seen["dropped"] == 0
+    assert seen["frames"] == list(range(len(seen["frames"])))
+    assert len(seen["frames"]) == round(SECONDS * 100)
+
+
+def test_what_comes_out_of_the_speaker_is_the_file_bit_by_bit(played):
+    _, heard, pcm = played
+    start = int(np.flatnonzero(heard[:, 0])[0]) - int(np.flatnonzero(pcm)[0])
+    channel = heard[start : start + len(pcm), 0].astype(int)
+    assert len(channel) == len(pcm)
+    assert np.abs(channel - pcm).max() <= 1
+
+
+def test_the_picture_follows_the_stream_not_the_arrival_of_blocks(played):
+    seen, _, _ = played
+    times, positions = np.array(seen["seen"]).T
+    moving = (positions > 0.2) & (positions < SECONDS - 0.2)
+    lag = times[moving] - positions[moving]
+    assert np.ptp(lag) < 0.05
+    assert np.all(np.diff(positions) >= -1e-9)
+    assert seen["early"] == 0
+
+
+def test_a_server_that_dies_leaves_the_picture_going_on_without_sound(tmp_path):
+    soundfile.write(tmp_path / "noise.wav", noise(SECONDS, 0.1), 44_100)
+    with VirtualSound() as sound:
+        player = play(tmp_path / "noise.wav", sound)
+        time.sleep(1.8)
+        sound.kill()
+        out, errors = player.communicate(timeout=60)
+    assert player.returncode == 0, errors
+    seen = json.loads(out)
+    assert seen["finished"]
+    assert not seen["card"]
+    assert sorted(set(seen["frames"])) == list(range(round(SECONDS * 100)))

@@ -1,0 +1,271 @@
+"""Outputs: the clock that stands in for a sound card, and what is asked of a sound card."""
+
+import threading
+import time
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from engine.audio import stream
+from engine.audio.stream import AHEAD, CardOutput, ClockOutput, open_output
+from engine.errors import DeviceError
+from engine.settings import SAMPLE_RATE
+
+SECOND = np.zeros((AHEAD, 1), np.float32)
+
+
+class Clock:
+    """A clock that a test moves."""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+
+    def monotonic(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
+    clock = Clock()
+    monkeypatch.setattr(stream, "time", clock)
+    return clock
+
+
+# -- the clock ------------------------------------------------------------------------------------------------
+
+
+def test_time_passes_only_while_the_clock_runs(clock: Clock) -> None:
+    output = ClockOutput()
+    output.write(SECOND)
+    clock.now += 5
+    assert output.heard == 0
+    output.run(running=True)
+    clock.now += 0.1
+    assert output.heard == pytest.approx(0.1 * SAMPLE_RATE)
+    output.run(running=False)
+    clock.now += 5
+    assert output.heard == pytest.approx(0.1 * SAMPLE_RATE)
+    output.run(running=True)
+    clock.now += 0.05
+    assert output.heard == pytest.approx(0.15 * SAMPLE_RATE)
+
+
+def test_running_twice_is_running_once(clock: Clock) -> None:
+    output = ClockOutput()
+    output.write(SECOND)
+    output.run(running=True)
+    clock.now += 0.1
+    output.run(running=True)
+    clock.now += 0.1
+    assert output.heard == pytest.approx(0.2 * SAMPLE_RATE)
+
+
+def test_nothing_is_heard_that_was_not_written(clock: Clock) -> None:
+    output = ClockOutput()
+    output.run(running=True)
+    clock.now += 10
+    assert output.heard == 0
+    output.write(SECOND[:1000])
+    clock.now += 10
+    assert output.heard == 1000
+    clock.now += 10
+    output.write(SECOND[:1000])
+    assert output.heard == 1000  # time in which there was nothing to hear is not made up for
+    clock.now += 0.01
+    assert output.heard == pytest.approx(1441)
+
+
+def test_room_is_what_may_be_written_ahead(clock: Clock) -> None:
+    output = ClockOutput()
+    assert output.room == AHEAD
+    output.write(SECOND)
+    assert output.room == 0
+    output.run(running=True)
+    clock.now += 0.01
+    assert output.room == pytest.approx(441, abs=1)
+
+
+def test_what_is_skipped_is_over_at_once(clock: Clock) -> None:
+    output = ClockOutput()
+    output.write(SECOND)
+    output.run(running=True)
+    clock.now += 0.01
+    output.skip()
+    assert (output.heard, output.room) == (AHEAD, AHEAD)
+    clock.now += 1
+    output.write(SECOND[:500])
+    assert output.heard == AHEAD
+    clock.now += 1
+    assert output.heard == AHEAD + 500
+
+
+def test_the_clock_keeps_time_though_two_threads_ask_it() -> None:
+    output = ClockOutput()
+    output.n_written = 10 * SAMPLE_RATE
+    output.run(running=True)
+    start = time.monotonic()
+    seen: list[list[float]] = [[], []]
+
+    def ask(found: list[float]) -> None:
+        while time.monotonic() < start + 0.2:
+            found.append(output.heard)
+
+    threads = [threading.Thread(target=ask, args=(found,)) for found in seen]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(found == sorted(found) for found in seen)
+    assert output.heard <= (time.monotonic() - start) * SAMPLE_RATE + 1
+
+
+# -- the sound card, as far as it can be known without one ----------------------------------------------------
+
+
+class FakeStream:
+    """Calls back when the test says so."""
+
+    def __init__(self, callback: Callable[..., None], finished_callback: Callable[[], None], **options: Any) -> None:
+        self.callback, self.finish, self.options = callback, finished_callback, options
+        self.device, self.time = 3, 50.0
+        self.began = self.closed = False
+
+    def start(self) -> None:
+        self.began = True
+
+    def abort(self) -> None:
+        self.finish()
+
+    def close(self) -> None:
+        self.closed = True
+
+    def ask(self, n: int, latency: float = 0.0) -> np.ndarray:
+        out = np.full((n, self.options["channels"]), np.nan, np.float32)
+        self.callback(out, n, SimpleNamespace(outputBufferDacTime=self.time + latency), None)
+        return out
+
+
+class PortAudioError(Exception):
+    """As sounddevice has it."""
+
+
+@pytest.fixture
+def sounddevice(monkeypatch: pytest.MonkeyPatch) -> SimpleNamespace:
+    module = SimpleNamespace(
+        OutputStream=FakeStream, PortAudioError=PortAudioError, query_devices=lambda _k: {"name": "a card"}
+    )
+    monkeypatch.setattr(stream, "_sounddevice", lambda: module)
+    return module
+
+
+@pytest.fixture
+def card(sounddevice: SimpleNamespace) -> CardOutput:
+    return CardOutput(2)
+
+
+def numbered(n: int) -> np.ndarray:
+    return np.repeat(np.arange(1, n + 1, dtype=np.float32)[:, np.newaxis], 2, axis=1)
+
+
+def test_a_card_plays_what_is_written_as_loud_as_is_asked(card: CardOutput) -> None:
+    card.write(numbered(300))
+    assert not card._stream.ask(100).any()  # not running yet
+    card.run(running=True)
+    np.testing.assert_array_equal(card._stream.ask(100), numbered(300)[:100])
+    card.gain = 0.5
+    np.testing.assert_array_equal(card._stream.ask(100), numbered(300)[100:200] / 2)
+    out = card._stream.ask(200)
+    assert not out[100:].any()
+    assert (card.name, card.is_card, card.lost, card.n_written, card.room) == ("a card", True, False, 300, AHEAD)
+
+
+def test_a_sample_is_heard_when_it_leaves_the_card(card: CardOutput) -> None:
+    card.write(numbered(2000))
+    card.run(running=True)
+    assert card.heard == 0
+    card._stream.ask(1000, latency=0.05)
+    assert card.heard == 0
+    card._stream.time += 0.05
+    assert card.heard == pytest.approx(0)
+    card._stream.time += 0.01
+    assert card.heard == pytest.approx(441)
+    card._stream.time += 10
+    assert card.heard == 1000  # and never more than was given out
+
+
+def test_a_paused_card_is_silent_and_keeps_its_place(card: CardOutput) -> None:
+    card.write(numbered(2000))
+    card.run(running=True)
+    card._stream.ask(1000)
+    card._stream.time += 0.01
+    card.run(running=False)
+    card._stream.time += 1
+    assert card.heard == pytest.approx(441)
+    assert not card._stream.ask(100).any()
+    card.run(running=True)
+    np.testing.assert_array_equal(card._stream.ask(100), numbered(2000)[1000:1100])
+
+
+def test_what_is_skipped_is_never_played(card: CardOutput) -> None:
+    card.write(numbered(2000))
+    card.run(running=True)
+    card._stream.ask(500)
+    card.skip()
+    assert card.heard == 2000
+    assert not card._stream.ask(100).any()
+    card.write(numbered(50))
+    np.testing.assert_array_equal(card._stream.ask(50), numbered(50))
+    card._stream.time += 1
+    assert card.heard == 2050
+
+
+def test_a_lost_card_says_so_and_knows_where_it_was(card: CardOutput) -> None:
+    card.write(numbered(5000))
+    card.run(running=True)
+    for _ in range(4):
+        card._stream.ask(1000)
+        card._stream.time += 1000 / SAMPLE_RATE
+    before = card.heard
+    del card._stream.time  # the clock of a dead stream must not be asked
+    card._stream.finish()
+    assert card.lost
+    assert card.heard == pytest.approx(before) == 4000
+
+
+def test_a_card_that_is_closed_is_not_lost(card: CardOutput) -> None:
+    card.close()
+    assert card._stream.closed
+    assert not card.lost
+
+
+def test_without_a_card_the_clock_plays(sounddevice: SimpleNamespace) -> None:
+    def refuse(**_: Any) -> None:
+        raise PortAudioError("Error querying device -1\nand more")
+
+    sounddevice.OutputStream = refuse
+    with pytest.raises(DeviceError, match=r"^the sound card cannot be opened \(Error querying device -1\)$"):
+        CardOutput(1)
+    assert isinstance(open_output(1), ClockOutput)
+
+
+def test_without_portaudio_the_clock_plays(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "sounddevice", None)
+    with pytest.raises(DeviceError, match="install libportaudio2"):
+        CardOutput(1)
+    assert isinstance(open_output(1), ClockOutput)
+
+
+def test_a_card_that_opens_and_does_not_start_is_let_go(sounddevice: SimpleNamespace) -> None:
+    made: list[FakeStream] = []
+
+    class Stubborn(FakeStream):
+        def start(self) -> None:
+            made.append(self)
+            raise PortAudioError("Unanticipated host error")
+
+    sounddevice.OutputStream = Stubborn
+    assert isinstance(open_output(1), ClockOutput)
+    assert made[0].closed

@@ -1,0 +1,58 @@
+"""An output whose time only moves when a test says so."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.settings import SAMPLE_RATE
+
+
+class HandDrivenOutput:
+    """Plays to nobody; a test sets what has been heard, and sees what was written.
+
+    Attributes
+    ----------
+    ahead : samples that are written at most before they are heard.
+    played : what was written and not skipped, block by block.
+    """
+
+    name = "moved by hand"
+
+    def __init__(self, n_channels: int = 1, ahead: int = SAMPLE_RATE // 4) -> None:
+        self.n_channels = n_channels
+        self.ahead = ahead
+        self.is_card = True
+        self.gain = 1.0
+        self.n_written = 0
+        self.heard = 0.0
+        self.lost = False
+        self.running = False
+        self.closed = False
+        self.played: list[NDArray[np.float32]] = []
+
+    @property
+    def room(self) -> int:
+        """Samples that can be written now."""
+        return self.ahead - (self.n_written - int(self.heard))
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Take a block."""
+        assert block.shape[1] == self.n_channels
+        assert len(block) <= self.room
+        self.played.append(block.copy())
+        self.n_written += len(block)
+
+    def skip(self) -> None:
+        """Pass over everything that is written."""
+        self.heard = float(self.n_written)
+
+    def run(self, running: bool) -> None:
+        """Go on, or hold still; time moves by hand all the same."""
+        self.running = running
+
+    def close(self) -> None:
+        """Let go."""
+        self.closed = True
+
+    def move(self, samples: float) -> None:
+        """Have time pass, as far as there is sound."""
+        self.heard = min(self.heard + samples, float(self.n_written))

@@ -1,0 +1,22 @@
+"""Makes the pictures in `screenshots/` from the running program: `make screenshots`."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
+PICTURES = {
+    "window-light.png": ("1280x800", "light", "4.2"),
+    "window-dark.png": ("1280x800", "dark", "4.2"),
+    "window-large-light.png": ("1920x1080", "light", "6.3"),
+    "window-large-dark.png": ("1920x1080", "dark", "6.3"),
+}
+
+if __name__ == "__main__":
+    for name, (size, theme, at) in PICTURES.items():
+        command = [sys.executable, "-m", "phonemeanalyser", "screenshot", str(DEMO), "-o"]
+        subprocess.run(
+            [*command, str(ROOT / "screenshots" / name), "--size", size, "--theme", theme, "--at", at], check=True
+        )
+        print(ROOT / "screenshots" / name)
