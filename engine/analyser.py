@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.audio.files import SoundReader
 from engine.dsp.filters import (
     FrequencyShaper,
     TimeSmoother,
@@ -27,10 +28,13 @@ from engine.features.variables import BAND_VARIABLES, WHOLE_FRAME_VARIABLES, Spe
 from engine.presets.preset import Preset
 from engine.recognition.recogniser import Recogniser, recogniser_of
 from engine.recognition.statistics import Statistics
-from engine.settings import BIN_WIDTH, FRAME_PERIOD, AnalysisSettings, Filter
+from engine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, AnalysisSettings, Filter
 
 BLOCK = 512
 """Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
+
+PRE_ROLL = 40
+"""Frames before a place in a sound that are analysed unseen, so that the filters know their past."""
 
 VOLUME = WHOLE_FRAME_VARIABLES.index("volume")
 
@@ -162,20 +166,17 @@ class Analyser:
     ----------
     preset : what to recognise with.
     pitch : measure `f0` too, which no rule needs; without it `f0` reads 0.
-
-    Attributes
-    ----------
-    n_frames : frames analysed so far.
+    start : number of the first frame, where the samples begin in the midst of a longer sound.
     """
 
-    def __init__(self, preset: Preset, *, pitch: bool = False) -> None:
+    def __init__(self, preset: Preset, *, pitch: bool = False, start: int = 0) -> None:
         self._pitch = pitch
         self._preset = preset
         self._framer = Framer()
         self._path = SpectrumPath(preset, pitch=pitch)
         self._recogniser = recogniser_of(preset.recogniser, preset.thresholds)
         self._statistics = _statistics_of(preset)
-        self.n_frames = 0
+        self._next = start
 
     @property
     def preset(self) -> Preset:
@@ -218,7 +219,7 @@ class Analyser:
         phonemes = self._statistics.push(recognised) if settings.statistics else recognised
         levels = features.values[:, VOLUME]
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
-        start, self.n_frames = self.n_frames, self.n_frames + len(frames)
+        start, self._next = self._next, self._next + len(frames)
         return Analysis(start, spectra, mel, waveforms, features, recognised, phonemes, intensities)
 
     def _join(self, blocks: list[Analysis]) -> Analysis:
@@ -239,7 +240,7 @@ class Analyser:
         settings = self._preset.settings
         codes = np.zeros(0, np.uint8)
         return Analysis(
-            start=self.n_frames,
+            start=self._next,
             spectra=np.zeros((0, settings.n_bins), np.float32),
             mel=np.zeros((0, settings.mel_bands), np.float32) if settings.has(Filter.MEL) else None,
             waveforms=np.zeros((0, settings.n_samples), np.float32),
@@ -258,9 +259,14 @@ def _statistics_of(preset: Preset) -> Statistics:
     return Statistics(preset.settings.minimum_hold, preset.successors)
 
 
-def analyses_of(blocks: Iterable[Block], preset: Preset, *, pitch: bool = False) -> Iterator[Analysis]:
-    """Analyse a whole sound, given as consecutive blocks of samples; ends with the frames at its end."""
-    analyser = Analyser(preset, pitch=pitch)
+def analyses_of(
+    blocks: Iterable[Block], preset: Preset, *, pitch: bool = False, start: int = 0
+) -> Iterator[Analysis]:
+    """Analyse a whole sound, given as consecutive blocks of samples; ends with the frames at its end.
+
+    `start` is the number of the first frame, where the blocks begin in the midst of a longer sound.
+    """
+    analyser = Analyser(preset, pitch=pitch, start=start)
     for block in blocks:
         analysis = analyser.push(block)
         if len(analysis):
@@ -268,3 +274,20 @@ def analyses_of(blocks: Iterable[Block], preset: Preset, *, pitch: bool = False)
     analysis = analyser.finish()
     if len(analysis):
         yield analysis
+
+
+def analyses_between(
+    reader: SoundReader, first: int, last: int, preset: Preset, *, pitch: bool = False
+) -> Iterator[Analysis]:
+    """Analyse frames first..last-1 of a file as if it had been followed from its beginning.
+
+    The frames before `first` that the filters remember are analysed too, but not given.
+    """
+    start = max(0, first - PRE_ROLL)
+    reader.seek(start * HOP)
+    for analysis in analyses_of(reader.blocks(BLOCK * HOP), preset, pitch=pitch, start=start):
+        wanted = analysis.part(slice(max(0, first - analysis.start), max(0, last - analysis.start)))
+        if len(wanted):
+            yield wanted
+        if analysis.start + len(analysis) >= last:
+            return

@@ -7,10 +7,11 @@ heard since. Nothing else passes between the two.
 import threading
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 
-from engine.analyser import Analyser, Analysis
+import numpy as np
+
+from engine.analyser import PRE_ROLL, Analyser, Analysis
 from engine.audio.files import SoundReader, mono_of
 from engine.audio.stream import ClockOutput, Output, open_output
 from engine.presets.preset import Preset
@@ -18,30 +19,8 @@ from engine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, Channel
 
 STEP = 2 * HOP
 """Samples that are read, played and analysed at a time."""
-PRE_ROLL = 40 * HOP
-"""Samples before a seek's target that are analysed unseen, so that the filters know their past."""
 MOST_WAITING = 1500
 """Blocks that wait for `take` at most; older ones are dropped and counted."""
-
-
-@dataclass(frozen=True)
-class Heard:
-    """A block of analysed frames and its place in the file.
-
-    Attributes
-    ----------
-    analysis : what was found.
-    first_frame : number of its first frame, counted from the beginning of the file.
-    """
-
-    analysis: Analysis
-    first_frame: int
-
-
-@dataclass(frozen=True)
-class _Waiting:
-    heard: Heard
-    due: int
 
 
 class FilePlayer:
@@ -74,7 +53,6 @@ class FilePlayer:
         self._output: Output = open_device(self.reader.n_channels)
         self._preset = preset
         self._analyser = Analyser(preset, pitch=True)
-        self._base_frame = 0
         self._playing = False
         self._running = False
         self._at_end = False
@@ -82,7 +60,7 @@ class FilePlayer:
         self._target: int | None = None
         self._error: Exception | None = None
         self._segments: tuple[tuple[int, int], ...] = ((0, 0),)
-        self._waiting: deque[_Waiting] = deque()
+        self._waiting: deque[tuple[int, Analysis]] = deque()
         self._handover = threading.Lock()
         self._commands: deque[Callable[[], None]] = deque()
         self._wake = threading.Event()
@@ -147,8 +125,11 @@ class FilePlayer:
         """Set the loudness of what is heard, 0..1; the analysis does not change."""
         self._output.gain = gain
 
-    def take(self) -> list[Heard]:
-        """Give what has been heard since the last call; raises whatever ended the analysis."""
+    def take(self) -> list[Analysis]:
+        """Give what has been heard since the last call; raises whatever ended the analysis.
+
+        The frames of each block are numbered from the beginning of the file.
+        """
         if self._error is not None:
             error, self._error = self._error, None
             raise error
@@ -157,8 +138,8 @@ class FilePlayer:
         heard = self._output.heard
         due = []
         with self._handover:
-            while self._waiting and self._waiting[0].due <= heard:
-                due.append(self._waiting.popleft().heard)
+            while self._waiting and self._waiting[0][0] <= heard:
+                due.append(self._waiting.popleft()[1])
         return due
 
     def close(self) -> None:
@@ -198,6 +179,8 @@ class FilePlayer:
             return
         self._queue(self._analyser.finish())
         if self.loop:
+            rest = max(0, STEP - self.reader.n_samples)  # a sound of a few samples would leave no time for anything
+            self._output.write(np.zeros((rest, self.reader.n_channels), np.float32))
             self._begin(0)
         else:
             self._at_end = True
@@ -217,30 +200,25 @@ class FilePlayer:
 
     def _begin(self, frame: int) -> None:
         """Start reading and analysing at a frame, as if the file had been followed until there."""
-        target = frame * HOP
-        start = max(0, target - PRE_ROLL)
-        self.reader.seek(start)
-        self._analyser = Analyser(self._preset, pitch=True)
-        self._base_frame = start // HOP
-        self._segments = (*self._segments[-8:], (self._output.n_written, target))
-        if target > start:
-            self._queue(self._analyser.push(mono_of(self.reader.read(target - start), self.reader.channel)))
+        start = max(0, frame - PRE_ROLL)
+        self.reader.seek(start * HOP)
+        self._analyser = Analyser(self._preset, pitch=True, start=start)
+        self._segments = (*self._segments[-8:], (self._output.n_written, frame * HOP))
+        if frame > start:
+            self._queue(self._analyser.push(mono_of(self.reader.read((frame - start) * HOP), self.reader.channel)))
         self._at_end = False
 
     def _queue(self, analysis: Analysis) -> None:
         """Have a block wait until it is heard; frames from before the segment are dropped."""
         written, sample = self._segments[-1]
-        unheard = sample // HOP - self._base_frame - analysis.start
-        if unheard > 0:
-            analysis = analysis.part(slice(unheard, None))
+        analysis = analysis.part(slice(max(0, sample // HOP - analysis.start), None))
         if len(analysis) == 0:
             return
-        first = self._base_frame + analysis.start
-        due = written + (first + len(analysis) - 1) * HOP + HOP // 2 - sample
+        due = written + (analysis.start + len(analysis) - 1) * HOP + HOP // 2 - sample
         with self._handover:
-            self._waiting.append(_Waiting(Heard(analysis, first), min(due, self._output.n_written)))
+            self._waiting.append((min(due, self._output.n_written), analysis))
             while len(self._waiting) > MOST_WAITING:
-                self.n_dropped += len(self._waiting.popleft().heard.analysis)
+                self.n_dropped += len(self._waiting.popleft()[1])
 
     def _forget_waiting(self) -> None:
         with self._handover:
@@ -252,12 +230,13 @@ class FilePlayer:
         if not lost.lost:
             return
         with self._handover:
-            frame = self._waiting[0].heard.first_frame if self._waiting else _frame_at(self.position)
+            frame = self._waiting[0][1].start if self._waiting else _frame_at(self.position)
             self._waiting.clear()
+            self._target = frame
             self._output = ClockOutput()
             self._running = False
         self._begin(frame)
-        self._segments = self._segments[-1:]
+        self._segments, self._target = self._segments[-1:], None
         lost.close()
 
 

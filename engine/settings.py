@@ -134,7 +134,7 @@ class AnalysisSettings:
     statistics: bool = True
     minimum_hold: float = 0.02
     intensity_low: float = -45.0
-    intensity_high: float = -6.0
+    intensity_high: float = -3.0
 
     def __post_init__(self) -> None:
         if self.quantise not in QUANTISATIONS:

@@ -39,7 +39,14 @@ class Desktop:
         self.preset = PresetModel()
         self.session = Session(self.preset, open_device)
         self.window = self._make_window()
-        app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
+        self._scheme = app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
+
+    def close(self) -> None:
+        """Let sound, window and system go; unsaved changes are not asked for."""
+        self._app.styleHints().colorSchemeChanged.disconnect(self._scheme)
+        self.session.close()
+        self.window.retire()
+        self._settings.sync()
 
     @property
     def theme(self) -> Theme:
@@ -89,7 +96,7 @@ def run(file: Path, preset: Path | None = None) -> int:
     desktop.window.show()
     desktop.window.dialogs.open_sound(file)
     code = app.exec()
-    desktop.session.close()
+    desktop.close()
     return code
 
 
@@ -108,22 +115,27 @@ def screenshot(
         settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings.setValue("theme", theme)
         desktop = Desktop(app, settings, lambda _n: ClockOutput())
-    if preset is not None:
-        desktop.preset.load(preset)
-    desktop.window.resize(*size)
-    desktop.window.show()
-    failures: list[str] = []
-    desktop.session.failed.connect(failures.append)
-    if not desktop.session.open(file):
-        raise EngineError(failures[0])
-    desktop.session.follow(desktop.session.duration if at is None else at)
-    desktop.window.refresh_all()
-    app.processEvents()
-    saved = desktop.window.grab().save(str(out), "PNG")
-    desktop.session.close()
-    desktop.window.retire()
+        try:
+            if preset is not None:
+                desktop.preset.load(preset)
+            desktop.window.resize(*size)
+            desktop.window.show()
+            _follow(desktop.session, file, at)
+            desktop.window.refresh_all()
+            app.processEvents()
+            saved = desktop.window.grab().save(str(out), "PNG")
+        finally:
+            desktop.close()
     if not saved:
         raise EngineError(f"{out}: the picture cannot be written; choose another place with -o")
+
+
+def _follow(session: Session, file: Path, at: float | None) -> None:
+    failures: list[str] = []
+    session.failed.connect(failures.append)
+    if not session.open(file):
+        raise EngineError(failures[0])
+    session.follow(session.duration if at is None else at)
 
 
 def _pass_message(_kind: QtMsgType, _context: QMessageLogContext, message: str) -> None:

@@ -55,7 +55,7 @@ def jobs_of(inputs: list[Path], out: Path | None, kind: str) -> Iterator[Job]:
             raise EngineError("several files need a folder for their tables; name one with -o")
         yield from (Job(file, None) for file, _ in found)
         return
-    is_table = out.suffix.lower() == f".{kind}" and not _is_folder(out)
+    is_table = out.suffix != "" and not _is_folder(out)
     single = len(inputs) == 1 and not _is_folder(inputs[0]) and is_table
     for file, relative in found:
         yield Job(file, out if single else out / relative.with_suffix(f".{kind}"))
@@ -177,8 +177,7 @@ def _csv_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader
 
 
 def _json_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, preset: Preset) -> None:
-    json.dump(_heading(reader, preset) | {"phonemes": list(_runs(analyses, reader))}, file, indent=1)
-    file.write("\n")
+    _write_json(file, _heading(reader, preset), "phonemes", _runs(analyses, reader))
 
 
 def _csv_of_frames(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, _preset: Preset) -> None:
@@ -192,8 +191,15 @@ def _csv_of_frames(file: TextIO, analyses: Iterator[Analysis], reader: SoundRead
 
 
 def _json_of_frames(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, preset: Preset) -> None:
-    json.dump(_heading(reader, preset) | {"frames": list(_frames(analyses, reader))}, file, indent=1)
-    file.write("\n")
+    _write_json(file, _heading(reader, preset), "frames", _frames(analyses, reader))
+
+
+def _write_json(file: TextIO, heading: dict[str, Any], name: str, rows: Iterator[dict[str, Any]]) -> None:
+    """Write an object with a list of rows, a line each, as they come: a long file has too many to hold."""
+    file.write(json.dumps(heading, indent=1)[:-2] + f',\n "{name}": [')
+    for k, row in enumerate(rows):
+        file.write((",\n  " if k else "\n  ") + json.dumps(row))
+    file.write("\n ]\n}\n")
 
 
 def _heading(reader: SoundReader, preset: Preset) -> dict[str, Any]:

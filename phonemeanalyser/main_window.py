@@ -116,6 +116,7 @@ class MainWindow(QMainWindow):
         for splitter in (self._spectra, self._rows):
             splitter.setChildrenCollapsible(False)
         self.setCentralWidget(self._rows)
+        self._rows.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         switches: dict[str, QAbstractButton] = {
             "sonagram_db": self.time_view.decibels,
             "coarse_spectrum": self.spectrum.coarse,
@@ -200,7 +201,7 @@ class MainWindow(QMainWindow):
             (stack.createUndoAction(self, "Undo"), QKeySequence.StandardKey.Undo),
             (stack.createRedoAction(self, "Redo"), QKeySequence.StandardKey.Redo),
         ):
-            action.setShortcut(key)
+            action.setShortcuts(QKeySequence.keyBindings(key))  # Ctrl+Y and Ctrl+Shift+Z
             edit.addAction(action)
 
     def _make_view_menu(self) -> None:
@@ -246,6 +247,7 @@ class MainWindow(QMainWindow):
         session.failed.connect(self.banner.say)
         session.opened.connect(self._show_names)
         session.cleared.connect(self.refresh_all)
+        session.rewritten.connect(self.time_view.sonagram.forget)
         session.transport_changed.connect(self._show_state)
         preset.changed.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
@@ -284,6 +286,9 @@ class MainWindow(QMainWindow):
         if newest is not None:
             self.spectrum.draw(shown_spectra(newest)[-1])
             self.waveform.draw(newest.waveforms[-1])
+        else:
+            self.spectrum.clear()
+            self.waveform.clear()
         self.time_view.refresh()
 
     def _refresh_slow(self) -> None:

@@ -56,3 +56,18 @@ class HandDrivenOutput:
     def move(self, samples: float) -> None:
         """Have time pass, as far as there is sound."""
         self.heard = min(self.heard + samples, float(self.n_written))
+
+
+class Outputs:
+    """Opens outputs that the test moves, and remembers them."""
+
+    def __init__(self) -> None:
+        self.opened: list[HandDrivenOutput] = []
+
+    def __call__(self, n_channels: int) -> HandDrivenOutput:
+        self.opened.append(HandDrivenOutput(n_channels, ahead=10 * SAMPLE_RATE))
+        return self.opened[-1]
+
+    @property
+    def last(self) -> HandDrivenOutput:
+        return self.opened[-1]

@@ -16,7 +16,7 @@ from engine.audio.ring import Ring
 from engine.errors import DeviceError
 from engine.settings import SAMPLE_RATE
 
-AHEAD = SAMPLE_RATE // 4
+AHEAD = SAMPLE_RATE // 8
 """Samples that are written at most before they are heard."""
 
 

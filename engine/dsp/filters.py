@@ -102,4 +102,5 @@ def denoise(spectra: Block, threshold: float) -> Block:
 def normalise(spectra: Block) -> Block:
     """Divide each spectrum by its largest amplitude; a silent one stays 0."""
     peaks: Block = np.maximum.reduce(spectra, axis=1, keepdims=True)
-    return spectra / np.maximum(peaks, TINY)
+    np.maximum(peaks, TINY, out=peaks)
+    return spectra / peaks

@@ -50,7 +50,7 @@ def _inverse_transform() -> NDArray[np.float32]:
     of_window = np.abs(rfft(_window().astype(float), _PADDED)) ** 2 @ cosines
     frequencies = bins[:, None] * (SAMPLE_RATE / _STEP / _PADDED)
     kept = np.clip((STOPPED - frequencies) / (STOPPED - PASSED), 0, 1)
-    return (kept * cosines / (of_window / of_window[0])).astype(np.float32)
+    return np.asarray(kept * cosines / (of_window / of_window[0]), np.float32)
 
 
 _BONUS = (OCTAVE_BONUS * np.log2(_LAGS[-1] / _LAGS)).astype(np.float32)

@@ -49,8 +49,21 @@ class History:
         self.newest = None
         self._forget_extremes()
 
-    def append(self, analysis: Analysis, first_frame: int) -> None:
-        """Take in a block of frames (at most CAPACITY) and its place in the file."""
+    def take_back(self, n: int) -> None:
+        """Forget the newest `n` columns, which are about to be appended anew, and all extremes."""
+        self.n -= n
+        self._forget_extremes()
+
+    def newest_run(self, most: int) -> tuple[int, int]:
+        """Give the frames first..last-1 of the file that the newest columns hold in a row, `most` at the most."""
+        if self.n == 0:
+            return 0, 0
+        frames = self.frames[self.indices(self.n - most, self.n)]
+        breaks = np.flatnonzero(np.diff(frames) != 1)
+        return int(frames[breaks[-1] + 1 if len(breaks) else 0]), int(frames[-1]) + 1
+
+    def append(self, analysis: Analysis) -> None:
+        """Take in a block of frames, at most CAPACITY."""
         if analysis.features.names != self._names:
             self._rename(analysis.features.names)
         shown = shown_spectra(analysis)
@@ -58,7 +71,7 @@ class History:
         self.n_bins = shown.shape[1]
         self.spectra[at, : self.n_bins] = shown
         self.spectra[at, self.n_bins :] = 0
-        self.frames[at] = first_frame + np.arange(len(analysis))
+        self.frames[at] = analysis.start + np.arange(len(analysis))
         self.phonemes[at] = analysis.phonemes
         self.recognised[at] = analysis.recognised
         self.intensities[at] = analysis.intensities

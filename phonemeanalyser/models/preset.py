@@ -49,6 +49,7 @@ class _Edit(QUndoCommand):
         if not isinstance(other, _Edit) or (other.text(), other._run) != (self.text(), self._run):
             return False
         self._after = other._after
+        self.setObsolete(self._after == self._before)  # a drag back to where it began is no change
         return True
 
     def redo(self) -> None:
@@ -73,7 +74,7 @@ class PresetModel(QObject):
     def __init__(self, path: Path = DEFAULT_PRESET) -> None:
         super().__init__()
         self.undo_stack = QUndoStack(self)
-        self.undo_stack.indexChanged.connect(lambda _index: self.file_changed.emit())
+        self.undo_stack.indexChanged.connect(self.file_changed)
         self.bypassed = False
         self.path = path
         self.preset = load_preset(path)
@@ -107,11 +108,14 @@ class PresetModel(QObject):
         self.file_changed.emit()
 
     def save(self, path: Path) -> None:
-        """Save to a file, which becomes the preset's file; EngineError leaves everything as it was."""
+        """Save to a file, which becomes the preset's file; EngineError leaves everything as it was.
+
+        What a PhonemeData file cannot hold stays unsaved, and so marked.
+        """
         named = replace(self.preset, name=path.stem) if path != self.path else self.preset
         save_preset(named, path)
         self.path = path
-        self._saved = named
+        self._saved = load_preset(path)
         if named != self.preset:
             self._apply(named)
         self.undo_stack.setClean()

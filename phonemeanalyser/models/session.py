@@ -5,20 +5,22 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from engine.analyser import Analysis, analyses_of
+from engine.analyser import Analysis, analyses_between
 from engine.audio.files import SoundReader
 from engine.audio.stream import Output, open_output
 from engine.errors import EngineError
 from engine.live import FilePlayer
 from engine.recognition.recogniser import recogniser_of
 from engine.recognition.trace import Trace
-from engine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
+from engine.settings import FRAME_PERIOD, Channel
 from phonemeanalyser.models.averages import AveragesModel
 from phonemeanalyser.models.history import History
 from phonemeanalyser.models.preset import PresetModel
 
 QUIETEST_DB = -60.0
 """At this volume and below nothing is heard."""
+AGAIN = 1000
+"""Frames that are analysed anew at most when the preset changes while nothing plays: ten seconds."""
 
 
 class Session(QObject):
@@ -29,12 +31,14 @@ class Session(QObject):
     opened : another file is in hand.
     transport_changed : playing, pausing, stopping, loop, volume or channel.
     cleared : everything gathered was forgotten.
+    rewritten : this many of the newest columns of the history are others now.
     failed : a sentence for the user.
     """
 
     opened = Signal()
     transport_changed = Signal()
     cleared = Signal()
+    rewritten = Signal(int)
     failed = Signal(str)
 
     def __init__(self, preset: PresetModel, open_device: Callable[[int], Output] = open_output) -> None:
@@ -201,29 +205,39 @@ class Session(QObject):
             self.stop()
             self.failed.emit(str(error))
             return False
-        for block in blocks:
-            self.gather(block.analysis, block.first_frame)
+        for analysis in blocks:
+            self.gather(analysis)
         if self.playing and self._player.finished:
             self.stop()
         return bool(blocks)
 
-    def gather(self, analysis: Analysis, first_frame: int) -> None:
-        """Take in a block of analysed frames and its place in the file."""
-        self.history.append(analysis, first_frame)
+    def gather(self, analysis: Analysis) -> None:
+        """Take in a block of analysed frames."""
+        self.history.append(analysis)
         self.averages.add(analysis)
 
     def follow(self, seconds: float) -> None:
         """Analyse the file in hand from its beginning up to a time at once, as if it had been played so far."""
         if self._player is None:
             return
-        n_wanted = round(seconds / FRAME_PERIOD)
-        with SoundReader(self._player.reader.path, self.channel) as reader:
-            for analysis in analyses_of(reader.blocks(SAMPLE_RATE), self.preset.in_force, pitch=True):
-                wanted = analysis.part(slice(0, max(0, n_wanted - analysis.start)))
-                if len(wanted) == 0:
-                    break
-                self.gather(wanted, wanted.start)
+        n_wanted = round(min(seconds, self.duration) / FRAME_PERIOD) + (seconds >= self.duration)
+        self._analyse(0, n_wanted)
         self._player.seek(seconds)
+
+    def analyse_again(self) -> None:
+        """Analyse what was heard last anew with the preset in force, so that a change shows while nothing plays."""
+        first, last = self.history.newest_run(AGAIN)
+        if self._player is None or first == last:
+            return
+        self.history.take_back(last - first)
+        self._analyse(first, last)
+        self.rewritten.emit(last - first)
+
+    def _analyse(self, first: int, last: int) -> None:
+        assert self._player is not None
+        with SoundReader(self._player.reader.path, self.channel) as reader:
+            for analysis in analyses_between(reader, first, last, self.preset.in_force, pitch=True):
+                self.gather(analysis)
 
     def explain(self) -> Trace | None:
         """Say why the newest frame was recognised as it was."""
@@ -237,3 +251,5 @@ class Session(QObject):
     def _use_preset(self) -> None:
         if self._player is not None:
             self._player.use(self.preset.in_force)
+            if not self.playing:
+                self.analyse_again()

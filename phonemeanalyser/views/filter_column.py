@@ -126,7 +126,8 @@ class FilterColumn(QScrollArea):
         for key, (title, parameters) in AFTER_THE_FILTERS.items():
             switch = partial(self._preset.set_setting, key) if key == "statistics" else None
             self._add_step(key, title, parameters, switch)
-            self.resets[key].clicked.connect(lambda _checked, names=parameters: self._preset.reset_settings(names))
+            resets = (key, *parameters) if switch else parameters
+            self.resets[key].clicked.connect(lambda _checked, names=resets: self._preset.reset_settings(names))
         self._grid.setRowStretch(self._grid.rowCount(), 1)
         body = QWidget()
         body.setLayout(self._grid)
@@ -200,6 +201,7 @@ class FilterColumn(QScrollArea):
             widget.setKeyboardTracking(False)
             widget.installEventFilter(KeysOfNumbers(widget))
             widget.valueChanged.connect(lambda value: self._edit(name, value))
+            widget.editingFinished.connect(self._preset.end_edit)
         widget.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         widget.setMinimumWidth(FIELD_WIDTH)
         self.fields[name] = widget

@@ -121,4 +121,8 @@ def rows_of(trace: Trace) -> list[tuple[Comparison, str, bool]]:
 
 
 def _words(comparison: Comparison) -> str:
-    return f"{comparison.variable} {comparison.value:.3g} {comparison.sign} {comparison.limit:.3g}"
+    return f"{comparison.variable} {_short(comparison.value)} {comparison.sign} {_short(comparison.limit)}"
+
+
+def _short(value: float) -> str:
+    return f"{value:.0f}" if abs(value) >= 1000 else f"{value:.3g}"

@@ -36,6 +36,10 @@ class SonagramItem(pg.GraphicsObject):
     """The last minute of spectra as an image.
 
     The image is a ring: only new columns are coloured, and it is painted in two pieces.
+
+    Attributes
+    ----------
+    n_drawn : columns since Clear up to the newest that is drawn; while the views are frozen, others follow it.
     """
 
     def __init__(self, history: History, theme: Theme) -> None:
@@ -44,7 +48,7 @@ class SonagramItem(pg.GraphicsObject):
         self._nothing = np.uint32(QColor(theme.base).rgb())
         self._pixels = np.zeros((MOST_BINS, CAPACITY), np.uint32)
         self._image = QImage(self._pixels.data, CAPACITY, MOST_BINS, 4 * CAPACITY, QImage.Format.Format_RGB32)
-        self._drawn = 0
+        self.n_drawn = 0
         self._colours = colours_of(COLOUR_MAPS[0])
         self._in_decibels = True
         self._low, self._high = -60.0, 0.0
@@ -58,19 +62,19 @@ class SonagramItem(pg.GraphicsObject):
     def recolour(self) -> None:
         """Draw everything remembered anew."""
         self._pixels[:] = self._nothing
-        self._drawn = max(0, self._history.n - CAPACITY)
-        self.refresh()
+        self._colour(0, self.n_drawn)
+
+    def forget(self, n: int) -> None:
+        """Have the newest `n` columns coloured anew at the next refresh."""
+        self.n_drawn = max(0, self.n_drawn - n)
 
     def refresh(self) -> None:
         """Colour what is new since the last call."""
-        if self._history.n < self._drawn:
-            self._drawn = 0
+        if self._history.n < self.n_drawn:
+            self.n_drawn = 0
             self._pixels[:] = self._nothing
-        at = self._history.indices(self._drawn, self._history.n)
-        if len(at):
-            self._pixels[:, at] = self._colours[self._levels_of(self._history.spectra[at]).T]
-        self._drawn = self._history.n
-        self.update()
+        drawn, self.n_drawn = self.n_drawn, self._history.n
+        self._colour(drawn, self.n_drawn)
 
     def boundingRect(self) -> QRectF:
         """One minute by half the sample rate."""
@@ -78,7 +82,7 @@ class SonagramItem(pg.GraphicsObject):
 
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
         """Paint the ring's two pieces: what was written last ends at time 0."""
-        split = self._drawn % CAPACITY
+        split = self.n_drawn % CAPACITY
         rows = min(MOST_BINS, int(self.viewRect().bottom() / BIN_WIDTH) + 2)
         height = rows * BIN_WIDTH
         older = CAPACITY - split
@@ -90,6 +94,12 @@ class SonagramItem(pg.GraphicsObject):
                 painter.drawImage(target, self._image, QRectF(first, 0, n, rows))
             x += n * FRAME_PERIOD
 
+    def _colour(self, first: int, last: int) -> None:
+        at = self._history.indices(first, last)
+        if len(at):
+            self._pixels[:, at] = self._colours[self._levels_of(self._history.spectra[at]).T]
+        self.update()
+
     def _levels_of(self, spectra: NDArray[np.float16]) -> NDArray[np.uint8]:
         amplitudes = spectra.astype(np.float32)
         if self._in_decibels:
@@ -99,11 +109,12 @@ class SonagramItem(pg.GraphicsObject):
 
 
 class PhonemeLane(pg.GraphicsObject):
-    """The recognised phonemes as coloured stretches, named where there is room."""
+    """The recognised phonemes as coloured stretches, named where there is room; as far as the sonagram is drawn."""
 
-    def __init__(self, history: History) -> None:
+    def __init__(self, history: History, sonagram: SonagramItem) -> None:
         super().__init__()
         self._history = history
+        self._sonagram = sonagram
         self._pixels = np.array([QColor(PHONEME_COLOURS[p]).rgb() for p in Phoneme], np.uint32)
         self._names = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
 
@@ -115,7 +126,8 @@ class PhonemeLane(pg.GraphicsObject):
         """Paint the stretches that are in view, and the names of those that are wide enough."""
         view = self.viewRect()
         n_shown = min(int(-view.left() / FRAME_PERIOD) + 1, CAPACITY)
-        codes = self._history.phonemes[self._history.indices(self._history.n - n_shown, self._history.n)]
+        n = self._sonagram.n_drawn
+        codes = self._history.phonemes[self._history.indices(n - n_shown, n)]
         if len(codes) == 0:
             return
         row = np.ascontiguousarray(self._pixels[codes])

@@ -49,6 +49,10 @@ class SpectrumView(Plot):
             x, y = np.repeat(np.append(x, x[-1] + COARSE * BIN_WIDTH), 2)[1:-1], np.repeat(y, 2)
         self._curve.setData(x, self.heights_of(y), skipFiniteCheck=True)
 
+    def clear(self) -> None:
+        """Draw nothing."""
+        self.draw(np.zeros(0, np.float32))
+
     def heights_of(self, amplitudes: NDArray[np.float64] | NDArray[np.float32]) -> NDArray[np.float64]:
         """Give amplitudes as they are drawn: as they are, or in dB."""
         if not self.in_decibels:

@@ -18,9 +18,11 @@ from PySide6.QtWidgets import (
 
 from engine.recognition.phoneme_data import LAYOUT
 from engine.recognition.rules import CONDITIONS
+from engine.settings import BIN_WIDTH, LIMITS
 from phonemeanalyser.models.history import History
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.theme import Theme
+from phonemeanalyser.views.keys import KeysOfNumbers
 
 GROUPS = (
     ("Filters", ""),
@@ -28,13 +30,13 @@ GROUPS = (
     ("SZ and SCH", "SZ if both, SCH if the first only"),
     ("P", "all of these"),
     ("A and E", "A if both, E if the first only"),
-    ("U, O, I, M", "below the first; then U, O, I by m_o1, else M"),
+    ("U, O, I, M", "below the first; M if no other"),
 )
 HIGHEST: dict[str, tuple[float, int]] = {
     "time_smooth": (1, 3),
     "frequency_smooth": (1, 3),
-    "high_pass_start": (60, 2),
-    "high_pass_end": (60, 2),
+    "high_pass_start": (1300, 1),
+    "high_pass_end": (1300, 1),
     "denoise_threshold": (0.1, 5),
     "zero_crossings": (1500, 1),
     "energy": (20, 4),
@@ -49,6 +51,8 @@ HIGHEST: dict[str, tuple[float, int]] = {
     "m_o1": (11, 3),
 }
 """The right end of a slider, and decimals, by variable or by filter parameter."""
+UNITS = {"high_pass_start": BIN_WIDTH, "high_pass_end": BIN_WIDTH}
+"""What PhonemeData counts, where the window shows something else: bins, shown in Hz."""
 CURVATURE = 2.5
 """Sliders give small values more room: position = (value / highest) ** (1 / CURVATURE)."""
 CONDITION_OF = {c.threshold: c for c in CONDITIONS}
@@ -203,20 +207,23 @@ class ThresholdView(QScrollArea):
         condition = CONDITION_OF.get(name)
         variable = condition.variable if condition else name
         highest, decimals = HIGHEST[variable]
-        label = QLabel(f"{variable} {condition.sign}" if condition else _words(name))
+        rule = f"{name[0].upper()}: " if variable == "m_o1" else ""  # three rows that else read alike
+        label = QLabel(f"{rule}{variable} {condition.sign}" if condition else _words(name))
         label.setTextFormat(Qt.TextFormat.PlainText)
-        label.setToolTip(f"PhonemeData name: {name}")
+        label.setToolTip(f"PhonemeData name: {name}" + (", in bins there, in Hz here" if name in UNITS else ""))
         slider = ThresholdSlider(highest, condition.sign if condition else "", self._theme)
         slider.setAccessibleName(name)
         slider.setToolTip(f"{name}: drag, or arrow keys (with Shift finer). The bar is the live value.")
         number = QDoubleSpinBox()
-        number.setRange(0, 1e6)
+        number.setRange(0, LIMITS[name][1] if name in LIMITS else 1e6)
         number.setDecimals(decimals)
         number.setButtonSymbols(QDoubleSpinBox.ButtonSymbols.NoButtons)
         number.setKeyboardTracking(False)
+        number.installEventFilter(KeysOfNumbers(number))
         number.setFixedWidth(60)
         number.setSingleStep(highest / 100)
         number.setAccessibleName(name)
+        number.setToolTip(f"{name}: type a number, or arrow keys")
         reset = QToolButton()
         reset.setText("↺")
         reset.setAutoRaise(True)
@@ -226,32 +233,31 @@ class ThresholdView(QScrollArea):
         reset.setSizePolicy(keep_place)
         for column, widget in enumerate((label, slider, number, reset)):
             grid.addWidget(widget, row, column)
-        slider.moved.connect(lambda value: self._preset.set_threshold(name, value))
+        slider.moved.connect(lambda value: self._preset.set_threshold(name, value / UNITS.get(name, 1)))
         slider.released.connect(self._preset.end_edit)
+        number.editingFinished.connect(self._preset.end_edit)
         number.valueChanged.connect(lambda value: self._type(name, value))
         reset.clicked.connect(lambda _checked: self._preset.set_threshold(name, self._preset.saved_threshold(name)))
         self.sliders[name], self.numbers[name], self.resets[name] = slider, number, reset
 
     def _type(self, name: str, value: float) -> None:
-        shown = float(getattr(self._preset.preset.phoneme_data, name))
+        unit = UNITS.get(name, 1)
+        shown = float(getattr(self._preset.preset.phoneme_data, name)) * unit
         if not math.isclose(value, shown, abs_tol=0.5 * 10 ** -self.numbers[name].decimals()):
-            self._preset.set_threshold(name, value)
+            self._preset.set_threshold(name, value / unit)
 
     def _show_preset(self) -> None:
         data = self._preset.preset.phoneme_data
         for name, slider in self.sliders.items():
             value = float(getattr(data, name))
-            slider.set_value(value)
+            slider.set_value(value * UNITS.get(name, 1))
             number = self.numbers[name]
             number.blockSignals(True)
-            number.setValue(value)
+            number.setValue(slider.value)
             number.blockSignals(False)
             self.resets[name].setVisible(value != self._preset.saved_threshold(name))
 
 
 def _words(name: str) -> str:
-    unit = " (bins)" if name.startswith("high_pass") else ""
-    return (
-        name.replace("_", " ").replace("frequency", "freq.").replace("high pass", "pass").removesuffix(" threshold")
-        + unit
-    )
+    words = name.replace("_", " ").replace("frequency", "freq.").removesuffix(" threshold")
+    return words.replace("high pass", "high-pass")

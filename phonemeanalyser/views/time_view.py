@@ -24,6 +24,7 @@ from phonemeanalyser.models.history import CAPACITY, History
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.colour_bar import ColourBar
+from phonemeanalyser.views.keys import KeysOfNumbers
 from phonemeanalyser.views.plot import READOUTS_PER_SECOND, switch
 from phonemeanalyser.views.sonagram import COLOUR_MAPS, SPAN, PhonemeLane, SonagramItem, colours_of
 
@@ -43,7 +44,7 @@ class TimeView(QWidget):
         self._theme = theme
         self._graphics = pg.GraphicsLayoutWidget()
         self.sonagram = SonagramItem(history, theme)
-        self._lane = PhonemeLane(history)
+        self._lane = PhonemeLane(history, self.sonagram)
         self._course = pg.PlotCurveItem(pen=pg.mkPen(theme.signal))
         self._limits: list[pg.InfiniteLine] = []
         self._course_range = (0.0, 0.0)
@@ -53,6 +54,7 @@ class TimeView(QWidget):
         self.variable = QComboBox()
         self._extremes = QLabel()
         self._cursor_label = QLabel(self._graphics)
+        self._hint = pg.TextItem("Press Space to play", color=theme.faint, anchor=(0.5, 0.5))
         self._colour_bar = ColourBar()
         self._make_plots()
         self._lay_out()
@@ -65,6 +67,7 @@ class TimeView(QWidget):
         self.sonagram.refresh()
         self._lane.update()
         self._draw_course()
+        self._hint.setVisible(self._history.n == 0)
 
     def refresh_numbers(self) -> None:
         """Write maximum, mean and minimum of the chosen variable."""
@@ -96,6 +99,8 @@ class TimeView(QWidget):
             plot.setMouseEnabled(x=True, y=plot is self._plots[0])
             plot.vb.setLimits(xMin=-SPAN, xMax=0)
             plot.vb.setDefaultPadding(0)
+        self._hint.setPos(-SECONDS_SHOWN / 2, SAMPLE_RATE / 16)
+        self._plots[0].addItem(self._hint, ignoreBounds=True)
         self._fix_ranges()
 
     def _fix_ranges(self) -> None:
@@ -121,11 +126,12 @@ class TimeView(QWidget):
         header.addStretch(1)
         for box, value, tip in (
             (self.low, -60, "Amplitude of the darkest colour"),
-            (self.high, 0, "of the brightest"),
+            (self.high, 0, "Amplitude of the brightest colour"),
         ):
             box.setRange(-120, 0)
             box.setValue(value)
             box.setSuffix(" dB")
+            box.installEventFilter(KeysOfNumbers(box))
             box.setToolTip(tip)
         self.colours.addItems(COLOUR_MAPS)
         self.colours.setToolTip("Colour map")
@@ -219,7 +225,8 @@ class TimeView(QWidget):
 
     def _draw_course(self) -> None:
         n_shown = min(CAPACITY, int(-self._plots[0].vb.viewRange()[0][0] / FRAME_PERIOD) + 1)
-        at = self._history.indices(self._history.n - n_shown, self._history.n)
+        n = self.sonagram.n_drawn
+        at = self._history.indices(n - n_shown, n)
         name = self.variable.currentText()
         if len(at) == 0 or name not in self._history.names:
             self._course.setData([], [])
@@ -251,7 +258,7 @@ class TimeView(QWidget):
         self._cursor_label.move(self._graphics.width() - self._cursor_label.width() - 14, 8)
 
     def _describe(self, plot: Any, point: QPointF) -> str:
-        column = self._history.n + int(np.floor(point.x() / FRAME_PERIOD))
+        column = self.sonagram.n_drawn + int(np.floor(point.x() / FRAME_PERIOD))
         at = self._history.indices(column, column + 1)
         if len(at) == 0:
             return ""

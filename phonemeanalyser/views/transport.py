@@ -160,7 +160,7 @@ class Transport(QWidget):
         self.loop.toggled.connect(self._session.set_loop)
         self.time_line.sought.connect(self._session.seek)
         self.volume.valueChanged.connect(self._session.set_volume)
-        self.channel.activated.connect(lambda k: self._session.set_channel(self.channel.itemData(k)))
+        self.channel.activated.connect(lambda k: self._session.set_channel(Channel(self.channel.itemData(k))))
         self._session.transport_changed.connect(self._show_state)
 
     def _show_state(self) -> None:

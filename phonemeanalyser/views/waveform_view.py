@@ -39,6 +39,10 @@ class WaveformView(Plot):
             y = np.stack((groups.min(axis=1), groups.max(axis=1)), axis=1).ravel()
         self._curve.setData(np.linspace(0, LENGTH_MS, len(y), endpoint=False), y, skipFiniteCheck=True)
 
+    def clear(self) -> None:
+        """Draw nothing."""
+        self.draw(np.zeros(0, np.float32))
+
     def _add_controls(self) -> None:
         self.scale.setRange(0, 40)
         self.scale.setFixedWidth(70)

@@ -49,15 +49,15 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "long.wav"
         _write_long(path)
-        app, desktop = shown_desktop(Path(folder))
+        desktop = shown_desktop(Path(folder))
         empty, highest = resident_megabytes(), Highest()
         desktop.window.dialogs.open_sound(path)
         desktop.session.play()
-        live_for(app, 5)
+        live_for(5)
         desktop.session.seek(3600)
-        live_for(app, 3)
+        live_for(3)
         assert desktop.session.position > 3602, "the file does not play after an hour"
-        desktop.session.close()
+        desktop.close()
     print(json.dumps({"empty": empty, "playing": highest.megabytes}))
 
 

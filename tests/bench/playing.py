@@ -7,7 +7,6 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject
-from PySide6.QtWidgets import QApplication
 
 from engine.analyser import Analyser, Analysis
 from engine.live import STEP
@@ -72,14 +71,14 @@ def figures() -> list[Figure]:
 def main() -> None:
     """Measure, and print the two costs as JSON."""
     with tempfile.TemporaryDirectory() as folder:
-        app, desktop = shown_desktop(Path(folder))
+        desktop = shown_desktop(Path(folder))
         desktop.window.dialogs.open_sound(written_speech(Path(folder), 2 * (WARM_UP + MEASURED) + 10))
         blocks = _live_blocks(desktop.session)
         _gather(desktop.session, blocks, SOONER)
-        sooner = _measured(app, desktop)
+        sooner = _measured(desktop)
         _gather(desktop.session, blocks, LATER - SOONER)
-        later = _measured(app, desktop)
-        desktop.session.close()
+        later = _measured(desktop)
+        desktop.close()
     print(json.dumps({"sooner": asdict(sooner), "later": asdict(later)}))
 
 
@@ -93,18 +92,18 @@ def _gather(session: Session, blocks: list[Analysis], minutes: float) -> None:
     for _ in range(round(minutes * 60 / 12)):
         for block in blocks:
             if len(block):
-                session.gather(block, block.start)
+                session.gather(block)
 
 
-def _measured(app: QApplication, desktop: Desktop) -> Cost:
+def _measured(desktop: Desktop) -> Cost:
     session, viewport = desktop.session, desktop.window.spectrum.graphics.viewport()
     painted = Painted()
     session.play()
-    live_for(app, WARM_UP)
+    live_for(WARM_UP)
     viewport.installEventFilter(painted)
     n_frames, position = session.history.n, session.position
     wall, processor = time.perf_counter(), time.process_time()
-    live_for(app, MEASURED)
+    live_for(MEASURED)
     processor, wall = time.process_time() - processor, time.perf_counter() - wall
     session.tick()
     heard = round((session.position - position) / FRAME_PERIOD)

@@ -1,30 +1,116 @@
-"""What the tests of the desktop share."""
+"""What the tests of the desktop share: no display, no sound card, and settings of their own."""
 
 import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+from engine.settings import SAMPLE_RATE
+from tests.sounds import noise, silence, vowel
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from collections.abc import Iterator
-from pathlib import Path
-
-import pytest
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QEvent, QSettings
 from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
 
 from engine.audio.stream import ClockOutput
+from engine.features.variables import Variable
+from engine.presets.preset import Preset, save_preset
 from phonemeanalyser.app import Desktop
+from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.models.session import Session
+from tests.outputs import Outputs
+
+SPEECH = np.concatenate(
+    (
+        silence(0.1),
+        vowel((700, 1200, 2500), 0.25),
+        noise(0.15, 0.2),
+        vowel((310, 800, 2300), 0.25, f0=210),
+        silence(0.1013),
+    )
+)
+
+STEP = 700
+AHEAD = STEP + 2000  # half a window and a block beyond what is heard next
+
+
+@pytest.fixture
+def sound(tmp_path: Path) -> Path:
+    """Speech-like sound of 0.85 s in a file."""
+    path = tmp_path / "speech.wav"
+    soundfile.write(path, SPEECH, SAMPLE_RATE, subtype="FLOAT")
+    return path
+
+
+@pytest.fixture
+def stereo(tmp_path: Path) -> Path:
+    """The same on the left, and silence on the right."""
+    path = tmp_path / "stereo.wav"
+    soundfile.write(path, np.stack((SPEECH, 0 * SPEECH), axis=1), SAMPLE_RATE, subtype="FLOAT")
+    return path
 
 
 @pytest.fixture
 def settings(tmp_path: Path) -> QSettings:
-    """Settings that nobody else has."""
-    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    """Where a program keeps its choices, for one test only."""
+    return QSettings(str(tmp_path / "settings" / "phonemeanalyser.ini"), QSettings.Format.IniFormat)
+
+
+@pytest.fixture
+def model(qapp: QApplication) -> PresetModel:
+    """A model on the factory preset."""
+    return PresetModel()
+
+
+@pytest.fixture
+def mine(qapp: QApplication, tmp_path: Path) -> PresetModel:
+    """A model on a user's own file."""
+    save_preset(Preset(name="mine", variables=(Variable("own", 50, 90),)), tmp_path / "mine.toml")
+    return PresetModel(tmp_path / "mine.toml")
+
+
+@pytest.fixture
+def outputs() -> Outputs:
+    """The outputs on which a session plays."""
+    return Outputs()
+
+
+@pytest.fixture
+def session(model: PresetModel, outputs: Outputs) -> Iterator[Session]:
+    """A session on outputs that the test moves."""
+    session = Session(model, outputs)
+    yield session
+    session.close()
+
+
+@pytest.fixture
+def play(session: Session, outputs: Outputs, qtbot: QtBot) -> Callable[[float], None]:
+    """Plays from where the session stands for some seconds, at most to the end."""
+
+    def play(seconds: float) -> None:
+        until = session.position + seconds
+        session.play()
+        while session.playing and session.position < until - 1e-9:
+            qtbot.waitUntil(lambda: outputs.last.n_written - outputs.last.heard >= AHEAD or ended(session))
+            outputs.last.move(min(STEP, (until - session.position) * SAMPLE_RATE))
+            session.tick()
+
+    return play
+
+
+def ended(session: Session) -> bool:
+    return session._player is not None and session._player._at_end
 
 
 @pytest.fixture
 def desktop(qapp: QApplication, settings: QSettings) -> Iterator[Desktop]:
-    """The program without a sound card; its window is not shown yet."""
+    """The program with its window, without a sound card."""
     desktop = Desktop(qapp, settings, lambda _n: ClockOutput())
     yield desktop
-    desktop.session.close()
-    desktop.window.retire()
+    desktop.close()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # processEvents leaves these

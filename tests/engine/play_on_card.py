@@ -18,8 +18,8 @@ while not player.finished and time.monotonic() - started < 30:
     position = player.position
     seen.append((time.monotonic(), position))
     for block in player.take():
-        last = block.first_frame + len(block.analysis) - 1
-        frames += range(block.first_frame, last + 1)
+        last = block.start + len(block) - 1
+        frames += range(block.start, last + 1)
         early += (last + 0.5) * 0.01 > player.position + 0.001
     time.sleep(0.005)
 print(

@@ -253,3 +253,14 @@ def test_a_part_of_an_analysis_is_an_analysis():
     assert (part.start, len(part)) == (3, 4)
     np.testing.assert_array_equal(part.features["mine"], whole.features["mine"][3:7])
     np.testing.assert_allclose(part.times, whole.times[3:7])
+
+
+def test_a_part_of_a_block_is_what_those_frames_would_be_alone():
+    sound = noise(0.4)
+    whole = Analyser(BARE).push(sound)
+    part = whole.part(slice(5, 20))
+    assert (part.start, len(part)) == (5, 15)
+    for name in ("spectra", "waveforms", "recognised", "phonemes", "intensities"):
+        np.testing.assert_array_equal(getattr(part, name), getattr(whole, name)[5:20])
+    np.testing.assert_array_equal(part.features.values, whole.features.values[5:20])
+    np.testing.assert_array_equal(part.times, whole.times[5:20])

@@ -1,0 +1,119 @@
+"""A user's hands and eyes: what tests do with mouse and keyboard, and how they look at the window."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+import soundfile
+from numpy.typing import NDArray
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QApplication, QToolButton, QWidget
+from pytestqt.qtbot import QtBot
+
+from engine.settings import BIN_WIDTH, SAMPLE_RATE
+from phonemeanalyser.app import Desktop
+from phonemeanalyser.main_window import MainWindow
+from tests.conftest import ROOT
+
+CARDS = ROOT / "tests" / "data" / "cards.flac"
+DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
+ON_BIN = 46 * BIN_WIDTH
+"""A frequency near 1 kHz that lies on a bin."""
+LEFT = Qt.MouseButton.LeftButton
+
+
+def shown(desktop: Desktop, qtbot: QtBot, sound: Path | None = CARDS) -> MainWindow:
+    """Show the window, with a sound in hand."""
+    window = desktop.window
+    with qtbot.waitActive(window):
+        window.show()
+        window.activateWindow()
+    if sound is not None:
+        window.dialogs.open_sound(sound)
+    return window
+
+
+def followed(desktop: Desktop, qtbot: QtBot, sound: Path = CARDS, seconds: float = 3.4) -> MainWindow:
+    """Show the window with a sound that has been analysed up to a time."""
+    window = shown(desktop, qtbot, sound)
+    desktop.session.follow(seconds)
+    window.refresh_all()
+    return window
+
+
+def wav(folder: Path, sound: NDArray[np.float32], name: str = "sound.wav") -> Path:
+    """Write a sound, shape (n,) or (n, n_channels), as a float WAV."""
+    soundfile.write(folder / name, sound, SAMPLE_RATE, subtype="FLOAT")
+    return folder / name
+
+
+def click(widget: QWidget, x: float | None = None) -> None:
+    """Click on a widget's middle, or on x of it; of a check box, on its box."""
+    if x is None:
+        x = 8 if isinstance(widget, QAbstractButton) and not isinstance(widget, QToolButton) else widget.width() / 2
+    QTest.mouseClick(widget, LEFT, pos=QPoint(round(x), widget.height() // 2))
+
+
+def drag(widget: QWidget, start: float, end: float, steps: int = 5) -> None:
+    """Drag along a widget, from x to x."""
+    middle = widget.height() // 2
+    QTest.mousePress(widget, LEFT, pos=QPoint(round(start), middle))
+    for x in np.linspace(start, end, steps + 1)[1:]:
+        QTest.mouseMove(widget, QPoint(round(x), middle))
+    QTest.mouseRelease(widget, LEFT, pos=QPoint(round(end), middle))
+
+
+def press(window: QWidget, key: Qt.Key, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
+    """Press a key, wherever the focus is."""
+    QTest.keyClick(QApplication.focusWidget() or window, key, modifier)
+
+
+def type_number(box: QAbstractSpinBox, text: str) -> None:
+    """Click into a number, replace it, and press Return."""
+    click(box.lineEdit(), 4)
+    box.selectAll()
+    QTest.keyClicks(box, text)
+    QTest.keyClick(box, Qt.Key.Key_Return)
+
+
+def button(view: QWidget, text: str) -> QToolButton:
+    """Find a button by what is written on it."""
+    return next(b for b in view.findChildren(QToolButton) if b.text() == text)
+
+
+def hover(graphics: pg.GraphicsView, plot: Any, x: float, y: float) -> None:
+    """Move the mouse to a point of a plot."""
+    QTest.mouseMove(graphics.viewport(), QPoint(5, 5))
+    QTest.qWait(30)  # pyqtgraph passes over moves that follow too fast
+    QTest.mouseMove(graphics.viewport(), place(graphics, plot, x, y))
+
+
+def place(graphics: pg.GraphicsView, plot: Any, x: float, y: float) -> QPoint:
+    """Give the pixel at which a point of a plot is drawn."""
+    return graphics.mapFromScene(plot.vb.mapViewToScene(QPointF(x, y)))
+
+
+class TimeEyes:
+    """Looks at the time view's pixels."""
+
+    def __init__(self, window: MainWindow) -> None:
+        self.view = window.time_view
+        self.graphics = self.view.findChild(pg.GraphicsLayoutWidget)
+        self.sonagram, self.lane, self.course = (self.graphics.ci.getItem(row, 0) for row in range(3))
+        self.image: QImage = self.graphics.grab().toImage()
+
+    def colour(self, plot: Any, x: float, y: float) -> QColor:
+        """Give the colour that is seen at a point of a plot."""
+        return self.image.pixelColor(place(self.graphics, plot, x, y))
+
+    def brightest(self, seconds: float) -> float:
+        """Give the frequency of the brightest pixel of a column of the sonagram, Hz."""
+        low, high = self.sonagram.viewRange()[1]
+        column = [
+            (self.colour(self.sonagram, seconds, y).lightness(), y) for y in np.linspace(low + 20, high - 20, 400)
+        ]
+        most = max(light for light, _ in column)
+        return float(np.mean([y for light, y in column if light == most]))

@@ -1,0 +1,21 @@
+"""What is seen and waited for in a session."""
+
+from pytestqt.qtbot import QtBot
+
+from engine.settings import HOP, SAMPLE_RATE
+from phonemeanalyser.models.session import Session
+from tests.desktop.conftest import SPEECH
+
+N_FRAMES = -(-len(SPEECH) // HOP)
+DURATION = len(SPEECH) / SAMPLE_RATE
+
+
+def frames(session: Session) -> list[int]:
+    return session.history.frames[session.history.indices(0, session.history.n)].tolist()
+
+
+def settled(session: Session, qtbot: QtBot) -> None:
+    """Wait until a seek has arrived."""
+    player = session._player
+    assert player is not None
+    qtbot.waitUntil(lambda: player._target is None and not player._commands)

@@ -1,0 +1,108 @@
+"""The command line as a program: its words, its exit codes, and what it says without a display."""
+
+import os
+import re
+import subprocess
+import sys
+from importlib.metadata import version
+from pathlib import Path
+
+import pytest
+import soundfile
+
+from phonemeanalyser.cli import DEMO, main
+from tests.bad_files import HOSTILE
+from tests.tables import LABELS, gapless, rows_of
+
+PROGRAM = [sys.executable, "-m", "phonemeanalyser"]
+
+
+def program(*words: object, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Run it as a user does who has no display but those in `environment`."""
+    hidden = {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}
+    env = {name: value for name, value in os.environ.items() if name not in hidden} | environment
+    command = [*PROGRAM, *(str(word) for word in words)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=60, env=env, check=False)
+
+
+def test_the_program_prints_the_table_of_the_demo_whose_ten_sounds_are_all_there() -> None:
+    done = program("analyse", DEMO)
+    assert (done.returncode, done.stderr) == (0, "")
+    gapless(rows_of(done.stdout), soundfile.info(DEMO).duration)
+    labelled = {row["class"] for row in rows_of(DEMO.with_suffix(".csv").read_text())}
+    assert labelled >= LABELS - {"unidentified"}
+
+
+def test_the_program_refuses_a_hostile_file_at_once(tmp_path: Path) -> None:
+    bad = HOSTILE["list_that_hangs"](tmp_path)
+    done = program("analyse", bad, "-o", tmp_path / "out")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith(f"phonemeanalyser: {bad.name}: ")
+    assert len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize(("path", "goes"), [(DEMO, "head -n 1"), (DEMO, "true"), (None, "true")])
+def test_a_reader_that_goes_away_is_no_fault(path: Path | None, goes: str, sound: Path) -> None:
+    line = f'set -o pipefail; "{sys.executable}" -m phonemeanalyser analyse --features "{path or sound}" | {goes}'
+    done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, timeout=60, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("platform", [None, "", "xcb", "wayland", "wayland;xcb"])
+def test_without_a_display_it_says_so_and_what_to_do(platform: str | None, sound: Path) -> None:
+    done = program(sound, **({} if platform is None else {"QT_QPA_PLATFORM": platform}))
+    assert (done.returncode, done.stdout) == (3, "")
+    assert done.stderr == (
+        "phonemeanalyser: there is no display to open a window on; run it on a desktop, or to see it as a picture, "
+        "use: phonemeanalyser screenshot FILE -o PNG\n"
+    )
+
+
+def test_a_display_that_does_not_answer_is_named(sound: Path) -> None:
+    done = program(sound, DISPLAY=":987", WAYLAND_DISPLAY="wayland-that-is-not-there" + "x" * 100)
+    assert (done.returncode, done.stdout) == (3, "")
+    (line,) = done.stderr.splitlines()
+    assert re.match(r"phonemeanalyser: (the display :987 does not answer|the window needs system libraries); ", line)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--no-such-option"],
+        ["one.wav", "two.wav"],
+        ["analyse"],
+        ["analyse", "x.wav", "--format", "xml"],
+        ["screenshot", "x.wav"],
+        ["screenshot", "x.wav", "-o", "x.png", "--size", "wide"],
+        ["screenshot", "x.wav", "-o", "x.png", "--size", "10x10"],
+        ["screenshot", "x.wav", "-o", "x.png", "--size", "99999x99999"],
+        ["screenshot", "x.wav", "-o", "x.png", "--theme", "pink"],
+        ["screenshot", "x.wav", "-o", "x.png", "--at", "nan"],
+        ["screenshot", "x.wav", "-o", "x.png", "--at", "inf"],
+        ["screenshot", "x.wav", "-o", "x.png", "--at=-1"],
+        ["screenshot", "x.wav", "-o", "x.png", "--at", "soon"],
+    ],
+)
+def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(words)
+    assert end.value.code == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.startswith("usage: phonemeanalyser")
+    assert "Traceback" not in said.err
+
+
+@pytest.mark.parametrize("words", [["--help"], ["analyse", "--help"], ["screenshot", "--help"]])
+def test_help_is_given(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(words)
+    assert end.value.code == 0
+    assert "usage: phonemeanalyser" in capsys.readouterr().out
+
+
+def test_the_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(["--version"])
+    assert end.value.code == 0
+    assert capsys.readouterr().out == f"phonemeanalyser {version('phonemeanalyser')}\n"

@@ -1,0 +1,168 @@
+"""The last minute and the extremes since Clear."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from engine.analyser import Analyser, Analysis
+from engine.features.measure import Features
+from engine.features.variables import Variable
+from engine.presets.preset import Preset
+from engine.settings import BIN_WIDTH, AnalysisSettings, Filter
+from phonemeanalyser.models.history import CAPACITY, MOST_BINS, History, shown_spectra
+from tests.sounds import tone
+
+NAMES = ("one", "two")
+EMPTY = Analyser(Preset())._nothing()
+
+
+def block(first: int, n: int, n_bins: int = 256, names: tuple[str, ...] = NAMES) -> Analysis:
+    """Frames that say which ones they are: variable k of frame j is 100 k + j % 97."""
+    frames = np.arange(first, first + n)
+    values = 100 * np.arange(len(names)) + (frames % 97)[:, np.newaxis]
+    return replace(
+        EMPTY,
+        start=first,
+        spectra=np.repeat((frames % 97)[:, np.newaxis], n_bins, axis=1).astype(np.float32),
+        features=Features(names, values.astype(np.float32)),
+        recognised=(frames % 11).astype(np.uint8),
+        phonemes=((frames + 1) % 11).astype(np.uint8),
+        intensities=(frames % 2).astype(np.float32),
+    )
+
+
+def filled(n: int, size: int = 500) -> History:
+    history = History()
+    for first in range(0, n, size):
+        history.append(block(first, min(size, n - first)))
+    return history
+
+
+def shows(history: History, n: int) -> None:
+    """The history of `n` frames holds the last minute of them, each in its place."""
+    indices = history.indices(0, n + 1000)
+    frames = np.arange(max(0, n - CAPACITY), n)
+    assert history.n == n
+    assert history.frames[indices].tolist() == frames.tolist()
+    assert history.recognised[indices].tolist() == (frames % 11).tolist()
+    assert history.phonemes[indices].tolist() == ((frames + 1) % 11).tolist()
+    assert history.intensities[indices].tolist() == (frames % 2).tolist()
+    np.testing.assert_array_equal(history.spectra[indices, 0], frames % 97)
+    np.testing.assert_array_equal(history.features(indices)["two"], 100 + frames % 97)
+
+
+@pytest.mark.parametrize("n", [1, 499, CAPACITY - 1, CAPACITY, CAPACITY + 1, 2 * CAPACITY + 123])
+def test_the_last_minute_is_remembered(n: int) -> None:
+    shows(filled(n), n)
+
+
+@given(cuts=st.lists(st.integers(0, CAPACITY + 700), max_size=8))
+def test_the_history_does_not_depend_on_how_the_frames_came(cuts: list[int]) -> None:
+    n = CAPACITY + 700
+    history = History()
+    places = [0, *sorted(cuts), *range(0, n, 5000), n]
+    places.sort()
+    for first, last in pairwise(places):
+        if last > first:
+            history.append(block(first, last - first))
+    shows(history, n)
+
+
+def test_columns_that_are_forgotten_have_no_index() -> None:
+    history = filled(CAPACITY + 100)
+    assert len(history.indices(0, 100)) == 0
+    assert history.indices(90, 102).tolist() == [100, 101]
+    assert len(history.indices(CAPACITY + 100, CAPACITY + 200)) == 0
+    assert len(history.indices(50, 10)) == 0
+    assert history.indices(CAPACITY - 1, CAPACITY + 2).tolist() == [CAPACITY - 1, 0, 1]
+
+
+def test_extremes_are_those_since_clear_however_long_ago() -> None:
+    history = filled(CAPACITY + 3000)
+    mean = np.mean(np.arange(CAPACITY + 3000) % 97)
+    assert history.extremes("one") == (96, pytest.approx(mean), 0)
+    assert history.extremes("two") == (196, pytest.approx(100 + mean), 100)
+    history.clear()
+    assert history.extremes("one") is None
+    history.append(block(5, 3))
+    assert history.extremes("one") == (7, 6, 5)
+
+
+def test_before_the_first_frame_there_are_no_extremes() -> None:
+    assert History().extremes("one") is None
+    assert filled(3).extremes("three") is None
+
+
+def test_a_new_variable_leaves_the_others_as_they_are() -> None:
+    history = filled(50)
+    history.append(block(50, 10, names=("one", "two", "new")))
+    assert history.names == ("one", "two", "new")
+    indices = history.indices(0, 60)
+    np.testing.assert_array_equal(history.features(indices)["two"], 100 + np.arange(60))
+    np.testing.assert_array_equal(history.features(indices)["new"], [0] * 50 + list(range(250, 260)))
+    assert history.extremes("one") == (59, pytest.approx(29.5), 0)
+    assert history.extremes("new") == (259, pytest.approx(254.5), 250)
+
+
+def test_a_variable_that_goes_leaves_the_others_as_they_are() -> None:
+    history = filled(50)
+    history.append(block(50, 10, names=("two",)))
+    assert history.names == ("two",)
+    assert history.extremes("one") is None
+    assert history.extremes("two") == (149, pytest.approx((50 * 124.5 + 10 * 54.5) / 60), 50)
+
+
+def test_another_front_end_leaves_nothing_of_the_old_one_in_a_column() -> None:
+    history = History()
+    for first in range(0, CAPACITY, 1000):
+        history.append(block(first, 1000, n_bins=MOST_BINS))
+    history.append(block(CAPACITY, 10, n_bins=256))
+    assert history.n_bins == 256
+    assert not history.spectra[:10, 256:].any()
+    assert history.spectra[10:20, 1000].any()
+
+
+def test_clearing_forgets_the_columns() -> None:
+    history = filled(100)
+    history.clear()
+    assert (history.n, history.newest) == (0, None)
+    assert len(history.indices(0, 100)) == 0
+
+
+def test_the_newest_block_is_at_hand() -> None:
+    history = History()
+    newest = block(0, 4)
+    history.append(newest)
+    assert history.newest is newest
+
+
+@pytest.mark.parametrize("n_frames", [2, 50])
+def test_through_the_mel_bank_a_tone_is_still_at_its_frequency(n_frames: int) -> None:
+    settings = AnalysisSettings(filters=frozenset({Filter.MEL}))
+    analysis = Analyser(Preset(settings=settings, variables=(Variable("mine", 1, 2),))).push(tone(1000, 0.6))
+    spectra = shown_spectra(analysis.part(slice(0, n_frames)))
+    assert spectra.shape == (n_frames, 1024)
+    assert abs(int(spectra[-1].argmax()) * BIN_WIDTH - 1000) < 150  # a band is that wide
+    plain = Analyser(Preset()).push(tone(1000, 0.1))
+    assert shown_spectra(plain) is plain.spectra
+
+
+def test_the_newest_run_ends_where_the_place_in_the_file_jumps() -> None:
+    history = filled(50, 10)
+    history.append(block(200, 30))
+    assert history.newest_run(100) == (200, 230)
+    assert history.newest_run(20) == (210, 230)
+    assert History().newest_run(100) == (0, 0)
+
+
+def test_columns_that_are_taken_back_and_appended_anew_leave_the_older_ones_alone() -> None:
+    history = filled(CAPACITY + 300)
+    before = history.frames[history.indices(300, history.n)].copy()
+    history.take_back(100)
+    history.append(block(CAPACITY + 200, 100))
+    assert history.n == CAPACITY + 300
+    np.testing.assert_array_equal(history.frames[history.indices(300, history.n)], before)

@@ -1,0 +1,104 @@
+"""`phonemeanalyser screenshot`: the real window as a picture."""
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
+
+from phonemeanalyser.cli import main
+from phonemeanalyser.main_window import MainWindow
+from tests.bad_files import BAD_FILES
+from tests.tables import refused
+
+
+@pytest.fixture(autouse=True)
+def no_window_stays(qapp: QApplication) -> Iterator[None]:
+    """Retire the windows of pictures that failed, and delete them all."""
+    yield
+    for window in qapp.topLevelWidgets():
+        if isinstance(window, MainWindow):
+            window.retire()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # processEvents leaves these
+
+
+def picture(qapp: QApplication, sound: Path, name: str, *words: str) -> np.ndarray:
+    """Take a picture of the window in this process; shape (height, width, 4), uint8."""
+    png = sound.parent / f"{name}.png"
+    assert main(["screenshot", str(sound), "-o", str(png), *words]) == 0
+    image = QImage(str(png)).convertToFormat(QImage.Format.Format_RGB32)
+    return np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.width(), 4).copy()
+
+
+def share_that_differs(one: np.ndarray, other: np.ndarray) -> float:
+    return float((one != other).any(axis=2).mean())
+
+
+def test_a_picture_has_the_asked_size_and_shows_something(qapp: QApplication, sound: Path) -> None:
+    small = picture(qapp, sound, "small", "--size", "1280x800")
+    assert small.shape[:2] == (800, 1280)
+    assert picture(qapp, sound, "large", "--size", "1600x1000").shape[:2] == (1000, 1600)
+    assert len(np.unique(small.reshape(-1, 4), axis=0)) > 50
+
+
+def test_light_is_light_and_dark_is_dark(qapp: QApplication, sound: Path) -> None:
+    light = picture(qapp, sound, "light", "--theme", "light")
+    dark = picture(qapp, sound, "dark", "--theme", "dark")
+    assert light[:, :, :3].mean() > 160
+    assert dark[:, :, :3].mean() < 90
+
+
+def test_later_pictures_show_more_and_equal_ones_show_the_same(qapp: QApplication, sound: Path) -> None:
+    early, late, again = (
+        picture(qapp, sound, name, "--at", at) for name, at in (("a", "0.2"), ("b", "0.6"), ("c", "0.6"))
+    )
+    assert share_that_differs(early, late) > 0.01
+    assert share_that_differs(late, again) == 0
+
+
+def test_without_a_time_the_picture_shows_the_end(qapp: QApplication, sound: Path) -> None:
+    end = picture(qapp, sound, "end")
+    assert share_that_differs(end, picture(qapp, sound, "beyond", "--at", "1000")) == 0
+    assert share_that_differs(end, picture(qapp, sound, "start", "--at", "0")) > 0.01
+
+
+@pytest.mark.parametrize("name", ["not_a_sound", "truncated_flac"])
+def test_of_a_bad_file_there_is_no_picture(
+    name: str, qapp: QApplication, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    bad = BAD_FILES[name](tmp_path)
+    assert refused(capsys, "screenshot", bad, "-o", tmp_path / "none.png").startswith(f"{bad.name}: ")
+    assert not (tmp_path / "none.png").exists()
+
+
+def test_with_a_broken_preset_there_is_no_picture(
+    qapp: QApplication, sound: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (sound.parent / "broken.toml").write_text("broken")
+    words = ("screenshot", sound, "-o", sound.parent / "none.png", "--preset", sound.parent / "broken.toml")
+    assert refused(capsys, *words).startswith("broken.toml: ")
+    assert not (sound.parent / "none.png").exists()
+
+
+def test_a_place_that_cannot_be_written_is_refused(
+    qapp: QApplication, sound: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    sentence = refused(capsys, "screenshot", sound, "-o", sound.parent / "nowhere" / "none.png")
+    assert sentence.endswith("the picture cannot be written; choose another place with -o")
+
+
+def test_the_program_takes_a_picture_without_a_display(sound: Path, tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "phonemeanalyser", "screenshot", str(sound), "-o", str(tmp_path / "window.png")]
+    environment = {"PATH": "/usr/bin:/bin", "HOME": str(tmp_path), "TMPDIR": str(tmp_path)}
+    before = set(tmp_path.iterdir())
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment, check=False)
+    assert (done.returncode, done.stdout) == (0, "")
+    assert "Traceback" not in done.stderr
+    assert QImage(str(tmp_path / "window.png")).width() == 1280
+    left = {path.name for path in set(tmp_path.iterdir()) - before if not path.name.startswith(".")}
+    assert left == {"window.png"}

@@ -1,0 +1,273 @@
+"""The column of filters: every control changes the preset, and what comes out of the analysis."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import soundfile
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QDockWidget,
+    QLineEdit,
+    QScrollBar,
+    QWidget,
+)
+
+from engine.analyser import Analysis, analyses_of
+from engine.presets.preset import Preset
+from engine.settings import AnalysisSettings, Filter
+from phonemeanalyser.models.preset import FILTER_PARAMETERS
+from phonemeanalyser.views.filter_column import FIELDS
+from phonemeanalyser.views.threshold_view import ThresholdSlider
+from tests.desktop.hands import CARDS, click, press, shown, type_number
+from tests.sounds import noise
+
+TELLING = {
+    "frequency_smooth": 0.5,
+    "time_smooth": 0.5,
+    "high_pass_start": 200.0,
+    "high_pass_end": 400.0,
+    "low_pass_start": 1000.0,
+    "low_pass_end": 2000.0,
+    "denoise_threshold": 0.01,
+    "minimum_hold": 0.05,
+}
+"""Parameters with which every filter does something to speech."""
+
+TYPED = {
+    "pre_emphasis": "0.5",
+    "frequency_smooth": "0.9",
+    "time_smooth": "0.9",
+    "high_pass_start": "100",
+    "high_pass_end": "900",
+    "low_pass_start": "500",
+    "low_pass_end": "3000",
+    "denoise_threshold": "0.05",
+    "mel_bands": "20",
+    "minimum_hold": "0.2",
+    "intensity_low": "-30",
+    "intensity_high": "-20",
+}
+OF_STEP = {name: step for step, names in FILTER_PARAMETERS.items() for name in names}
+
+
+@pytest.fixture(scope="module")
+def speech() -> np.ndarray:
+    samples, _ = soundfile.read(CARDS, dtype="float32")
+    return samples + noise(len(samples) / 44_100, 0.002)[: len(samples)]
+
+
+@pytest.fixture
+def window(desktop, qtbot):
+    settings = replace(desktop.preset.preset.settings, **TELLING)
+    desktop.preset.edit(replace(desktop.preset.preset, settings=settings), "telling parameters")
+    return shown(desktop, qtbot, None)
+
+
+def analysed(speech: np.ndarray, preset: Preset) -> Analysis:
+    return next(iter(analyses_of([speech], preset)))
+
+
+def seen(analysis: Analysis) -> dict[str, np.ndarray]:
+    """Everything that a view shows of an analysis."""
+    return {
+        "spectra": analysis.spectra,
+        "mel": np.zeros(0) if analysis.mel is None else analysis.mel,
+        "features": analysis.features.values,
+        "phonemes": analysis.phonemes,
+        "intensities": analysis.intensities,
+    }
+
+
+def differences(speech: np.ndarray, one: Preset, other: Preset) -> set[str]:
+    before, after = seen(analysed(speech, one)), seen(analysed(speech, other))
+    return {name for name in before if not np.array_equal(before[name], after[name])}
+
+
+@pytest.mark.parametrize("step", Filter)
+def test_every_switch_changes_preset_and_spectra_and_back(desktop, window, speech, step):
+    before = desktop.preset.preset
+    click(window.filters.switches[step])
+    after = desktop.preset.preset
+    assert after.settings.filters == before.settings.filters ^ {step}
+    assert differences(speech, before, after) & {"spectra", "mel"}
+    assert ("features" in differences(speech, before, after)) == (step is not Filter.MEL)
+    click(window.filters.switches[step])
+    assert desktop.preset.preset == before
+
+
+def test_the_statistics_switch_changes_phonemes_only(desktop, window, speech):
+    before = desktop.preset.preset
+    click(window.filters.switches["statistics"])
+    assert differences(speech, before, desktop.preset.preset) == {"phonemes"}
+    click(window.filters.switches["statistics"])
+    assert desktop.preset.preset == before
+
+
+@pytest.mark.parametrize("name", TYPED)
+def test_every_typed_number_changes_preset_and_what_comes_out(desktop, window, speech, name):
+    if name in OF_STEP and not window.filters.switches[OF_STEP[name]].isChecked():
+        click(window.filters.switches[OF_STEP[name]])
+    before = desktop.preset.preset
+    type_number(window.filters.fields[name], TYPED[name])
+    assert getattr(desktop.preset.preset.settings, name) == float(TYPED[name])
+    assert window.filters.fields[name].value() == float(TYPED[name])
+    expected = {"minimum_hold": "phonemes", "mel_bands": "mel"}
+    expected |= dict.fromkeys(("intensity_low", "intensity_high"), "intensities")
+    assert expected.get(name, "spectra") in differences(speech, before, desktop.preset.preset)
+
+
+@pytest.mark.parametrize("name", [name for name, field in FIELDS.items() if field.choices])
+def test_every_choice_of_a_box_changes_preset_and_spectra(desktop, window, speech, name):
+    step = OF_STEP[name]
+    if not window.filters.switches[step].isChecked():
+        click(window.filters.switches[step])
+    box = window.filters.fields[name]
+    box.setFocus()
+    box.setCurrentIndex(0)
+    box.activated.emit(0)
+    presets = [desktop.preset.preset]
+    for _, value in FIELDS[name].choices[1:]:
+        press(window, Qt.Key.Key_Down)
+        assert getattr(desktop.preset.preset.settings, name) is value or name == "quantise"
+        assert "spectra" in differences(speech, presets[-1], desktop.preset.preset)
+        presets.append(desktop.preset.preset)
+    assert len(set(map(repr, presets))) == len(FIELDS[name].choices)
+
+
+def test_every_parameter_has_its_field(window):
+    named = set(TYPED) | {name for name, field in FIELDS.items() if field.choices}
+    assert set(window.filters.fields) == named
+    plain = set(AnalysisSettings.__dataclass_fields__) - {"filters", "statistics"}
+    assert plain == named
+
+
+def test_a_reset_gives_back_what_the_file_says_of_one_filter_only(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    saved = desktop.preset.preset
+    for step in Filter:
+        other = Filter.MEL if step is not Filter.MEL else Filter.LOW_PASS
+        click(window.filters.switches[other])
+        elsewhere = desktop.preset.preset
+        click(window.filters.switches[step])
+        for name in FILTER_PARAMETERS[step]:
+            change(window, desktop, name)
+        assert desktop.preset.preset != elsewhere
+        click(window.filters.resets[step])
+        assert desktop.preset.preset == elsewhere
+        assert window.filters.switches[step].isChecked() == saved.settings.has(step)
+        click(window.filters.resets[other])
+        assert not desktop.preset.has_unsaved_changes
+
+
+def change(window, desktop, name: str) -> None:
+    """Give a parameter another value."""
+    if name in TYPED:
+        type_number(window.filters.fields[name], TYPED[name])
+    else:
+        choices = [value for _, value in FIELDS[name].choices]
+        k = 0 if getattr(desktop.preset.preset.settings, name) != choices[0] else 1
+        window.filters.fields[name].activated.emit(k)
+
+
+@pytest.mark.parametrize(
+    ("key", "names"), [("statistics", ("minimum_hold",)), ("intensity", ("intensity_low", "intensity_high"))]
+)
+def test_statistics_and_intensity_have_resets_too(desktop, qtbot, key, names):
+    window = shown(desktop, qtbot, None)
+    if key in window.filters.switches:
+        click(window.filters.switches[key])
+    for name in names:
+        type_number(window.filters.fields[name], TYPED[name])
+    assert desktop.preset.has_unsaved_changes
+    click(window.filters.resets[key])
+    assert not desktop.preset.has_unsaved_changes
+
+
+def test_bounds_push_each_other_along(desktop, window):
+    type_number(window.filters.fields["high_pass_start"], "700")
+    assert desktop.preset.preset.settings.high_pass_end == 700
+    assert window.filters.fields["high_pass_end"].value() == 700
+    type_number(window.filters.fields["low_pass_end"], "300")
+    assert desktop.preset.preset.settings.low_pass_start == 300
+
+
+def test_a_number_out_of_range_is_not_taken(desktop, window):
+    before = desktop.preset.preset
+    type_number(window.filters.fields["time_smooth"], "7")
+    assert 0 <= desktop.preset.preset.settings.time_smooth <= 1
+    desktop.preset.undo_stack.undo()
+    type_number(window.filters.fields["mel_bands"], "3")
+    assert desktop.preset.preset.settings.mel_bands == before.settings.mel_bands
+
+
+def test_bypass_turns_all_filters_off_and_b_turns_them_back_on(desktop, window, speech):
+    kept = desktop.preset.preset
+    click(window.filters.bypass)
+    assert desktop.preset.bypassed
+    assert window.actions_by_text["Bypass All Filters"].isChecked()
+    assert not any(window.filters.switches[step].isEnabled() for step in Filter)
+    raw = analysed(speech, desktop.preset.in_force)
+    assert raw.spectra.shape[1] == 1024
+    assert "spectra" in differences(speech, kept, desktop.preset.in_force)
+    press(window, Qt.Key.Key_B)
+    assert not window.filters.bypass.isChecked()
+    assert all(window.filters.switches[step].isEnabled() for step in Filter)
+    assert desktop.preset.in_force == desktop.preset.preset == kept
+
+
+def test_a_switch_acts_on_what_is_played_next(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: desktop.session.history.n > 30, timeout=5000)
+    assert desktop.session.history.newest.spectra.max() == 1
+    click(window.filters.switches[Filter.NORMALISE])
+    qtbot.waitUntil(lambda: 0 < desktop.session.history.newest.spectra.max() < 1, timeout=5000)
+    click(window.filters.bypass)
+    qtbot.waitUntil(lambda: desktop.session.history.newest.spectra.shape[1] == 1024, timeout=5000)
+    assert desktop.session.playing
+
+
+def test_space_ticks_a_switch_that_was_reached_with_tab_and_plays_after_a_click(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    window.filters.bypass.setFocus(Qt.FocusReason.TabFocusReason)
+    press(window, Qt.Key.Key_Tab)
+    assert QApplication.focusWidget() is window.filters.switches[Filter.QUANTISE]
+    press(window, Qt.Key.Key_Space)
+    assert not desktop.preset.preset.settings.has(Filter.QUANTISE)
+    assert not desktop.session.playing
+    window.setFocus()
+    click(window.filters.switches[Filter.QUANTISE])
+    press(window, Qt.Key.Key_Space)
+    assert desktop.session.playing
+
+
+def test_after_typing_a_number_the_keys_are_shortcuts_again(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    type_number(window.filters.fields["time_smooth"], "0.5")
+    press(window, Qt.Key.Key_Space)
+    assert desktop.session.playing
+    press(window, Qt.Key.Key_B)
+    assert desktop.preset.bypassed
+    press(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert desktop.preset.preset.settings.time_smooth == 0
+    assert window.filters.fields["time_smooth"].text() == "0.00"
+
+
+def test_every_control_of_the_window_says_what_it_does(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    kinds = (QAbstractButton, QComboBox, QAbstractSpinBox, QAbstractSlider, ThresholdSlider)
+    controls = [w for w in window.findChildren(QWidget) if isinstance(w, kinds) and not made_by_qt(w)]
+    assert len(controls) > 80
+    assert not [w for w in controls if len(w.toolTip()) < 5]
+
+
+def made_by_qt(widget: QWidget) -> bool:
+    """Scroll bars, a dock's own buttons, and what lies inside a box."""
+    inside = isinstance(widget.parent(), QComboBox | QAbstractSpinBox | QLineEdit | QDockWidget)
+    return inside or isinstance(widget, QScrollBar) or widget.objectName().startswith("qt_")

@@ -1,0 +1,169 @@
+"""The preset's file as the window shows it: marks for unsaved changes, saving, and what closing asks."""
+
+import tomllib
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMessageBox
+
+from engine.presets.phonemedata import parse_phoneme_data
+from engine.presets.preset import DEFAULT_PRESET, load_preset, save_preset
+from phonemeanalyser import dialogs
+from tests.desktop.hands import click, press, shown, type_number
+
+BUTTON = QMessageBox.StandardButton
+CONTROL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def window(desktop, qtbot):
+    return shown(desktop, qtbot)
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Answers the question about unsaved changes; counts how often it was put."""
+
+    class Asked:
+        answer = BUTTON.Cancel
+        times = 0
+
+        def __call__(self, _window, title, text, *_buttons):
+            assert title == "Unsaved changes"
+            assert text.endswith("?")
+            self.times += 1
+            return self.answer
+
+    asked = Asked()
+    monkeypatch.setattr(dialogs.QMessageBox, "question", asked)
+    return asked
+
+
+def will_save_to(monkeypatch, path, chosen="Preset (*.toml)"):
+    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: (str(path or ""), chosen))
+
+
+def change(window) -> None:
+    type_number(window.thresholds.numbers["sz_s1"], "3.5")
+
+
+def test_title_and_status_bar_name_sound_and_preset_and_mark_changes(desktop, window):
+    assert window.windowTitle() == "cards.flac - Thesis[*] - PhonemeAnalyser"
+    assert not window.isWindowModified()
+    assert window._file_label.text().endswith("preset Thesis")
+    change(window)
+    assert window.isWindowModified()
+    assert window._file_label.text().endswith("preset Thesis (changed)")
+    press(window, Qt.Key.Key_Z, CONTROL)
+    assert not window.isWindowModified()
+    press(window, Qt.Key.Key_Z, CONTROL | SHIFT)
+    assert window.isWindowModified()
+
+
+def test_a_value_typed_back_is_no_change(desktop, window):
+    before = window.thresholds.numbers["sz_s1"].text()
+    change(window)
+    type_number(window.thresholds.numbers["sz_s1"], before)
+    assert not window.isWindowModified()
+
+
+def test_a_factory_preset_is_saved_under_another_name(desktop, window, monkeypatch, tmp_path):
+    factory = DEFAULT_PRESET.read_bytes()
+    change(window)
+    will_save_to(monkeypatch, tmp_path / "voice")
+    press(window, Qt.Key.Key_S, CONTROL)
+    assert DEFAULT_PRESET.read_bytes() == factory
+    assert load_preset(tmp_path / "voice.toml").thresholds.sz_s1 == 3.5
+    assert not window.isWindowModified()
+    assert window.windowTitle() == "cards.flac - voice[*] - PhonemeAnalyser"
+
+
+def test_a_preset_of_one_s_own_is_saved_without_asking(desktop, window, monkeypatch, tmp_path):
+    save_preset(desktop.preset.preset, tmp_path / "mine.toml")
+    window.dialogs.load_preset(tmp_path / "mine.toml")
+    change(window)
+    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: pytest.fail("asked"))
+    press(window, Qt.Key.Key_S, CONTROL)
+    assert load_preset(tmp_path / "mine.toml").thresholds.sz_s1 == 3.5
+    assert not window.isWindowModified()
+
+
+def test_save_as_writes_phonemedata_by_name_or_by_filter(desktop, window, monkeypatch, tmp_path):
+    change(window)
+    will_save_to(monkeypatch, tmp_path / "old", "PhonemeData (*.phonemedata)")
+    press(window, Qt.Key.Key_S, CONTROL | SHIFT)
+    assert parse_phoneme_data((tmp_path / "old.phonemedata").read_text()).sz_s1 == 3.5
+
+
+def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, window, monkeypatch, tmp_path):
+    change(window)
+    will_save_to(monkeypatch, tmp_path / "nowhere" / "voice.toml")
+    press(window, Qt.Key.Key_S, CONTROL)
+    assert window.banner.isVisible()
+    assert window.banner.label.text().startswith("voice.toml: cannot be written")
+    assert window.isWindowModified()
+    assert desktop.preset.path == DEFAULT_PRESET
+
+
+def test_closing_without_changes_asks_nothing(desktop, window, asked):
+    assert window.close()
+    assert asked.times == 0
+    assert not window._timer.isActive()
+
+
+def test_closing_while_it_plays_silences_it(desktop, window):
+    click(window.transport.play)
+    assert window.close()
+    assert not desktop.session.playing
+
+
+def test_cancel_keeps_the_window_and_the_changes(desktop, window, asked):
+    change(window)
+    click(window.transport.play)
+    assert not window.close()
+    assert asked.times == 1
+    assert window.isVisible()
+    assert window.isWindowModified()
+    assert desktop.session.playing
+    assert window._timer.isActive()
+
+
+def test_discard_closes_and_writes_nothing(desktop, window, asked, tmp_path):
+    save_preset(desktop.preset.preset, tmp_path / "mine.toml")
+    window.dialogs.load_preset(tmp_path / "mine.toml")
+    before = (tmp_path / "mine.toml").read_bytes()
+    change(window)
+    asked.answer = BUTTON.Discard
+    assert window.close()
+    assert (tmp_path / "mine.toml").read_bytes() == before
+
+
+def test_save_writes_and_closes(desktop, window, asked, monkeypatch, tmp_path):
+    change(window)
+    asked.answer = BUTTON.Save
+    will_save_to(monkeypatch, tmp_path / "voice.toml")
+    assert window.close()
+    assert tomllib.loads((tmp_path / "voice.toml").read_text())["phoneme_data"]["sz_s1"] == 3.5
+
+
+def test_save_without_choosing_a_file_does_not_close(desktop, window, asked, monkeypatch):
+    change(window)
+    asked.answer = BUTTON.Save
+    will_save_to(monkeypatch, None)
+    assert not window.close()
+    assert window.isVisible()
+    assert window.isWindowModified()
+
+
+def test_loading_another_preset_asks_about_changes_too(desktop, window, asked, tmp_path):
+    save_preset(desktop.preset.preset, tmp_path / "mine.toml")
+    change(window)
+    window.dialogs.load_preset(tmp_path / "mine.toml")
+    assert asked.times == 1
+    assert desktop.preset.path == DEFAULT_PRESET
+    asked.answer = BUTTON.Discard
+    window.dialogs.load_preset(tmp_path / "mine.toml")
+    assert desktop.preset.path == tmp_path / "mine.toml"
+    assert not window.isWindowModified()
+    assert not desktop.preset.undo_stack.canUndo()

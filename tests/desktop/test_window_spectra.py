@@ -1,0 +1,215 @@
+"""The live and the averaged spectrum and the waveform: what their controls and their cursor do."""
+
+import re
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QToolButton
+
+from engine.curves import load_curve
+from engine.settings import BIN_WIDTH, Filter
+from phonemeanalyser import dialogs
+from tests.desktop.hands import ON_BIN, button, click, followed, hover, press, shown, wav
+from tests.sounds import noise, tone
+
+SECONDS = 1.0
+
+
+@pytest.fixture
+def window(desktop, qtbot, tmp_path):
+    """A window that has heard a tone of half the full scale on a bin, without any filter but quantising."""
+    desktop.preset.load(desktop.preset.path)
+    for step in desktop.preset.preset.settings.filters - {Filter.QUANTISE}:
+        desktop.preset.set_filter(step, on=False)
+    return followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, SECONDS, 0.5)), 0.8)
+
+
+def curve(view, k: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    return view.item.curves[k].getData()
+
+
+def top(view) -> float:
+    return view.item.viewRange()[1][1]
+
+
+@pytest.fixture(params=["spectrum", "averaged"])
+def view(request, window):
+    return getattr(window, request.param)
+
+
+def test_a_tone_is_a_peak_of_its_amplitude_at_its_frequency(view):
+    x, y = curve(view)
+    assert len(x) == 256
+    assert x[y.argmax()] == pytest.approx(ON_BIN)
+    assert y.max() == pytest.approx(0.5, abs=0.03)
+
+
+def test_coarse_draws_the_highest_of_eight_bins_as_a_step(view):
+    _, fine = curve(view)
+    click(view.coarse)
+    x, y = curve(view)
+    assert len(x) == 2 * 256 // 8
+    assert np.allclose(y[::2], fine.reshape(-1, 8).max(axis=1))
+    assert np.allclose(y[::2], y[1::2])
+    assert x[2 * (46 // 8)] <= ON_BIN < x[2 * (46 // 8) + 1]
+    click(view.coarse)
+    assert np.array_equal(curve(view)[1], fine)
+
+
+def test_db_draws_the_logarithm_on_an_axis_that_says_so(view):
+    _, linear = curve(view)
+    assert view.item.getAxis("left").labelText == "amplitude"
+    click(view.decibels)
+    _, decibels = curve(view)
+    assert decibels.max() == pytest.approx(20 * np.log10(linear.max()), abs=0.01)
+    assert decibels.min() >= -100.01
+    assert view.item.getAxis("left").labelText == "amplitude (dB)"
+    assert view.item.viewRange()[1][0] == pytest.approx(-100, abs=1)
+    assert top(view) == pytest.approx(0, abs=5)
+
+
+def test_the_scale_enlarges_small_amplitudes(view):
+    assert top(view) == pytest.approx(1, abs=0.05)
+    view.scale.setFocus()
+    for _ in range(2):
+        press(view, Qt.Key.Key_PageUp)
+    assert view.scale.value() == 20
+    assert top(view) == pytest.approx(0.1, abs=0.005)
+    click(view.decibels)
+    assert top(view) == pytest.approx(-20, abs=3)
+
+
+def test_the_cursor_reads_out_frequency_amplitude_and_level(view, qtbot):
+    hover(view.graphics, view.item, ON_BIN, 0.3)
+    qtbot.waitUntil(view._cursor_label.isVisible, timeout=2000)
+    hertz, amplitude, level = re.fullmatch(r"(\d+) Hz   ([\d.]+)   (-[\d.]+) dB", view._cursor_label.text()).groups()
+    assert float(hertz) == pytest.approx(ON_BIN, abs=0.6 * 5513 / view.item.vb.width() + 1)
+    shown_bin = round(float(hertz) / BIN_WIDTH)
+    assert float(amplitude) == pytest.approx(curve(view)[1][shown_bin], abs=1e-4)
+    assert float(level) == pytest.approx(
+        20 * np.log10(max(float(amplitude), 1e-4)), abs=6 if float(amplitude) < 0.01 else 0.1
+    )
+
+
+def test_the_read_out_lies_inside_the_plot_and_goes_with_the_mouse(view, qtbot):
+    hover(view.graphics, view.item, 5300, 0.9)
+    qtbot.waitUntil(view._cursor_label.isVisible, timeout=2000)
+    assert view.graphics.rect().contains(view._cursor_label.geometry())
+    hover(view.graphics, view.item, -600, -0.2)
+    qtbot.waitUntil(lambda: not view._cursor_label.isVisible(), timeout=2000)
+
+
+def test_the_view_menu_switches_all_spectra_at_once(window):
+    window.actions_by_text["Coarse Display"].trigger()
+    window.actions_by_text["Spectra in dB"].trigger()
+    assert window.spectrum.coarse.isChecked()
+    assert window.averaged.coarse.isChecked()
+    assert window.waveform.coarse.isChecked()
+    assert window.spectrum.decibels.isChecked()
+    assert window.averaged.decibels.isChecked()
+
+
+def test_the_waveform_shows_the_window_and_its_scale_enlarges_it(window):
+    x, y = curve(window.waveform)
+    assert len(y) == 512
+    assert x[-1] < 46.5
+    assert np.abs(y).max() == pytest.approx(0.5, abs=0.01)
+    assert top(window.waveform) == pytest.approx(1.05, abs=0.01)
+    window.waveform.scale.setValue(20)
+    assert top(window.waveform) == pytest.approx(0.105, abs=0.001)
+    click(window.waveform.coarse)
+    _, coarse = curve(window.waveform)
+    assert len(coarse) == 512 // 8 * 2
+    assert coarse.max() == y.max()
+    assert coarse.min() == y.min()
+
+
+def test_the_waveform_cursor_reads_out_time_and_amplitude(window, qtbot):
+    hover(window.waveform.graphics, window.waveform.item, 20, 0)
+    qtbot.waitUntil(window.waveform._cursor_label.isVisible, timeout=2000)
+    milliseconds, amplitude = re.fullmatch(
+        r"([\d.]+) ms   ([+-][\d.]+)", window.waveform._cursor_label.text()
+    ).groups()
+    assert float(milliseconds) == pytest.approx(20, abs=0.2)
+    assert abs(float(amplitude)) <= 0.51
+
+
+def test_other_settings_change_the_axis(desktop, window):
+    desktop.preset.set_setting("quantise", 1)
+    desktop.session.follow(0.5)
+    window.refresh_all()
+    x, _ = curve(window.spectrum)
+    assert len(x) == 1024
+    assert window.spectrum.item.viewRange()[0][1] == pytest.approx(22050, abs=30)
+
+
+# -- curves -------------------------------------------------------------------------------------------
+
+
+def choose_save(window, monkeypatch, path):
+    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: (str(path), ""))
+    next(a for a in button(window.averaged, "curves").menu().actions() if a.text() == "Save Curve…").trigger()
+
+
+def choose_load(window, monkeypatch, *paths):
+    monkeypatch.setattr(dialogs.QFileDialog, "getOpenFileNames", lambda *_a, **_k: ([str(p) for p in paths], ""))
+    next(a for a in button(window.averaged, "curves").menu().actions() if a.text() == "Load Curve…").trigger()
+
+
+def entries(window) -> list[str]:
+    return [label.text() for label in window.averaged._names]
+
+
+def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, monkeypatch, tmp_path):
+    choose_save(window, monkeypatch, tmp_path / "tone")
+    saved = load_curve(tmp_path / "tone.csv")
+    assert saved.n_frames == 80
+    assert "quantise 4 plain" in saved.front_end
+    window.refresh_all()
+    assert entries(window) == ["tone Δ 0.0 dB"]
+    assert np.allclose(curve(window.averaged, 0)[1], curve(window.averaged, 1)[1])
+
+
+def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qtbot, monkeypatch, tmp_path):
+    choose_save(window, monkeypatch, tmp_path / "tone")
+    window.dialogs.open_sound(wav(tmp_path, noise(SECONDS, 0.1), "noise.wav"))
+    desktop.session.follow(0.8)
+    choose_save(window, monkeypatch, tmp_path / "hiss.csv")
+    choose_load(window, monkeypatch, tmp_path / "tone.csv", tmp_path / "hiss.csv")
+    window.refresh_all()
+    names = [text.split(" Δ ")[0] for text in entries(window)]
+    distances = [float(text.split(" Δ ")[1].removesuffix(" dB")) for text in entries(window)]
+    assert names == ["tone", "hiss", "tone", "hiss"]
+    assert distances[1] == distances[3] == 0
+    assert distances[0] == distances[2] > 5
+    assert len(window.averaged.item.curves) == 5
+    pens = [c.opts["pen"].color().name() for c in window.averaged.item.curves[1:]]
+    assert len(set(pens)) == 4
+    crosses = [b for b in window.averaged.findChildren(QToolButton) if b.toolTip() == "Remove tone"]
+    click(crosses[-1])
+    window.refresh_all()
+    assert len(window.averaged.item.curves) == 4
+    assert len(desktop.session.averages.curves) == 3
+
+
+def test_a_file_that_is_no_curve_is_said(window, monkeypatch, tmp_path):
+    (tmp_path / "shopping.csv").write_text("milk,2\n")
+    choose_load(window, monkeypatch, tmp_path / "shopping.csv")
+    assert window.banner.isVisible()
+    assert window.banner.label.text().startswith("shopping.csv: a curve begins with")
+    assert entries(window) == []
+
+
+def test_without_a_sound_there_is_no_curve_to_save(desktop, qtbot, monkeypatch, tmp_path):
+    window = shown(desktop, qtbot, None)
+    choose_save(window, monkeypatch, tmp_path / "nothing")
+    assert window.banner.label.text().startswith("There is no averaged spectrum yet")
+    assert not list(tmp_path.glob("*.csv"))
+
+
+def test_curves_follow_the_switch_to_db(window, monkeypatch, tmp_path):
+    choose_save(window, monkeypatch, tmp_path / "tone")
+    click(window.averaged.decibels)
+    assert curve(window.averaged, 1)[1].max() == pytest.approx(curve(window.averaged, 0)[1].max())
+    assert curve(window.averaged, 1)[1].max() < 0

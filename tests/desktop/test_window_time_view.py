@@ -1,0 +1,221 @@
+"""The sonagram, the lane of phonemes and the course of a variable, by their pixels."""
+
+import re
+
+import numpy as np
+import pyqtgraph as pg
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QLabel
+
+from engine.analyser import analyses_of
+from engine.features.variables import BUILT_IN_NAMES
+from engine.phonemes import Phoneme
+from engine.recognition.rules import CONDITIONS
+from engine.settings import FRAME_PERIOD
+from phonemeanalyser.models.history import CAPACITY
+from phonemeanalyser.theme import PHONEME_COLOURS
+from phonemeanalyser.views.colour_bar import ColourBar
+from phonemeanalyser.views.sonagram import COLOUR_MAPS, colours_of
+from tests.desktop.hands import ON_BIN, TimeEyes, click, followed, hover, press, shown, type_number, wav
+from tests.sounds import tone
+
+GREY = "grey"
+
+
+@pytest.fixture
+def window(desktop, qtbot, tmp_path):
+    """A window that has heard two seconds of a tone of a tenth of the full scale, without normalising."""
+    desktop.preset.set_filter("normalise", on=False)
+    window = followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, 2.5, 0.1)), 2.0)
+    window.time_view.colours.setCurrentText(GREY)
+    return window
+
+
+def test_a_tone_is_a_bright_line_at_its_frequency_for_as_long_as_it_was_heard(window):
+    eyes = TimeEyes(window)
+    for seconds in (-0.1, -1.0, -1.9):
+        assert eyes.brightest(seconds) == pytest.approx(ON_BIN, abs=30)
+    nothing = QColor(window.theme.base)
+    assert eyes.colour(eyes.sonagram, -2.5, ON_BIN) == nothing
+    assert eyes.colour(eyes.sonagram, -1.0, ON_BIN) != nothing
+
+
+@pytest.mark.parametrize(("in_decibels", "lightness"), [(True, 255 * 40 / 60), (False, 25.5)])
+def test_brightness_is_the_level_in_db_or_linear(window, in_decibels, lightness):
+    if not in_decibels:
+        click(window.time_view.decibels)
+    eyes = TimeEyes(window)
+    assert eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness() == pytest.approx(lightness, abs=4)
+
+
+def test_the_range_darkens_and_brightens(window):
+    lightness = []
+    for low, high in ((-60, 0), (-40, 0), (-60, -20), (-25, -15)):
+        window.time_view.low.setValue(low)
+        window.time_view.high.setValue(high)
+        eyes = TimeEyes(window)
+        lightness.append(eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness())
+    assert lightness == pytest.approx([170, 127, 255, 127], abs=6)
+
+
+def test_a_typed_range_counts(window):
+    type_number(window.time_view.low, "-40")
+    eyes = TimeEyes(window)
+    assert eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness() == pytest.approx(127, abs=4)
+
+
+@pytest.mark.parametrize("name", COLOUR_MAPS)
+def test_a_colour_map_colours_sonagram_and_colour_bar(window, name):
+    window.time_view.colours.setCurrentText(name)
+    colours = colours_of(name)
+    eyes = TimeEyes(window)
+    shown_colour = eyes.colour(eyes.sonagram, -1.0, ON_BIN).rgb()
+    assert np.abs(np.array(QColor(shown_colour).getRgb()) - QColor(int(colours[170])).getRgb()).max() < 8
+    bar = window.time_view.findChild(ColourBar)
+    image = bar.grab().toImage()
+    assert np.abs(np.array(image.pixelColor(10, 14).getRgb()) - QColor(int(colours[255])).getRgb()).max() < 12
+    assert (
+        np.abs(np.array(image.pixelColor(10, bar.height() - 15).getRgb()) - QColor(int(colours[0])).getRgb()).max()
+        < 12
+    )
+
+
+def test_the_colour_bar_names_the_range(window):
+    bar = window.time_view.findChild(ColourBar)
+    assert bar._labels == ("0 dB", "-30 dB", "-60 dB")
+    window.time_view.low.setValue(-80)
+    assert bar._labels == ("0 dB", "-40 dB", "-80 dB")
+    click(window.time_view.decibels)
+    assert bar._labels == ("1.0", "0.5", "0.0")
+
+
+def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    window.time_view.colours.setCurrentText(GREY)
+    sound = np.concatenate((tone(ON_BIN, 62.0), tone(3 * ON_BIN, 2.0)))
+    for analysis in analyses_of(np.array_split(sound, 30), desktop.preset.preset):
+        desktop.session.gather(analysis)
+        window.time_view.refresh()
+    assert desktop.session.history.n > CAPACITY + 300
+    eyes = TimeEyes(window)
+    assert [round(eyes.brightest(s) / ON_BIN) for s in (-0.2, -1.8, -2.2, -5.5)] == [3, 3, 1, 1]
+    ring = eyes.image
+    window.time_view.sonagram.recolour()
+    assert TimeEyes(window).image == ring
+
+
+def test_the_whole_minute_can_be_seen_and_no_more(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    sonagram = TimeEyes(window).sonagram
+    sonagram.setXRange(-1000, 0, padding=0)
+    assert sonagram.viewRange()[0] == pytest.approx([-60, 0])
+    assert TimeEyes(window).course.viewRange()[0] == pytest.approx([-60, 0])
+
+
+# -- reading out --------------------------------------------------------------------------------------
+
+
+def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, qtbot):
+    eyes = TimeEyes(window)
+    hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
+    label = window.time_view._cursor_label
+    qtbot.waitUntil(label.isVisible, timeout=2000)
+    seconds, phoneme, hertz, amplitude, level = re.fullmatch(
+        r"([\d.]+) s   (\w+)   (\d+) Hz   ([\d.]+)   (-[\d.]+|−∞) dB", label.text()
+    ).groups()
+    assert float(seconds) == pytest.approx(1.0, abs=0.025)
+    k = round(float(seconds) / FRAME_PERIOD)
+    assert phoneme == Phoneme(int(desktop.session.history.phonemes[k])).label
+    assert float(hertz) == pytest.approx(ON_BIN, abs=30)
+    if round(float(hertz) / 21.533) == 46:
+        assert float(amplitude) == pytest.approx(0.1, abs=0.01)
+        assert float(level) == pytest.approx(-20, abs=0.5)
+    assert eyes.graphics.rect().contains(label.geometry())
+
+
+def test_over_the_course_the_cursor_reads_out_the_variable(window, qtbot):
+    window.time_view.variable.setCurrentText("volume")
+    eyes = TimeEyes(window)
+    hover(eyes.graphics, eyes.course, -1.0, 0.05)
+    label = window.time_view._cursor_label
+    qtbot.waitUntil(label.isVisible, timeout=2000)
+    assert re.fullmatch(r"[\d.]+ s   \w+   volume 0\.1", label.text())
+
+
+def test_left_of_what_was_heard_there_is_nothing_to_read(window, qtbot):
+    eyes = TimeEyes(window)
+    hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
+    label = window.time_view._cursor_label
+    qtbot.waitUntil(label.isVisible, timeout=2000)
+    hover(eyes.graphics, eyes.sonagram, -4.0, ON_BIN)
+    qtbot.waitUntil(lambda: not label.isVisible(), timeout=2000)
+
+
+def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
+    press(window, Qt.Key.Key_F)
+    desktop.session.follow(1.0)
+    eyes = TimeEyes(window)
+    hover(eyes.graphics, eyes.sonagram, -0.5, ON_BIN)
+    label = window.time_view._cursor_label
+    qtbot.waitUntil(label.isVisible, timeout=2000)
+    assert float(label.text().split(" s")[0]) == pytest.approx(1.5, abs=0.025)
+
+
+# -- phonemes and variables ---------------------------------------------------------------------------
+
+
+def test_the_lane_s_colours_are_the_phonemes(desktop, qtbot):
+    window = followed(desktop, qtbot)
+    eyes, codes = TimeEyes(window), desktop.session.history.phonemes
+    n = desktop.session.history.n
+    inside = [k for k in range(5, n - 5) if len(set(codes[k - 3 : k + 4])) == 1]
+    assert len({codes[k] for k in inside}) >= 4
+    for k in inside:
+        colour = eyes.colour(eyes.lane, (k + 0.5 - n) * FRAME_PERIOD, 0.95)
+        assert colour == QColor(PHONEME_COLOURS[Phoneme(int(codes[k]))])
+
+
+def test_the_box_offers_every_variable_and_its_extremes_since_clear(desktop, qtbot):
+    window = followed(desktop, qtbot)
+    box = window.time_view.variable
+    assert [box.itemText(k) for k in range(box.count())] == list(BUILT_IN_NAMES)
+    label = next(w for w in window.time_view.findChildren(QLabel) if w.toolTip().startswith("Largest"))
+    history = desktop.session.history
+    for name in BUILT_IN_NAMES:
+        box.setCurrentText(name)
+        values = history.features(history.indices(0, history.n))[name].astype(float)
+        numbers = re.sub(r"<[^>]*>|&nbsp;|max|mid|min", " ", label.text()).split()
+        assert [float(x) for x in numbers] == pytest.approx([values.max(), values.mean(), values.min()], rel=1e-3)
+    press(window, Qt.Key.Key_C)
+    assert re.sub(r"<[^>]*>|&nbsp;|\s", "", label.text()) == "max–mid–min–".replace("max–", "max–")
+
+
+def test_the_course_is_the_variable_over_time(desktop, qtbot):
+    window = followed(desktop, qtbot, seconds=2.0)
+    history = desktop.session.history
+    for name in ("volume", "m_szsch1", "f0"):
+        window.time_view.variable.setCurrentText(name)
+        course = next(i for i in TimeEyes(window).course.items if isinstance(i, pg.PlotCurveItem))
+        x, y = course.getData()
+        assert np.array_equal(y, history.features(history.indices(0, history.n))[name])
+        assert x[-1] == pytest.approx(-FRAME_PERIOD / 2)
+        assert TimeEyes(window).course.viewRange()[1][1] >= y.max()
+        assert TimeEyes(window).course.getAxis("left").labelText == name
+
+
+def test_the_thresholds_of_the_chosen_variable_are_lines(desktop, qtbot):
+    window = followed(desktop, qtbot, seconds=1.0)
+
+    def lines() -> list[float]:
+        items = TimeEyes(window).course.items
+        return sorted(line.value() for line in items if isinstance(line, pg.InfiniteLine))
+
+    for name in BUILT_IN_NAMES:
+        window.time_view.variable.setCurrentText(name)
+        thresholds = desktop.preset.preset.thresholds
+        assert lines() == sorted(getattr(thresholds, c.threshold) for c in CONDITIONS if c.variable == name)
+    window.time_view.variable.setCurrentText("m_s1")
+    type_number(window.thresholds.numbers["sz_s1"], "12.5")
+    assert lines() == [12.5]

@@ -1,0 +1,220 @@
+"""Playing by mouse and keyboard."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
+
+from engine.settings import Channel
+from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, wav
+from tests.sounds import silence, tone
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def window(desktop, qtbot):
+    return shown(desktop, qtbot)
+
+
+def icon_of(button) -> QImage:
+    return button.icon().pixmap(20, 20).toImage()
+
+
+def test_a_click_on_play_plays_and_another_one_pauses(desktop, window):
+    before = icon_of(window.transport.play)
+    click(window.transport.play)
+    assert desktop.session.playing
+    assert icon_of(window.transport.play) != before
+    click(window.transport.play)
+    assert not desktop.session.playing
+    assert icon_of(window.transport.play) == before
+
+
+def test_playing_moves_the_views_on(desktop, window, qtbot):
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: desktop.session.history.n > 40, timeout=5000)
+    x, _ = window.spectrum.item.curves[0].getData()
+    assert len(x) == 256
+    assert window.transport.time.text() != "0:00.0 / 0:03.5"
+    assert desktop.session.position > 0.3
+    assert desktop.session.n_dropped == 0
+
+
+def test_stop_goes_to_the_beginning(desktop, window, qtbot):
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: desktop.session.position > 0.1, timeout=5000)
+    click(window.transport.stop)
+    assert not desktop.session.playing
+    assert desktop.session.position == 0
+    assert window.transport.time.text().startswith("0:00.0 /")
+
+
+def test_space_plays_and_escape_stops(desktop, window, qtbot):
+    press(window, Qt.Key.Key_Space)
+    assert desktop.session.playing
+    press(window, Qt.Key.Key_Space)
+    assert not desktop.session.playing
+    desktop.session.seek(2)
+    press(window, Qt.Key.Key_Escape)
+    assert desktop.session.position == 0
+
+
+def test_keys_go_back_forth_and_home(desktop, window):
+    press(window, Qt.Key.Key_Right, CONTROL)
+    assert desktop.session.position == pytest.approx(1, abs=0.02)
+    press(window, Qt.Key.Key_Right, CONTROL)
+    press(window, Qt.Key.Key_Left, CONTROL)
+    assert desktop.session.position == pytest.approx(1, abs=0.03)
+    press(window, Qt.Key.Key_Home)
+    assert desktop.session.position == 0
+    press(window, Qt.Key.Key_Left, CONTROL)
+    assert desktop.session.position == 0
+
+
+def test_l_loops_and_the_button_shows_it(desktop, window):
+    press(window, Qt.Key.Key_L)
+    assert desktop.session.loop
+    assert window.transport.loop.isChecked()
+    click(window.transport.loop)
+    assert not desktop.session.loop
+    assert not window.actions_by_text["Loop"].isChecked()
+
+
+def test_a_loop_begins_again_at_the_end(desktop, window, qtbot):
+    click(window.transport.loop)
+    desktop.session.seek(desktop.session.duration - 0.1)
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: 0.1 < desktop.session.position < 1, timeout=5000)
+    assert desktop.session.playing
+
+
+def test_a_sound_that_ends_stops_at_the_beginning(desktop, window, qtbot):
+    desktop.session.seek(desktop.session.duration - 0.1)
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: not desktop.session.playing, timeout=5000)
+    assert desktop.session.position == 0
+
+
+@pytest.mark.parametrize("share", [0.25, 0.5, 0.9])
+def test_a_click_on_the_time_line_goes_there(desktop, window, share):
+    line = window.transport.time_line
+    click(line, 6 + share * (line.width() - 12))
+    assert desktop.session.position == pytest.approx(share * desktop.session.duration, abs=0.02)
+
+
+def test_a_drag_along_the_time_line_ends_where_the_mouse_is(desktop, window):
+    line = window.transport.time_line
+    drag(line, 30, line.width() * 3)
+    assert desktop.session.position == pytest.approx(desktop.session.duration, abs=0.011)
+    drag(line, 300, -50)
+    assert desktop.session.position == 0
+
+
+def test_arrow_keys_move_the_time_line_once_it_has_the_focus(desktop, window):
+    click(window.transport.time_line, 6)
+    press(window, Qt.Key.Key_Right)
+    assert desktop.session.position == pytest.approx(1, abs=0.02)
+    press(window, Qt.Key.Key_Left)
+    assert desktop.session.position == pytest.approx(0, abs=0.02)
+
+
+def test_the_volume_slider_goes_from_full_to_silent(desktop, window):
+    volume = window.transport.volume
+    drag(volume, volume.width() - 8, 2)
+    assert desktop.session.volume == -60
+    assert volume.toolTip() == "Silent"
+    press(window, Qt.Key.Key_Up, CONTROL)
+    assert desktop.session.volume == -57
+    assert volume.value() == -57
+    assert volume.toolTip() == "Volume -57 dB"
+    press(window, Qt.Key.Key_Down, CONTROL)
+    assert desktop.session.volume == -60
+
+
+def test_the_channel_box_chooses_what_is_analysed(desktop, qtbot, tmp_path):
+    both = np.stack((tone(1000, 1.0, 0.5), silence(1.0)), axis=1)
+    window = shown(desktop, qtbot, wav(tmp_path, both))
+    levels = {}
+    window.transport.channel.setFocus()
+    for channel in Channel:
+        assert desktop.session.channel is channel
+        assert window.transport.channel.currentText() == channel.value
+        desktop.session.clear()
+        desktop.session.follow(0.5)
+        levels[channel] = desktop.session.history.extremes("volume")[0]
+        press(window, Qt.Key.Key_Down)
+    assert levels == pytest.approx({Channel.MIX: 0.25, Channel.LEFT: 0.5, Channel.RIGHT: 0}, abs=0.01)
+
+
+def test_the_channel_changes_while_it_plays(desktop, qtbot, tmp_path):
+    both = np.stack((tone(1000, 3.0, 0.5), silence(3.0)), axis=1)
+    window = shown(desktop, qtbot, wav(tmp_path, both))
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: desktop.session.position > 0.3, timeout=5000)
+    window.transport.channel.activated.emit(window.transport.channel.findText("right"))
+    assert desktop.session.playing
+    assert desktop.session.position > 0.25
+    desktop.session.clear()
+    qtbot.waitUntil(lambda: desktop.session.history.n > 5, timeout=5000)
+    assert desktop.session.history.extremes("volume")[0] == 0
+
+
+def test_the_status_bar_says_what_plays_where(desktop, window):
+    texts = [label.text() for label in (window._file_label, window._output_label)]
+    assert texts[0].strip().startswith("cards.flac: 44 100 Hz, mono")
+    assert texts[1].strip() == "no sound card: silent, on the clock"
+
+
+def test_without_a_sound_nothing_can_be_played(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    for widget in (window.transport.play, window.transport.stop, window.transport.time_line):
+        assert not widget.isEnabled()
+    press(window, Qt.Key.Key_Space)
+    press(window, Qt.Key.Key_Right, CONTROL)
+    assert not desktop.session.playing
+    assert window.transport.time.text() == "0:00.0 / 0:00.0"
+
+
+def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(desktop, window, qtbot):
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: desktop.session.history.n > 20, timeout=5000)
+    press(window, Qt.Key.Key_F)
+    still = window.time_view.grab().toImage(), window.spectrum.grab().toImage()
+    assert "views frozen" in window._output_label.text()
+    n = desktop.session.history.n
+    qtbot.waitUntil(lambda: desktop.session.history.n > n + 30, timeout=5000)
+    assert (window.time_view.grab().toImage(), window.spectrum.grab().toImage()) == still
+    press(window, Qt.Key.Key_F)
+    qtbot.waitUntil(lambda: window.time_view.grab().toImage() != still[0], timeout=2000)
+    assert "frozen" not in window._output_label.text()
+
+
+def test_frozen_views_catch_up_even_when_the_sound_has_stopped(desktop, window, qtbot):
+    press(window, Qt.Key.Key_F)
+    still = window.time_view.grab().toImage()
+    desktop.session.follow(2)
+    press(window, Qt.Key.Key_F)
+    qtbot.waitUntil(lambda: window.time_view.grab().toImage() != still, timeout=2000)
+
+
+def test_clear_empties_the_views(desktop, window):
+    desktop.session.follow(2)
+    window.refresh_all()
+    eyes = TimeEyes(window)
+    assert eyes.colour(eyes.sonagram, -1, 1000) != eyes.colour(eyes.sonagram, -3, 1000)
+    press(window, Qt.Key.Key_C)
+    assert desktop.session.history.n == 0
+    assert desktop.session.averages.n_frames == 0
+    eyes = TimeEyes(window)
+    assert eyes.colour(eyes.sonagram, -1, 1000) == eyes.colour(eyes.sonagram, -3, 1000)
+    assert window.thresholds.sliders["silence_energy"].live is None
+    for view in (window.spectrum, window.averaged, window.waveform):
+        x, _ = view.item.curves[0].getData()
+        assert x is None or len(x) == 0
+
+
+def test_the_window_opens_the_sound_that_is_asked_for(desktop, window, monkeypatch):
+    monkeypatch.setattr("phonemeanalyser.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(CARDS), ""))
+    click(window.transport.open)
+    assert desktop.session.path == CARDS

@@ -1,0 +1,41 @@
+"""What every table of the command line must be, and how it is asked for."""
+
+import csv
+from itertools import pairwise
+
+import pytest
+
+from engine.phonemes import Phoneme
+from phonemeanalyser.cli import main
+
+LABELS = {phoneme.label for phoneme in Phoneme}
+HEADER = "start_s,end_s,phoneme,intensity"
+
+
+def rows_of(text: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(text.splitlines()))
+
+
+def gapless(rows: list[dict[str, str]], duration: float) -> None:
+    assert float(rows[0]["start_s"]) == 0
+    assert float(rows[-1]["end_s"]) == pytest.approx(duration, abs=2e-6)
+    assert all(one["end_s"] == other["start_s"] for one, other in pairwise(rows))
+    assert all(one["phoneme"] != other["phoneme"] for one, other in pairwise(rows))
+    assert all(float(row["start_s"]) < float(row["end_s"]) for row in rows)
+    assert {row["phoneme"] for row in rows} <= LABELS
+    assert all(0 <= float(row["intensity"]) <= 1 for row in rows)
+
+
+def refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+    """Run it, and give the one sentence with which it fails."""
+    assert main([str(word) for word in words]) == 1
+    said = capsys.readouterr()
+    assert said.out == ""
+    (line,) = said.err.splitlines()
+    assert line.startswith("phonemeanalyser: ")
+    assert line.isprintable()
+    return line.removeprefix("phonemeanalyser: ")
+
+
+def analysed(*words: object) -> None:
+    assert main(["analyse", *(str(word) for word in words)]) == 0
