@@ -22,10 +22,11 @@ from engine.dsp.filters import (
 from engine.dsp.framing import Framer
 from engine.dsp.mel import mel_edges, mel_spectra_of
 from engine.dsp.pitch import fundamental_of
-from engine.dsp.spectrum import amplitudes_of, waveforms_of
+from engine.dsp.spectrum import Transform
 from engine.features.measure import BandMeter, Features, peak_levels_of, zero_crossings_of
-from engine.features.variables import BAND_VARIABLES, WHOLE_FRAME_VARIABLES, Spectrum
+from engine.features.variables import BAND_VARIABLES, ENERGY_VARIABLES, WHOLE_FRAME_VARIABLES, Spectrum, Variable
 from engine.presets.preset import Preset
+from engine.recognition.intensity import intensities_of
 from engine.recognition.recogniser import Recogniser, recogniser_of
 from engine.recognition.statistics import Statistics
 from engine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, AnalysisSettings, Filter
@@ -36,7 +37,8 @@ BLOCK = 512
 PRE_ROLL = 40
 """Frames before a place in a sound that are analysed unseen, so that the filters know their past."""
 
-VOLUME = WHOLE_FRAME_VARIABLES.index("volume")
+ZERO_CROSSINGS, VOLUME, F0 = (WHOLE_FRAME_VARIABLES.index(name) for name in ("zero_crossings", "volume", "f0"))
+MAX_ENERGY = slice(WHOLE_FRAME_VARIABLES.index("max_energy"), WHOLE_FRAME_VARIABLES.index("max_energy") + 1)
 
 Block = NDArray[np.float32]
 
@@ -96,50 +98,60 @@ class SpectrumPath:
     def __init__(self, preset: Preset, *, pitch: bool) -> None:
         settings = preset.settings
         variables = (*BAND_VARIABLES, *preset.variables)
-        bins = np.arange(settings.n_bins, dtype=float) * BIN_WIDTH
-        bands = mel_edges(settings.mel_bands, settings.n_bins * BIN_WIDTH)[1:-1]
         blur = settings.frequency_smooth if settings.has(Filter.FREQUENCY_SMOOTH) else 0.0
         self.names = (*WHOLE_FRAME_VARIABLES, *(v.name for v in variables))
         self.smoother = TimeSmoother(settings.time_smooth)
-        self._settings = settings
         self._pitch = pitch
+        self._n_bins = settings.n_bins
+        self._transform = Transform(settings)
         self._shaper = FrequencyShaper(blur, _gains_of(settings))
-        self._meters = {s: BandMeter(variables, s, bands if s is Spectrum.MEL else bins) for s in Spectrum}
         self._smooths = settings.has(Filter.TIME_SMOOTH) and settings.time_smooth > 0
         self._denoises = settings.has(Filter.DENOISE) and settings.denoise_threshold > 0
+        self._threshold = np.array(settings.denoise_threshold, np.float32)
         self._normalises = settings.has(Filter.NORMALISE)
-        self._sees_mel = settings.has(Filter.MEL)
+        self._mel_bands = settings.mel_bands if settings.has(Filter.MEL) else 0
+        self._make_meters((*ENERGY_VARIABLES, *variables))
+
+    def _make_meters(self, variables: tuple[Variable, ...]) -> None:
+        bins = np.arange(self._n_bins, dtype=float) * BIN_WIDTH
+        bands = mel_edges(self._mel_bands, self._n_bins * BIN_WIDTH)[1:-1]
+        raw, mel = ([v for v in variables if v.source is source] for source in (Spectrum.RAW, Spectrum.MEL))
+        self._meter = BandMeter(self.names, [v for v in variables if v not in (*raw, *mel)], bins)
+        self._filtered = self._meter.weights(Spectrum.FILTERED)
+        self._normalised = self._meter.weights(Spectrum.NORMALISED)
+        self._raw_meter = BandMeter(self.names, raw, bins) if raw else None
+        self._mel_meter = BandMeter(self.names, mel, bands) if mel and self._mel_bands else None
 
     def push(self, frames: Block) -> tuple[Block, Block | None, Block, Features]:
         """Give the final spectra, the mel spectra, the waveforms and the features of raw frames."""
-        values = np.zeros((len(frames), len(self.names)), np.float32)
-        bands = values[:, len(WHOLE_FRAME_VARIABLES) :]
-
-        waves = waveforms_of(frames, self._settings)
-        spectra = amplitudes_of(waves, self._settings.window_in_force)
-        self._meters[Spectrum.RAW].measure(spectra, bands)
-        spectra = self._shaper.shape(spectra)
+        waves = self._transform.waveforms_of(frames)
+        raw = self._transform.amplitudes_of(waves)
+        spectra = self._shaper.shape(raw)
         if self._smooths:
             spectra = self.smoother.push(spectra)
         else:
             self.smoother.last = spectra[-1]
-        self._meters[Spectrum.FILTERED].measure(spectra, bands)
-        values[:, 0] = zero_crossings_of(frames)
-        values[:, 1] = peak_levels_of(frames)
-        np.add.reduce(spectra, axis=1, out=values[:, 2])
-        np.maximum.reduce(spectra, axis=1, out=values[:, 3])
+        spectra = self._meter.widen(spectra)
+        values: Block = spectra.dot(self._filtered)
+        if self._raw_meter is not None:
+            values += self._raw_meter.widen(raw).dot(self._raw_meter.weights(Spectrum.RAW))
+        values[:, ZERO_CROSSINGS] = zero_crossings_of(frames)
+        values[:, VOLUME] = peak_levels_of(frames)
         if self._pitch:
-            values[:, 4] = fundamental_of(frames)
+            values[:, F0] = fundamental_of(frames)
         if self._denoises:
-            spectra = denoise(spectra, self._settings.denoise_threshold)
-        mel = mel_spectra_of(spectra, self._settings.mel_bands, BIN_WIDTH) if self._sees_mel else None
+            spectra = denoise(spectra, self._threshold)
+        mel = self._mel_of(spectra) if self._mel_bands else None
         if self._normalises:
-            spectra = normalise(spectra)
-            mel = None if mel is None else normalise(mel)
-        self._meters[Spectrum.NORMALISED].measure(spectra, bands)
-        if mel is not None:
-            self._meters[Spectrum.MEL].measure(mel, bands)
-        return spectra, mel, waves, Features(self.names, values)
+            spectra = normalise(spectra, values[:, MAX_ENERGY])
+        values += spectra.dot(self._normalised)
+        if self._mel_meter is not None and mel is not None:
+            values += self._mel_meter.widen(mel).dot(self._mel_meter.weights(Spectrum.MEL))
+        return spectra[:, : self._n_bins], mel, waves, Features(self.names, values)
+
+    def _mel_of(self, spectra: Block) -> Block:
+        mel = mel_spectra_of(spectra[:, : self._n_bins], self._mel_bands, BIN_WIDTH)
+        return normalise(mel) if self._normalises else mel
 
 
 def _gains_of(settings: AnalysisSettings) -> Block:
@@ -149,14 +161,6 @@ def _gains_of(settings: AnalysisSettings) -> Block:
     if settings.has(Filter.LOW_PASS):
         gains *= low_pass_gains(len(gains), BIN_WIDTH, settings.low_pass_start, settings.low_pass_end)
     return gains
-
-
-def intensities_of(levels: Block, low: float, high: float) -> Block:
-    """Map peak levels (0..1) to intensities: 0 at `low` dB below full scale, 1 at `high`, linear in dB."""
-    slope = 1 / max(high - low, 1e-6)
-    rising = np.log10(levels + np.float32(1e-9)) * np.float32(20 * slope) - np.float32(low * slope)
-    intensities: Block = np.minimum(np.maximum(rising, np.float32(0)), np.float32(1))
-    return intensities
 
 
 class Analyser:
@@ -209,8 +213,9 @@ class Analyser:
         return self._analyse(self._framer.finish())
 
     def _analyse(self, frames: Block) -> Analysis:
-        blocks = [self._analyse_block(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
-        return blocks[0] if len(blocks) == 1 else self._join(blocks)
+        if 0 < len(frames) <= BLOCK:
+            return self._analyse_block(frames)
+        return self._join([self._analyse_block(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)])
 
     def _analyse_block(self, frames: Block) -> Analysis:
         settings = self._preset.settings

@@ -197,8 +197,7 @@ def _json_of_frames(file: TextIO, analyses: Iterator[Analysis], reader: SoundRea
 def _write_json(file: TextIO, heading: dict[str, Any], name: str, rows: Iterator[dict[str, Any]]) -> None:
     """Write an object with a list of rows, a line each, as they come: a long file has too many to hold."""
     file.write(json.dumps(heading, indent=1)[:-2] + f',\n "{name}": [')
-    for k, row in enumerate(rows):
-        file.write((",\n  " if k else "\n  ") + json.dumps(row))
+    file.writelines((",\n  " if k else "\n  ") + json.dumps(row) for k, row in enumerate(rows))
     file.write("\n ]\n}\n")
 
 

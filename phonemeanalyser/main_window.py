@@ -374,7 +374,10 @@ class MainWindow(QMainWindow):
         """Load what was dropped."""
         event.acceptProposedAction()
         for url in event.mimeData().urls():
-            self.dialogs.open_any(Path(url.toLocalFile()))
+            if url.isLocalFile():
+                self.dialogs.open_any(Path(url.toLocalFile()))
+            else:
+                self.banner.say(f"{url.toString()}: only files on this computer can be opened; save it here first")
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, and keep the layout for the next start."""

@@ -1,5 +1,6 @@
 """What outlives the window: layout and choices, kept in the user's settings between two starts."""
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -57,13 +58,21 @@ class WindowState:
                 restore(state)
         for name, switch in self._switches.items():
             switch.setChecked(self._kept(name, int(switch.isChecked())) == "1")
-        session.set_volume(float(self._kept("volume", session.volume)))
+        session.set_volume(self._kept_number("volume", session.volume))
         session.set_loop(self._kept("loop", int(session.loop)) == "1")
-        session.set_channel(Channel(self._kept("channel", session.channel.value)))
+        channels = {channel.value: channel for channel in Channel}
+        session.set_channel(channels.get(self._kept("channel", session.channel.value), session.channel))
         view.variable.setCurrentText(self._kept("variable", view.variable.currentText()))
         view.colours.setCurrentText(self._kept("colours", view.colours.currentText()))
-        view.low.setValue(int(self._kept("darkest", view.low.value())))
-        view.high.setValue(int(self._kept("brightest", view.high.value())))
+        view.low.setValue(round(self._kept_number("darkest", view.low.value())))
+        view.high.setValue(round(self._kept_number("brightest", view.high.value())))
+
+    def _kept_number(self, name: str, default: float) -> float:
+        try:
+            kept = float(self._kept(name, default))
+        except ValueError:  # somebody edited the file
+            return default
+        return kept if math.isfinite(kept) else default
 
     def _kept(self, name: str, default: Any) -> str:
         return str(self._settings.value(name, default))

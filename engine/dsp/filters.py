@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Block = NDArray[np.float32]
-TINY = np.float32(1e-37)
+TINY: Block = np.array(1e-37, np.float32)
 
 
 def pre_emphasis(waves: Block, a: float) -> Block:
@@ -35,7 +35,7 @@ class FrequencyShaper:
         side = strength / 3
         centre = np.full(len(gains), 1 - 2 * side)
         centre[[0, -1]] += side
-        self._centre = (centre * gains).astype(np.float32)
+        self._centre = (centre * gains).astype(np.float32)[np.newaxis]
         self._below = (side * gains[1:]).astype(np.float32)
         self._above = (side * gains[:-1]).astype(np.float32)
         self._blurs = strength > 0
@@ -94,13 +94,14 @@ def low_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> B
     return 1 - _ramp(n_bins, bin_width, start, end)
 
 
-def denoise(spectra: Block, threshold: float) -> Block:
+def denoise(spectra: Block, threshold: float | Block) -> Block:
     """Set amplitudes below `threshold` (0..1) to 0."""
-    return spectra * (spectra >= np.float32(threshold))
+    return spectra * (spectra >= np.asarray(threshold, np.float32))
 
 
-def normalise(spectra: Block) -> Block:
-    """Divide each spectrum by its largest amplitude; a silent one stays 0."""
-    peaks: Block = np.maximum.reduce(spectra, axis=1, keepdims=True)
-    np.maximum(peaks, TINY, out=peaks)
-    return spectra / peaks
+def normalise(spectra: Block, peaks: Block | None = None) -> Block:
+    """Divide each spectrum by its largest amplitude, shape (n_frames, 1) where it is known; a silent one stays 0."""
+    if peaks is None:
+        peaks = np.maximum.reduce(spectra, axis=1, keepdims=True)
+    divisors: Block = np.maximum(peaks, TINY)
+    return spectra / divisors

@@ -11,6 +11,10 @@ from numpy.typing import NDArray
 
 from engine.settings import HOP, WINDOW
 
+FLOAT = np.dtype(np.float32)
+STRIDES = (HOP * FLOAT.itemsize, FLOAT.itemsize)
+ROOM = 64 * HOP
+"""Samples that a buffer holds at least, so that the overlap is copied seldom where samples come a few at a time."""
 LEAD = WINDOW // 2 - HOP // 2
 """Samples of silence that stand before the first sample, so that frame 0 is centred on sample 220."""
 
@@ -26,7 +30,9 @@ class Framer:
     def __init__(self) -> None:
         self.n_received = 0
         self.n_framed = 0
-        self._pending = np.zeros(LEAD, np.float32)
+        self._first, self._last = 0, LEAD
+        self._buffer = np.zeros(ROOM, FLOAT)
+        self._seen = _read_only(self._buffer)
 
     def push(self, samples: NDArray[np.float32]) -> NDArray[np.float32]:
         """Take the next samples and give the frames that are now complete.
@@ -37,22 +43,39 @@ class Framer:
 
         Returns
         -------
-        float32, shape (n_frames, 2048): read-only overlapping views of one buffer; n_frames may be 0.
+        float32, shape (n_frames, 2048): read-only overlapping views of a buffer that never changes
+        under them; n_frames may be 0.
         """
         self.n_received += len(samples)
-        return self._frames_of(np.asarray(samples, np.float32))
+        return self._frames_of(samples)
 
     def finish(self) -> NDArray[np.float32]:
         """Give the frames that reach beyond the end of the sound, as if silence followed."""
         n_missing = frame_count(self.n_received) - self.n_framed
-        n_silent = max(0, (n_missing - 1) * HOP + WINDOW - len(self._pending))
+        n_silent = max(0, (n_missing - 1) * HOP + WINDOW - (self._last - self._first))
         return self._frames_of(np.zeros(n_silent if n_missing > 0 else 0, np.float32))
 
     def _frames_of(self, samples: NDArray[np.float32]) -> NDArray[np.float32]:
-        buffer = np.concatenate((self._pending, samples))
-        n_frames = max(0, (len(buffer) - WINDOW) // HOP + 1)
-        self._pending = buffer[n_frames * HOP :]
+        if self._last + len(samples) > len(self._buffer):
+            self._renew(len(samples))
+        last = self._last + len(samples)
+        self._buffer[self._last : last] = samples
+        n_frames = max(0, (last - self._first - WINDOW) // HOP + 1)
+        frames = np.ndarray((n_frames, WINDOW), FLOAT, self._seen, self._first * FLOAT.itemsize, STRIDES)
+        self._first, self._last = self._first + n_frames * HOP, last
         self.n_framed += n_frames
-        frames = np.ndarray((n_frames, WINDOW), np.float32, buffer, strides=(HOP * 4, 4))
-        frames.flags.writeable = False
         return frames
+
+    def _renew(self, n: int) -> None:
+        """Go on in a new buffer with room for `n` samples, since frames that were handed out look at the old one."""
+        pending = self._buffer[self._first : self._last]
+        self._buffer = np.zeros(max(ROOM, len(pending) + n), FLOAT)
+        self._buffer[: len(pending)] = pending
+        self._first, self._last = 0, len(pending)
+        self._seen = _read_only(self._buffer)
+
+
+def _read_only(samples: NDArray[np.float32]) -> NDArray[np.float32]:
+    view = samples.view()
+    view.flags.writeable = False
+    return view

@@ -3,6 +3,7 @@
 `scipy.fft` is imported at the first use, since it costs half a second that a window should not wait for.
 """
 
+from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
@@ -28,12 +29,12 @@ def decimate(frames: Block, step: int, kind: Decimation) -> Block:
 
     Returns
     -------
-    float32, shape (n_frames, n_samples / step).
+    float32, shape (n_frames, n_samples / step); a view where the samples stay as they are.
     """
     if step == 1:
         return frames
     if kind is Decimation.PLAIN:
-        return np.ascontiguousarray(frames[:, ::step])
+        return frames[:, ::step]
     from scipy.fft import irfft, rfft  # noqa: PLC0415 - see the module's docstring
 
     n = frames.shape[1] // step
@@ -42,42 +43,45 @@ def decimate(frames: Block, step: int, kind: Decimation) -> Block:
     return np.asarray(irfft(bins, n, axis=1), np.float32) / np.float32(step)
 
 
-def waveforms_of(frames: Block, settings: AnalysisSettings) -> Block:
-    """Apply the filters of the time domain: quantise, pre-emphasis, window function.
-
-    Returns float32, shape (n_frames, 2048 / settings.step).
-    """
-    waves = decimate(frames, settings.step, settings.decimation)
-    if settings.has(Filter.PRE_EMPHASIS):
-        waves = pre_emphasis(waves, settings.pre_emphasis)
-    if settings.window_in_force is not WindowFunction.RECTANGLE:
-        waves = waves * window_of(settings.window_function, waves.shape[1])
-    return waves
-
-
-@lru_cache(maxsize=32)
-def _scale_of(function: WindowFunction, n: int) -> NDArray[np.float32]:
-    scale = np.full(n // 2, 2 / window_of(function, n).sum(), np.float32)
-    scale[0] /= 2
-    return scale
-
-
-def amplitudes_of(waves: Block, function: WindowFunction = WindowFunction.RECTANGLE) -> Block:
-    """Transform waveforms to amplitude spectra.
+class Transform:
+    """Turns raw frames into waveforms, and those into amplitude spectra.
 
     Parameters
     ----------
-    waves : float32, shape (n_frames, n_samples), already weighted by the window function.
-    function : that window function, whose gain is divided out.
-
-    Returns
-    -------
-    float32, shape (n_frames, n_samples / 2): amplitudes, scaled so that a full-scale sine on a bin, or a
-    full-scale constant on bin 0, reads 1.0.
+    settings : the filters of the time domain: quantise, pre-emphasis, window function.
     """
+
+    def __init__(self, settings: AnalysisSettings) -> None:
+        self._step, self._decimation = settings.step, settings.decimation
+        self._emphasis = settings.pre_emphasis if settings.has(Filter.PRE_EMPHASIS) else 0.0
+        self._windows = settings.window_in_force is not WindowFunction.RECTANGLE
+        self._window = window_of(settings.window_in_force, settings.n_samples)
+        self._n_bins = settings.n_bins
+        self._scale = np.full((1, self._n_bins), 2 / self._window.sum(), np.float32)
+        self._scale[0, 0] /= 2
+
+    def waveforms_of(self, frames: Block) -> Block:
+        """Apply the filters of the time domain; returns float32, shape (n_frames, 2048 / step)."""
+        waves = decimate(frames, self._step, self._decimation)
+        if self._emphasis:
+            waves = pre_emphasis(waves, self._emphasis)
+        return waves * self._window if self._windows else waves
+
+    def amplitudes_of(self, waves: Block) -> Block:
+        """Transform waveforms, already weighted by the window function, whose gain is divided out.
+
+        Returns
+        -------
+        float32, shape (n_frames, n_bins): amplitudes, scaled so that a full-scale sine on a bin, or a full-scale
+        constant on bin 0, reads 1.0.
+        """
+        amplitudes: Block = np.abs(_rfft()(waves)[:, : self._n_bins]) * self._scale
+        return amplitudes
+
+
+@lru_cache(maxsize=1)
+def _rfft() -> Callable[[Block], NDArray[np.complex64]]:
     from scipy.fft import rfft  # noqa: PLC0415 - see the module's docstring
 
-    n = waves.shape[1]
-    spectra: Block = np.abs(rfft(waves, axis=1)[:, : n // 2])
-    spectra *= _scale_of(function, n)
-    return spectra
+    function: Callable[[Block], NDArray[np.complex64]] = rfft
+    return function

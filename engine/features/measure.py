@@ -1,13 +1,18 @@
 """Measure all variables on a block of frames."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from engine.features.variables import Kind, Spectrum, Variable
+from engine.settings import WINDOW
 
 Block = NDArray[np.float32]
+FLOAT = np.dtype(np.float32)
+ZERO = np.zeros((), FLOAT)
+ONES = np.ones(WINDOW - 1, FLOAT)
 
 
 @dataclass(frozen=True)
@@ -36,47 +41,57 @@ class Features:
 
 
 def zero_crossings_of(frames: Block) -> Block:
-    """Count the sign changes inside each raw frame; zero counts as positive. Shape (n_frames,)."""
-    negative = frames < 0
-    changes = np.packbits(negative[:, 1:] != negative[:, :-1], axis=1)
-    counts: Block = np.add.reduce(np.bitwise_count(changes), axis=1, dtype=np.float32)
+    """Count the sign changes inside each raw frame (2048 samples); zero counts as positive. Shape (n_frames,)."""
+    negative = frames < ZERO
+    counts: Block = (negative[:, 1:] != negative[:, :-1]).dot(ONES)
     return counts
 
 
 def peak_levels_of(frames: Block) -> Block:
     """Give the largest absolute sample of each frame, shape (n_frames,)."""
-    levels: Block = np.maximum(np.maximum.reduce(frames, axis=1), -np.minimum.reduce(frames, axis=1))
+    levels: Block = np.maximum.reduce(np.abs(frames), axis=1)
     return levels
 
 
 class BandMeter:
-    """Measures band variables on the spectra of one front end.
+    """Measures variables on spectra, and on what denoising and normalising make of them.
 
-    Sums and means are one matrix product per source, maxima a slice each.
+    The maxima are written beside the bins of their spectrum, as if they were more bins. What happens to them after
+    that keeps the order of amplitudes, so they stay the maxima, and all variables are one matrix product.
 
     Parameters
     ----------
+    names : the columns of what is measured.
     variables : what to measure.
-    source : only variables that look at this spectrum are measured.
     centres : frequency of each bin or band, shape (n_bins,), Hz.
     """
 
-    def __init__(self, variables: tuple[Variable, ...], source: Spectrum, centres: NDArray[np.float64]) -> None:
-        mine = [(k, v, _reach(v, centres)) for k, v in enumerate(variables) if v.source is source]
-        linear = [(k, v, reach) for k, v, reach in mine if v.kind is not Kind.MAX]
-        self._columns = [k for k, _, _ in linear]
-        self._weights = np.zeros((len(centres), len(linear)), np.float32)
-        for column, (_, variable, reach) in enumerate(linear):
-            n = reach.stop - reach.start
-            self._weights[reach, column] = 1 / n if variable.kind is Kind.MEAN and n else 1
-        self._maxima = [(k, reach) for k, v, reach in mine if v.kind is Kind.MAX and reach.stop > reach.start]
+    def __init__(self, names: tuple[str, ...], variables: Iterable[Variable], centres: NDArray[np.float64]) -> None:
+        reaches = {v: reach for v in variables if (reach := _reach(v, centres)).stop > reach.start}
+        maxima = [v for v in reaches if v.kind is Kind.MAX]
+        self._n_bins, self._n_wide = len(centres), len(centres) + len(maxima)
+        self._edges = np.array([(reaches[v].start, reaches[v].stop) for v in maxima], np.intp).ravel()
+        self._weights = {source: np.zeros((self._n_wide, len(names)), FLOAT) for source in Spectrum}
+        for v, reach in reaches.items():
+            bins = self._n_bins + maxima.index(v) if v.kind is Kind.MAX else reach
+            weight = 1 / (reach.stop - reach.start) if v.kind is Kind.MEAN else 1
+            self._weights[v.source][bins, names.index(v.name)] = weight
 
-    def measure(self, spectra: Block, out: Block) -> None:
-        """Write the measured columns of `out`, shape (n_frames, n_variables)."""
-        if self._columns:
-            out[:, self._columns] = spectra @ self._weights
-        for column, reach in self._maxima:
-            np.max(spectra[:, reach], axis=1, out=out[:, column])
+    def widen(self, spectra: Block) -> Block:
+        """Write the maxima beside the bins; returns float32, shape (n_frames, n_bins + n_maxima)."""
+        wide = np.zeros((len(spectra), self._n_wide), FLOAT)
+        wide[:, : self._n_bins] = spectra
+        wide[:, self._n_bins :] = np.maximum.reduceat(wide, self._edges, axis=1)[:, ::2]
+        return wide
+
+    def weights(self, source: Spectrum) -> Block:
+        """Give what widened spectra are multiplied with to measure the variables of a source.
+
+        Returns
+        -------
+        float32, shape (n_bins + n_maxima, n_names); the columns of all other variables are 0.
+        """
+        return self._weights[source]
 
 
 def _reach(variable: Variable, centres: NDArray[np.float64]) -> slice:

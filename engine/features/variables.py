@@ -89,6 +89,11 @@ BAND_VARIABLES: tuple[Variable, ...] = (
     _of_bins("m_o1", 8, 18, Kind.SUM),
 )
 
+ENERGY_VARIABLES: tuple[Variable, ...] = (
+    Variable("energy", 0, SAMPLE_RATE / 2, Kind.SUM, Spectrum.FILTERED),
+    Variable("max_energy", 0, SAMPLE_RATE / 2, Kind.MAX, Spectrum.FILTERED),
+)
+
 WHOLE_FRAME_VARIABLES = ("zero_crossings", "volume", "energy", "max_energy", "f0")
 """What is measured on the window or on the whole spectrum: a count, 0..1, amplitudes, an amplitude, Hz."""
 

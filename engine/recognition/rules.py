@@ -62,7 +62,7 @@ RULES: tuple[Rule, ...] = (
 CONDITIONS: tuple[Condition, ...] = tuple(dict.fromkeys(c for rule in RULES for c in rule.conditions))
 """Every comparison once."""
 
-_MEMBERS = np.array([[c in rule.conditions for rule in RULES] for c in CONDITIONS], np.uint8)
+_MEMBERS = np.array([[c in rule.conditions for rule in RULES] for c in CONDITIONS], np.float32)
 _PHONEMES = np.array([rule.phoneme for rule in RULES], np.uint8)
 _SIGNS = {">": 1, "<": -1}
 
@@ -70,7 +70,7 @@ _SIGNS = {">": 1, "<": -1}
 class ThesisRules:
     """The rules with one set of thresholds.
 
-    All comparisons of a block are one subtraction: what is left is each one's margin, positive where it holds.
+    All comparisons of a block are one; what a value exceeds its limit by is the margin, positive where it holds.
     """
 
     def __init__(self, thresholds: Thresholds) -> None:
@@ -79,15 +79,15 @@ class ThesisRules:
 
     def recognise(self, features: Features) -> NDArray[np.uint8]:
         """Recognise a block; returns codes of `Phoneme`, shape (n_frames,)."""
-        failures = (self._margins(features) <= 0).view(np.uint8) @ _MEMBERS
+        failures = (self._compared(features) <= self._limits).dot(_MEMBERS)
         phonemes: NDArray[np.uint8] = _PHONEMES[failures.argmin(axis=1)]
         return phonemes
 
     def explain(self, features: Features, k: int) -> Trace:
         """Say why frame `k` of a block is recognised as it is: all comparisons down to the rule that fired."""
         row = Features(features.names, features.values[k : k + 1])
-        margins = self._margins(row)[0]
-        fired = int(((margins <= 0).view(np.uint8) @ _MEMBERS).argmin())
+        margins = (self._compared(row) - self._limits)[0]
+        fired = int((margins <= 0).dot(_MEMBERS).argmin())
         asked = [(rule, c) for rule in RULES[: fired + 1] for c in rule.conditions]
         comparisons = tuple(
             Comparison(
@@ -104,13 +104,17 @@ class ThesisRules:
         phoneme = RULES[fired].phoneme
         return Trace(phoneme, phoneme.label, comparisons)
 
-    def _margins(self, features: Features) -> NDArray[np.float32]:
-        """How far each comparison of each frame holds (positive) or fails; shape (n_frames, n_conditions)."""
+    def _compared(self, features: Features) -> NDArray[np.float32]:
+        """What must exceed the limits for a comparison to hold: values, those of `<` with their sign turned.
+
+        Shape (n_frames, n_conditions).
+        """
         if features.names is not self._names:
             self._names = features.names
             self._signed = np.zeros((len(features.names), len(CONDITIONS)), np.float32)
             for k, c in enumerate(CONDITIONS):
                 self._signed[features.names.index(c.variable), k] = _SIGNS[c.sign]
             limits = [_SIGNS[c.sign] * getattr(self._thresholds, c.threshold) for c in CONDITIONS]
-            self._limits = np.array(limits, np.float32)
-        return features.values @ self._signed - self._limits
+            self._limits = np.array([limits], np.float32)
+        compared: NDArray[np.float32] = features.values.dot(self._signed)
+        return compared

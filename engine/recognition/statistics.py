@@ -23,25 +23,26 @@ class Statistics:
     Parameters
     ----------
     minimum_hold : seconds that a phoneme stays at least before another may follow.
-    successors : the phoneme that replaces an unidentified frame after each phoneme.
+    successors : what replaces an unidentified frame, by the phoneme that was identified last.
     """
 
     def __init__(self, minimum_hold: float, successors: Mapping[Phoneme, Phoneme] = SUCCESSORS) -> None:
         self._least = max(1, round(minimum_hold / FRAME_PERIOD))
         self._successors = [int(successors.get(p, p)) for p in Phoneme]
-        self._current = int(Phoneme.SILENCE)
+        self._current = self._identified = int(Phoneme.SILENCE)
         self._held = self._least
 
     def push(self, phonemes: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """Take the next phonemes, shape (n_frames,), and give the calmed ones."""
-        current, held = self._current, self._held
+        current, held, identified = self._current, self._held, self._identified
         unidentified = int(Phoneme.UNIDENTIFIED)
         out = []
         for raw in phonemes.tolist():
-            wanted = self._successors[current] if raw == unidentified else raw
+            identified = identified if raw == unidentified else raw
+            wanted = self._successors[identified] if raw == unidentified else raw
             if wanted != current and held >= self._least:
                 current, held = wanted, 0
             held += 1
             out.append(current)
-        self._current, self._held = current, held
+        self._current, self._held, self._identified = current, held, identified
         return np.array(out, np.uint8)

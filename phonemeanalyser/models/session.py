@@ -1,6 +1,6 @@
 """The sound in hand: opened, played, and what is known of it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -221,7 +221,8 @@ class Session(QObject):
         if self._player is None:
             return
         n_wanted = round(min(seconds, self.duration) / FRAME_PERIOD) + (seconds >= self.duration)
-        self._analyse(0, n_wanted)
+        for analysis in self._analyses(0, n_wanted):
+            self.gather(analysis)
         self._player.seek(seconds)
 
     def analyse_again(self) -> None:
@@ -230,14 +231,14 @@ class Session(QObject):
         if self._player is None or first == last:
             return
         self.history.take_back(last - first)
-        self._analyse(first, last)
+        for analysis in self._analyses(first, last):
+            self.history.append(analysis)
         self.rewritten.emit(last - first)
 
-    def _analyse(self, first: int, last: int) -> None:
-        assert self._player is not None
-        with SoundReader(self._player.reader.path, self.channel) as reader:
-            for analysis in analyses_between(reader, first, last, self.preset.in_force, pitch=True):
-                self.gather(analysis)
+    def _analyses(self, first: int, last: int) -> Iterator[Analysis]:
+        if self._player is not None:
+            with SoundReader(self._player.reader.path, self.channel) as reader:
+                yield from analyses_between(reader, first, last, self.preset.in_force, pitch=True)
 
     def explain(self) -> Trace | None:
         """Say why the newest frame was recognised as it was."""

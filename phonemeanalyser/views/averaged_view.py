@@ -1,8 +1,11 @@
 """The averaged spectrum, curves beside it, and a region that becomes a variable."""
 
+from typing import Any
+
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
 from engine.settings import BIN_WIDTH
@@ -10,6 +13,29 @@ from phonemeanalyser.models.averages import AveragesModel
 from phonemeanalyser.theme import CURVE_COLOURS, Theme
 from phonemeanalyser.views.plot import switch
 from phonemeanalyser.views.spectrum_view import SpectrumView
+
+
+class LegendEntry(QLabel):
+    """A curve's name and distance in its colour; where there is little room, the middle is left out."""
+
+    def __init__(self, text: str, colour: str, tip: str) -> None:
+        super().__init__(text)
+        self._colour = QColor(colour)
+        font = self.font()
+        font.setPixelSize(11)
+        self.setFont(font)
+        self.setToolTip(tip)
+
+    def minimumSizeHint(self) -> QSize:
+        """Many curves must not widen the window."""
+        return QSize(8, super().minimumSizeHint().height())
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint as much of the text as there is room for."""
+        painter = QPainter(self)
+        painter.setPen(self._colour)
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideMiddle, self.width())
+        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, text)
 
 
 class AveragedView(SpectrumView):
@@ -31,12 +57,13 @@ class AveragedView(SpectrumView):
         self._overlays: list[pg.PlotCurveItem] = []
         self._legend = QWidget()
         self._entries = QHBoxLayout(self._legend)
-        self._names: list[QLabel] = []
+        self._names: list[LegendEntry] = []
         self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"))
         self.measure = switch("variable", "Mark a range of frequencies to measure as a variable of your own")
         self._add_curve_controls()
         self._add_region()
         averages.curves_changed.connect(self._show_curves)
+        self._show_curves()
 
     def refresh(self) -> None:
         """Draw the running mean as it is now."""
@@ -61,18 +88,20 @@ class AveragedView(SpectrumView):
         curves.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         curves.setMenu(menu)
         self.header.addWidget(curves)
-        self._entries.setContentsMargins(60, 0, 4, 2)
+        self._entries.setContentsMargins(8, 0, 4, 2)
+        self._entries.setSpacing(2)
         self._legend.setVisible(False)
         self._body.addWidget(self._legend)
 
     def _add_region(self) -> None:
+        self.measure.setFixedWidth(self.measure.sizeHint().width())  # other words on it must not widen the window
         self.header.addWidget(self.measure)
         self.region.setVisible(False)
         self.item.addItem(self.region, ignoreBounds=True)
         self.measure.toggled.connect(self._toggle_region)
 
     def _toggle_region(self, on: bool) -> None:
-        self.measure.setText("name it…" if on else "variable")
+        self.measure.setText("name it" if on else "variable")
         self.region.setVisible(on)
         if not on:
             low, high = (max(0.0, edge) for edge in self.region.getRegion())
@@ -86,7 +115,7 @@ class AveragedView(SpectrumView):
             self.item.addItem(overlay)
             self._overlays.append(overlay)
             self._names.append(
-                self._legend_entry(k, curve.name, f"{curve.n_frames} frames; {curve.front_end}", colour)
+                self._legend_entry(k, curve.name, f"{curve.name}: {curve.n_frames} frames; {curve.front_end}", colour)
             )
         self._entries.addStretch(1)
         self._legend.setVisible(bool(self._overlays))
@@ -102,13 +131,12 @@ class AveragedView(SpectrumView):
             if widget is not None:
                 widget.deleteLater()
 
-    def _legend_entry(self, k: int, name: str, tip: str, colour: str) -> QLabel:
-        label = QLabel(name)
-        label.setStyleSheet(f"color: {colour}; font-weight: bold")
-        label.setToolTip(tip)
+    def _legend_entry(self, k: int, name: str, tip: str, colour: str) -> LegendEntry:
+        label = LegendEntry(name, colour, tip)
         button = QToolButton()
         button.setText("✕")
         button.setAutoRaise(True)
+        button.setFixedWidth(18)
         button.setToolTip(f"Remove {name}")
         button.clicked.connect(lambda _checked: self._averages.remove(k))
         self._entries.addWidget(label)

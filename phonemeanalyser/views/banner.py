@@ -1,6 +1,7 @@
 """A line that says what went wrong and what to do, without a dialog."""
 
 from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
 from phonemeanalyser.theme import Theme
@@ -41,9 +42,18 @@ class Banner(QWidget):
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(lambda: self.say(""))
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Take as many lines as the sentence needs now."""
+        super().resizeEvent(event)
+        self._fit()
+
     def say(self, sentence: str) -> None:
         """Show a sentence; an empty one takes the banner away."""
         self.label.setText(sentence)
         self.shown.emit(bool(sentence))
+        self._fit()
         if sentence:
             self._timer.start(SHOWN_MS)
+
+    def _fit(self) -> None:
+        self.label.setFixedHeight(max(0, self.label.heightForWidth(self.label.width())))  # no toolbar asks for that

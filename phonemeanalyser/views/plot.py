@@ -4,12 +4,27 @@ from collections.abc import Callable
 from typing import Any
 
 import pyqtgraph as pg
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.theme import Theme
 
 READOUTS_PER_SECOND = 30
+
+
+class LiveCurve(pg.PlotCurveItem):
+    """A curve that is drawn anew up to 60 times a second within fixed axes.
+
+    Its bounds are those of the axes, so its points need not be measured at every picture.
+    """
+
+    def boundingRect(self) -> QRectF:
+        """Give the visible part of the plot."""
+        return self.viewRect()
+
+    def dataBounds(self, *_asked: Any, **_options: Any) -> tuple[None, None]:
+        """Ask for no range, since the axes are fixed."""
+        return None, None
 
 
 class Plot(QWidget):

@@ -82,6 +82,7 @@ class SonagramItem(pg.GraphicsObject):
 
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
         """Paint the ring's two pieces: what was written last ends at time 0."""
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)  # else a tone may fall between two pixels
         split = self.n_drawn % CAPACITY
         rows = min(MOST_BINS, int(self.viewRect().bottom() / BIN_WIDTH) + 2)
         height = rows * BIN_WIDTH

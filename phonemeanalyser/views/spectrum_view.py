@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSlider
 
 from engine.settings import BIN_WIDTH, SAMPLE_RATE
 from phonemeanalyser.theme import Theme
-from phonemeanalyser.views.plot import Plot, switch
+from phonemeanalyser.views.plot import LiveCurve, Plot, switch
 
 COARSE = 8
 """Bins that share a step of the coarse display."""
@@ -29,7 +29,7 @@ class SpectrumView(Plot):
         super().__init__(title, (("frequency", "Hz"), ("amplitude", "")), self._describe, theme)
         self._frequencies: NDArray[np.float64] = np.zeros(0)
         self._amplitudes = np.zeros(0, np.float32)
-        self._curve = pg.PlotCurveItem(pen=pg.mkPen(theme.signal))
+        self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
         self.item.addItem(self._curve)
         self.coarse = switch("coarse", "Coarse display: the highest of eight neighbouring bins as one step")
         self.decibels = switch("dB", "Amplitude axis in dB")
@@ -85,7 +85,7 @@ class SpectrumView(Plot):
         self.item.vb.setLimits(xMin=0, xMax=highest, yMin=FLOOR_DB - 5, yMax=5)
         self.item.setXRange(0, highest, padding=0)
         self.item.setYRange(low, high + (high - low) * 0.03, padding=0)
-        self.item.setLabel("left", "amplitude (dB)" if self.in_decibels else "amplitude")
+        self.item.setLabel("left", "level (dB)" if self.in_decibels else "amplitude")
 
     def _describe(self, frequency: float, _height: float) -> str:
         k = round(frequency / BIN_WIDTH)

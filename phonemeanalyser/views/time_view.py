@@ -25,7 +25,7 @@ from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.colour_bar import ColourBar
 from phonemeanalyser.views.keys import KeysOfNumbers
-from phonemeanalyser.views.plot import READOUTS_PER_SECOND, switch
+from phonemeanalyser.views.plot import READOUTS_PER_SECOND, LiveCurve, switch
 from phonemeanalyser.views.sonagram import COLOUR_MAPS, SPAN, PhonemeLane, SonagramItem, colours_of
 
 LANE_HEIGHT = 22
@@ -45,7 +45,7 @@ class TimeView(QWidget):
         self._graphics = pg.GraphicsLayoutWidget()
         self.sonagram = SonagramItem(history, theme)
         self._lane = PhonemeLane(history, self.sonagram)
-        self._course = pg.PlotCurveItem(pen=pg.mkPen(theme.signal))
+        self._course = LiveCurve(pen=pg.mkPen(theme.signal))
         self._limits: list[pg.InfiniteLine] = []
         self._course_range = (0.0, 0.0)
         self.decibels = switch("dB", "Brightness in dB, or linear")
@@ -214,7 +214,7 @@ class TimeView(QWidget):
         self._limits = [
             pg.InfiniteLine(
                 getattr(thresholds, name), angle=0, pen=pen, label=name,
-                labelOpts={"position": 0.02, "anchors": [(0, 0), (0, 1)], "color": self._theme.bad},
+                labelOpts={"position": 0.02, "anchors": [(0, 1), (0, 1)], "color": self._theme.bad},
             )
             for name in mine
         ]  # fmt: skip

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLabel, QSlider
 
 from engine.settings import SAMPLE_RATE, WINDOW
 from phonemeanalyser.theme import Theme
-from phonemeanalyser.views.plot import Plot, switch
+from phonemeanalyser.views.plot import LiveCurve, Plot, switch
 
 COARSE = 8
 """Samples that share a bar of the coarse display."""
@@ -21,7 +21,7 @@ class WaveformView(Plot):
     def __init__(self, theme: Theme) -> None:
         super().__init__("Waveform", (("time in the window", "ms"), ("amplitude", "")), self._describe, theme)
         self._wave = np.zeros(0, np.float32)
-        self._curve = pg.PlotCurveItem(pen=pg.mkPen(theme.signal))
+        self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
         self.item.addItem(self._curve)
         self.coarse = switch("coarse", "Coarse display: lowest and highest of eight neighbouring samples")
         self.scale = QSlider(Qt.Orientation.Horizontal)

@@ -33,6 +33,13 @@ def window(desktop, qtbot, tmp_path):
     return window
 
 
+@pytest.fixture
+def close(window):
+    """The same, so near that every bin has many pixels."""
+    TimeEyes(window).sonagram.setYRange(950, 1030, padding=0)
+    return window
+
+
 def test_a_tone_is_a_bright_line_at_its_frequency_for_as_long_as_it_was_heard(window):
     eyes = TimeEyes(window)
     for seconds in (-0.1, -1.0, -1.9):
@@ -43,43 +50,42 @@ def test_a_tone_is_a_bright_line_at_its_frequency_for_as_long_as_it_was_heard(wi
 
 
 @pytest.mark.parametrize(("in_decibels", "lightness"), [(True, 255 * 40 / 60), (False, 25.5)])
-def test_brightness_is_the_level_in_db_or_linear(window, in_decibels, lightness):
+def test_brightness_is_the_level_in_db_or_linear(close, in_decibels, lightness):
     if not in_decibels:
-        click(window.time_view.decibels)
-    eyes = TimeEyes(window)
+        click(close.time_view.decibels)
+    eyes = TimeEyes(close)
     assert eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness() == pytest.approx(lightness, abs=4)
 
 
-def test_the_range_darkens_and_brightens(window):
+def test_the_range_darkens_and_brightens(close):
     lightness = []
     for low, high in ((-60, 0), (-40, 0), (-60, -20), (-25, -15)):
-        window.time_view.low.setValue(low)
-        window.time_view.high.setValue(high)
-        eyes = TimeEyes(window)
+        close.time_view.low.setValue(low)
+        close.time_view.high.setValue(high)
+        eyes = TimeEyes(close)
         lightness.append(eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness())
     assert lightness == pytest.approx([170, 127, 255, 127], abs=6)
 
 
-def test_a_typed_range_counts(window):
-    type_number(window.time_view.low, "-40")
-    eyes = TimeEyes(window)
+def test_a_typed_range_counts(close):
+    type_number(close.time_view.low, "-40")
+    eyes = TimeEyes(close)
     assert eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness() == pytest.approx(127, abs=4)
 
 
-@pytest.mark.parametrize("name", COLOUR_MAPS)
-def test_a_colour_map_colours_sonagram_and_colour_bar(window, name):
-    window.time_view.colours.setCurrentText(name)
-    colours = colours_of(name)
-    eyes = TimeEyes(window)
-    shown_colour = eyes.colour(eyes.sonagram, -1.0, ON_BIN).rgb()
-    assert np.abs(np.array(QColor(shown_colour).getRgb()) - QColor(int(colours[170])).getRgb()).max() < 8
-    bar = window.time_view.findChild(ColourBar)
-    image = bar.grab().toImage()
-    assert np.abs(np.array(image.pixelColor(10, 14).getRgb()) - QColor(int(colours[255])).getRgb()).max() < 12
-    assert (
-        np.abs(np.array(image.pixelColor(10, bar.height() - 15).getRgb()) - QColor(int(colours[0])).getRgb()).max()
-        < 12
-    )
+def test_a_colour_map_colours_sonagram_and_colour_bar(close):
+    bar = close.time_view.findChild(ColourBar)
+    for name in COLOUR_MAPS:
+        close.time_view.colours.setCurrentText(name)
+        colours, eyes, image = colours_of(name), TimeEyes(close), bar.grab().toImage()
+        pixels = {
+            170: eyes.colour(eyes.sonagram, -1.0, ON_BIN),
+            255: image.pixelColor(10, 14),
+            0: image.pixelColor(10, bar.height() - 15),
+        }
+        for level, pixel in pixels.items():
+            difference = np.abs(np.array(pixel.getRgb()) - QColor(int(colours[level])).getRgb())
+            assert difference.max() < 12, (name, level)
 
 
 def test_the_colour_bar_names_the_range(window):
@@ -189,7 +195,7 @@ def test_the_box_offers_every_variable_and_its_extremes_since_clear(desktop, qtb
         numbers = re.sub(r"<[^>]*>|&nbsp;|max|mid|min", " ", label.text()).split()
         assert [float(x) for x in numbers] == pytest.approx([values.max(), values.mean(), values.min()], rel=1e-3)
     press(window, Qt.Key.Key_C)
-    assert re.sub(r"<[^>]*>|&nbsp;|\s", "", label.text()) == "max–mid–min–".replace("max–", "max–")
+    assert re.sub(r"<[^>]*>|&nbsp;|\s", "", label.text()) == "max–mid–min–"
 
 
 def test_the_course_is_the_variable_over_time(desktop, qtbot):
@@ -202,7 +208,7 @@ def test_the_course_is_the_variable_over_time(desktop, qtbot):
         assert np.array_equal(y, history.features(history.indices(0, history.n))[name])
         assert x[-1] == pytest.approx(-FRAME_PERIOD / 2)
         assert TimeEyes(window).course.viewRange()[1][1] >= y.max()
-        assert TimeEyes(window).course.getAxis("left").labelText == name
+        assert TimeEyes(window).course.getAxis("left").labelText == name.replace("_", " ")
 
 
 def test_the_thresholds_of_the_chosen_variable_are_lines(desktop, qtbot):

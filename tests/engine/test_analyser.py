@@ -7,10 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine.analyser import Analyser, Analysis, analyses_of, intensities_of
+from engine.analyser import Analyser, Analysis, analyses_of
 from engine.features.variables import Kind, Spectrum, Variable
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
+from engine.recognition.intensity import intensities_of
 from engine.recognition.phoneme_data import Thresholds
 from engine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.sounds import Sound, noise, silence, tone, vowel

@@ -26,9 +26,8 @@ SPEC_TABLE = {
 
 
 def measured(variable: Variable, spectra: Sound) -> Sound:
-    out = np.zeros((len(spectra), 1), np.float32)
-    BandMeter((variable,), variable.source, BINS).measure(spectra, out)
-    return out[:, 0]
+    meter = BandMeter((variable.name,), (variable,), BINS)
+    return meter.widen(spectra).dot(meter.weights(variable.source))[:, 0]
 
 
 def analysed(sound: Sound, **preset) -> Analysis:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.signal.windows
 
-from engine.dsp.spectrum import amplitudes_of, decimate, waveforms_of
+from engine.dsp.spectrum import Transform, decimate
 from engine.dsp.windows import window_of
 from engine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.sounds import Sound, noise, tone
@@ -25,7 +25,8 @@ def spectrum_of(
         decimation=kind,
         window_function=window,
     )
-    return amplitudes_of(waveforms_of(frame, settings), window)[0]
+    transform = Transform(settings)
+    return transform.amplitudes_of(transform.waveforms_of(frame))[0]
 
 
 @pytest.mark.parametrize("window", WindowFunction)
@@ -96,11 +97,12 @@ def test_plain_quantising_keeps_every_nth_sample():
 
 
 def test_spectra_agree_with_the_definition_of_the_fourier_transform():
-    wave = noise(64 / 44_100).astype(np.float64)
-    time = np.arange(64)
-    expected = [abs(np.sum(wave * np.exp(-2j * np.pi * k * time / 64))) / 32 for k in range(32)]
+    wave = noise(512 / 44_100).astype(np.float64)
+    time = np.arange(512)
+    expected = [abs(np.sum(wave * np.exp(-2j * np.pi * k * time / 512))) / 256 for k in range(256)]
     expected[0] /= 2
-    np.testing.assert_allclose(amplitudes_of(wave[None].astype(np.float32))[0], expected, atol=1e-6)
+    amplitudes = Transform(AnalysisSettings()).amplitudes_of(wave[None].astype(np.float32))[0]
+    np.testing.assert_allclose(amplitudes, expected, atol=1e-6)
 
 
 @pytest.mark.parametrize(

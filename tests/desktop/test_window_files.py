@@ -1,0 +1,226 @@
+"""Files that come by drag and drop, from the list of recent ones, or broken."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QApplication, QWidget
+
+from engine.presets.preset import DEFAULT_PRESET, FACTORY, save_preset
+from tests.bad_files import BAD_FILES, DAMAGED, ODD_FILES
+from tests.desktop.hands import CARDS, DEMO, click, followed, press, shown, wav
+from tests.sounds import tone
+
+NO_KEYS = Qt.KeyboardModifier.NoModifier
+
+
+@pytest.fixture
+def window(desktop, qtbot):
+    return shown(desktop, qtbot)
+
+
+def drop(widget: QWidget, *paths: Path) -> bool:
+    """Drag files from elsewhere and drop them onto a widget; says whether they were welcome."""
+    mime = QMimeData()
+    mime.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+    place = QPoint(widget.width() // 2, widget.height() // 2)
+    enter = QDragEnterEvent(place, Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, NO_KEYS)
+    QApplication.sendEvent(widget, enter)
+    event = QDropEvent(QPointF(place), Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, NO_KEYS)
+    QApplication.sendEvent(widget, event)
+    return enter.isAccepted() and event.isAccepted()
+
+
+def test_a_dropped_sound_is_opened(desktop, window):
+    assert drop(window, DEMO)
+    assert desktop.session.path == DEMO
+    assert window.windowTitle().startswith("demo.flac - ")
+    assert desktop.session.position == 0
+
+
+def test_a_sound_may_be_dropped_onto_any_view(desktop, window):
+    for view in (
+        window.spectrum,
+        window.averaged,
+        window.waveform,
+        window.time_view,
+        window.filters,
+        window.thresholds,
+    ):
+        desktop.session.open(CARDS)
+        for target in [view, *(w for w in view.findChildren(QWidget) if w.isVisible())]:
+            welcome = drop(target, DEMO)
+            assert welcome, (view, target)
+            assert desktop.session.path == DEMO, (view, target)
+            desktop.session.open(CARDS)
+
+
+def test_a_dropped_preset_is_loaded(desktop, window, tmp_path):
+    for k, name in enumerate(("mine.toml", "mine.phonemedata", "mine.txt", "MINE.TOML")):
+        desktop.preset.set_threshold("sz_s1", 3.5 + k)
+        save_preset(desktop.preset.preset, tmp_path / name)
+        desktop.preset.undo_stack.undo()
+        assert drop(window, tmp_path / name)
+        assert desktop.preset.preset.thresholds.sz_s1 == 3.5 + k
+    assert desktop.session.path == CARDS
+
+
+def test_a_dropped_curve_lies_beside_the_averaged_spectrum(desktop, qtbot, tmp_path):
+    window = followed(desktop, qtbot, seconds=1.0)
+    desktop.session.averages.save(tmp_path / "voice.csv", "front end")
+    desktop.session.averages.remove(0)
+    assert drop(window, tmp_path / "voice.csv")
+    assert [curve.name for curve in desktop.session.averages.curves] == ["voice"]
+
+
+def test_several_dropped_files_are_all_taken(desktop, window):
+    assert drop(window, DEMO, FACTORY / "thesis-anti-aliased.toml")
+    assert desktop.session.path == DEMO
+    assert desktop.preset.path.name == "thesis-anti-aliased.toml"
+
+
+def test_text_that_is_dragged_is_not_welcome(window):
+    mime = QMimeData()
+    mime.setText("hello")
+    enter = QDragEnterEvent(QPoint(5, 5), Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, NO_KEYS)
+    enter.setAccepted(False)
+    window.dragEnterEvent(enter)
+    assert not enter.isAccepted()
+
+
+def test_a_link_to_the_web_is_refused_with_a_sentence(desktop, window):
+    mime = QMimeData()
+    mime.setUrls([QUrl("https://example.org/sound.wav")])
+    event = QDropEvent(QPointF(5, 5), Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, NO_KEYS)
+    window.dropEvent(event)
+    assert desktop.session.path == CARDS
+    assert window.banner.label.text().startswith("https://example.org/sound.wav: only files on this computer")
+
+
+# -- recent files -------------------------------------------------------------------------------------
+
+
+def recent(window) -> list[str]:
+    return [action.text() for action in window._recent.actions()]
+
+
+def test_recent_sounds_are_listed_newest_first_and_once(desktop, window, tmp_path):
+    assert recent(window) == [str(CARDS)]
+    window.dialogs.open_sound(DEMO)
+    window.dialogs.open_sound(CARDS)
+    assert recent(window) == [str(CARDS), str(DEMO)]
+    for k in range(9):
+        window.dialogs.open_sound(wav(tmp_path, tone(1000, 0.1), f"{k}.wav"))
+    assert recent(window) == [str(tmp_path / f"{k}.wav") for k in range(8, 0, -1)]
+
+
+def test_a_recent_sound_is_opened_from_the_menu(desktop, window):
+    window.dialogs.open_sound(DEMO)
+    window._recent.actions()[1].trigger()
+    assert desktop.session.path == CARDS
+
+
+def test_a_recent_sound_that_has_gone_is_said(desktop, window, tmp_path):
+    gone = wav(tmp_path, tone(1000, 0.1), "gone.wav")
+    window.dialogs.open_sound(gone)
+    window.dialogs.open_sound(CARDS)
+    gone.unlink()
+    window._recent.actions()[1].trigger()
+    assert window.banner.label.text().startswith("gone.wav: there is no such file")
+    assert desktop.session.path == CARDS
+
+
+# -- broken files -------------------------------------------------------------------------------------
+
+
+def is_one_sentence(window) -> bool:
+    text = window.banner.label.text()
+    return window.banner.isVisible() and 15 < len(text) < 300 and "\n" not in text and "Traceback" not in text
+
+
+def test_a_bad_sound_gives_one_sentence_and_leaves_everything(desktop, qtbot, tmp_path):
+    window = followed(desktop, qtbot, seconds=1.0)
+    before = window.windowTitle(), desktop.session.history.n, desktop.session.position, recent(window)
+    for name in BAD_FILES.keys() - DAMAGED.keys():
+        window.dialogs.open_any(BAD_FILES[name](tmp_path))
+        assert is_one_sentence(window), name
+        assert desktop.session.path == CARDS, name
+        after = window.windowTitle(), desktop.session.history.n, desktop.session.position, recent(window)
+        assert after == before, name
+        window.banner.say("")
+    press(window, Qt.Key.Key_Space)
+    assert desktop.session.playing
+
+
+@pytest.mark.parametrize("name", DAMAGED)
+def test_damage_met_while_playing_stops_with_one_sentence(desktop, window, qtbot, tmp_path, name):
+    window.dialogs.open_sound(DAMAGED[name](tmp_path))
+    desktop.session.seek(max(0.0, min(1.6, desktop.session.duration - 0.5)))
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: not desktop.session.playing, timeout=8000)
+    assert is_one_sentence(window)
+    window.dialogs.open_sound(CARDS)
+    assert not window.banner.isVisible()
+    click(window.transport.play)
+    n = desktop.session.history.n
+    qtbot.waitUntil(lambda: desktop.session.history.n > n + 5, timeout=5000)
+
+
+def test_unusual_sounds_are_opened_without_complaint(desktop, window, qtbot, tmp_path):
+    for name, write in ODD_FILES.items():
+        window.dialogs.open_sound(write(tmp_path))
+        assert not window.banner.isVisible(), (name, window.banner.label.text())
+        desktop.session.follow(0.3)
+        window.refresh_all()
+        assert desktop.session.history.n > 0, name
+
+
+BROKEN_PRESETS = {
+    "words.phonemedata": "this is a diary, not a preset",
+    "few.phonemedata": "1,2,3",
+    "nan.phonemedata": ",".join(["nan"] + ["1"] * 20),
+    "negative_smooth.phonemedata": ",".join(["-5"] + ["1"] * 20),
+    "garbage.toml": "[[[",
+    "other.toml": 'title = "something else"\n',
+    "empty.toml": "",
+    "empty.phonemedata": "",
+    "binary.toml": "\x00\x01\x02",
+    "truncated.toml": DEFAULT_PRESET.read_text()[:400],
+    "endless.toml": DEFAULT_PRESET.read_text().replace("sz_s1 = ", "sz_s1 = inf #"),
+}
+
+
+def test_a_broken_preset_gives_one_sentence_and_leaves_everything(desktop, window, tmp_path):
+    before, title = desktop.preset.preset, window.windowTitle()
+    for name, text in BROKEN_PRESETS.items():
+        (tmp_path / name).write_text(text)
+        window.dialogs.open_any(tmp_path / name)
+        assert is_one_sentence(window), name
+        assert window.banner.label.text().startswith(name + ": ")
+        assert desktop.preset.preset == before
+        assert desktop.preset.path == DEFAULT_PRESET
+        assert window.windowTitle() == title
+        window.banner.say("")
+
+
+def test_the_banner_goes_by_a_click_and_after_the_next_success(desktop, window, tmp_path):
+    window.dialogs.open_sound(tmp_path / "missing.wav")
+    assert window.banner.isVisible()
+    click(window.banner.findChildren(QWidget)[-1])
+    assert not window.banner.isVisible()
+    window.dialogs.open_sound(tmp_path / "missing.wav")
+    window.dialogs.open_sound(DEMO)
+    assert not window.banner.isVisible()
+
+
+def test_a_sentence_takes_the_lines_that_it_needs_and_no_more(desktop, window, qtbot, tmp_path):
+    line = window.banner.label.fontMetrics().height()
+    window.dialogs.open_sound(tmp_path / "missing.wav")
+    qtbot.wait(20)
+    assert window.banner.height() < 2.5 * line
+    window.dialogs.open_sound(tmp_path / ("a very long name indeed " * 9 + ".wav"))
+    qtbot.wait(20)
+    label = window.banner.label
+    assert label.heightForWidth(label.width()) <= label.height()
+    assert window.width() == 1280

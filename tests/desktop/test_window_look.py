@@ -1,0 +1,265 @@
+"""Light and dark, the list of keys, and what comes back at the next start."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAction, QImage
+from PySide6.QtWidgets import QApplication, QDockWidget, QMessageBox
+
+from engine.audio.stream import ClockOutput
+from engine.settings import Channel
+from phonemeanalyser.app import Desktop
+from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.views.shortcuts import ShortcutsDialog
+from tests.desktop.hands import click, followed, press, shown, type_number
+
+
+def pixels(window) -> np.ndarray:
+    image = window.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+    return np.frombuffer(image.constBits(), np.uint32).reshape(image.height(), image.width()).copy()
+
+
+def lightness(image: np.ndarray) -> float:
+    """The median of the green channel, 0..255."""
+    return float(np.median((image >> 8) & 255))
+
+
+# -- themes -------------------------------------------------------------------------------------------
+
+
+def test_light_is_light_and_dark_is_dark_and_neither_is_blank(desktop, qtbot):
+    followed(desktop, qtbot)
+    images = {}
+    for name in ("light", "dark"):
+        desktop.set_theme(name)
+        images[name] = pixels(desktop.window)
+        assert desktop.window.theme.name == desktop.theme.name == name
+        assert len(np.unique(images[name])) > 500
+    assert lightness(images["light"]) > 200
+    assert lightness(images["dark"]) < 60
+    assert np.mean(images["light"] != images["dark"]) > 0.7
+
+
+def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
+    window = followed(desktop, qtbot, seconds=2.0)
+    type_number(window.thresholds.numbers["sz_s1"], "3.5")
+    press(window, Qt.Key.Key_F)
+    n, path = desktop.session.history.n, desktop.session.path
+    next(a for a in window._menus["&View"].actions() if a.text() == "Theme: dark").trigger()
+    assert desktop.window is not window
+    assert desktop.window.isVisible()
+    assert not window.isVisible()
+    assert (desktop.session.history.n, desktop.session.path) == (n, path)
+    assert desktop.window.isWindowModified()
+    assert desktop.window.frozen
+    assert desktop.window.actions_by_text["Freeze Views"].isChecked()
+    assert desktop.window.thresholds.numbers["sz_s1"].value() == 3.5
+    qtbot.waitUntil(desktop.window.isActiveWindow, timeout=2000)
+    press(desktop.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert not desktop.window.isWindowModified()
+
+
+def test_another_theme_keeps_loaded_curves(desktop, qtbot, tmp_path):
+    followed(desktop, qtbot, seconds=1.0)
+    desktop.session.averages.save(tmp_path / "voice.csv", "front end")
+    desktop.set_theme("dark")
+    assert len(desktop.window.averaged.item.curves) == 2
+    assert [label.text() for label in desktop.window.averaged._names] == ["voice Δ 0.0 dB"]
+
+
+def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: desktop.session.history.n > 10, timeout=5000)
+    desktop.set_theme("dark")
+    assert desktop.session.playing
+    n = desktop.session.history.n
+    qtbot.waitUntil(lambda: desktop.session.history.n > n + 20, timeout=5000)
+    assert desktop.window.phoneme.meters
+
+
+def test_a_theme_that_is_left_leaves_no_window_and_no_timer_behind(desktop, qtbot):
+    shown(desktop, qtbot)
+    for name in ("dark", "light", "dark"):
+        desktop.set_theme(name)
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert [w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow)] == [desktop.window]
+
+
+def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbot):
+    shown(desktop, qtbot, None)
+    for name in ("dark", "light", "system"):
+        desktop.set_theme(name)
+        themes = [a for a in desktop.window._menus["&View"].actions() if a.text().startswith("Theme: ")]
+        assert [a.text() for a in themes if a.isChecked()] == [f"Theme: {name}"]
+        assert settings.value("theme") == name
+
+
+# -- keys ---------------------------------------------------------------------------------------------
+
+
+def keys_of(window) -> dict[str, list[str]]:
+    return {
+        action.text().replace("&", ""): [key.toString() for key in action.shortcuts()]
+        for menu in window._menus.values()
+        for action in menu.actions()
+    }
+
+
+def test_the_dialog_lists_every_key(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    press(window, Qt.Key.Key_F1)
+    dialog = window.findChild(ShortcutsDialog)
+    assert dialog.isVisible()
+    text = dialog.list.text()
+    for name, keys in keys_of(window).items():
+        if keys and keys[0]:
+            assert f"<td>{name}&nbsp;&nbsp;&nbsp;</td><td>{keys[0]}</td>" in text
+    assert dialog.width() < 800
+    assert dialog.height() < 800
+    dialog.close()
+
+
+def test_no_two_actions_share_a_key(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    counts = Counter(key.toString() for action in window.findChildren(QAction) for key in action.shortcuts())
+    assert len(counts) > 20
+    assert [key for key, n in counts.items() if key and n > 1] == []
+
+
+def test_everything_frequent_has_a_key(desktop, qtbot):
+    keys = keys_of(shown(desktop, qtbot, None))
+    for name in (
+        "Open Sound…",
+        "Save Preset",
+        "Undo",
+        "Redo",
+        "Play or Pause",
+        "Stop",
+        "Loop",
+        "Clear",
+        "Freeze Views",
+    ):
+        assert keys[name][0]
+
+
+def test_about_says_what_it_is(desktop, qtbot, monkeypatch):
+    said = []
+    monkeypatch.setattr(QMessageBox, "about", lambda *parts: said.append(parts[2]))
+    shown(desktop, qtbot, None).actions_by_text["About PhonemeAnalyser"].trigger()
+    assert "MIT" in said[0]
+
+
+# -- the next start -----------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def start_again(desktop, qapp, settings):
+    """Close the window and start the program a second time."""
+    others = []
+
+    def start() -> Desktop:
+        assert desktop.window.close()
+        settings.sync()
+        others.append(Desktop(qapp, settings, lambda _n: ClockOutput()))
+        return others[-1]
+
+    yield start
+    for other in others:
+        other.session.close()
+        other.window.retire()
+
+
+def test_layout_and_choices_come_back(desktop, qtbot, start_again):
+    window = shown(desktop, qtbot)
+    window.resize(1500, 900)
+    qtbot.wait(20)
+    window._rows.setSizes([300, 100, 300])
+    window._spectra.setSizes([300, 600])
+    window.findChild(QDockWidget, "Filters").close()
+    window.transport.volume.setValue(-20)
+    click(window.transport.loop)
+    desktop.session.set_channel(Channel.LEFT)
+    window.time_view.variable.setCurrentText("m_s1")
+    window.time_view.colours.setCurrentText("magma")
+    window.time_view.low.setValue(-80)
+    window.time_view.high.setValue(-10)
+    for switch in (
+        window.spectrum.decibels,
+        window.averaged.coarse,
+        window.waveform.coarse,
+        window.time_view.decibels,
+    ):
+        click(switch)
+    qtbot.wait(20)
+    sizes = window._rows.sizes(), window._spectra.sizes()
+    again = start_again()
+    new = again.window
+    new.show()
+    new.resize(1500, 900)  # Qt holds a restored window within the screen, and the offscreen one is small
+    qtbot.wait(20)
+    assert new._rows.sizes() == pytest.approx(sizes[0], abs=25)
+    assert new._spectra.sizes() == pytest.approx(sizes[1], abs=25)
+    assert not new.findChild(QDockWidget, "Filters").isVisible()
+    assert new.findChild(QDockWidget, "Thresholds").isVisible()
+    assert new.transport.volume.value() == again.session.volume == -20
+    assert again.session.loop
+    assert new.transport.loop.isChecked()
+    assert again.session.channel is Channel.LEFT
+    assert new.transport.channel.currentText() == "left"
+    assert new.time_view.variable.currentText() == "m_s1"
+    assert new.time_view.colours.currentText() == "magma"
+    assert (new.time_view.low.value(), new.time_view.high.value()) == (-80, -10)
+    assert new.spectrum.decibels.isChecked()
+    assert new.averaged.coarse.isChecked()
+    assert new.waveform.coarse.isChecked()
+    assert not new.time_view.decibels.isChecked()
+    assert not new.spectrum.coarse.isChecked()
+
+
+def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    for name in ("Filters", "Phoneme", "Thresholds"):
+        dock = window.findChild(QDockWidget, name)
+        dock.close()
+        toggle = next(a for a in window._menus["&View"].actions() if a.text() == name)
+        assert not toggle.isChecked()
+        toggle.trigger()
+        assert dock.isVisible()
+
+
+def test_the_preset_in_use_comes_back(desktop, qtbot, start_again, tmp_path):
+    window = shown(desktop, qtbot, None)
+    desktop.preset.save(tmp_path / "mine.toml")
+    window.dialogs.load_preset(tmp_path / "mine.toml")
+    again = start_again()
+    again.window.dialogs.restore_preset()
+    assert again.preset.path == tmp_path / "mine.toml"
+    assert not again.window.isWindowModified()
+
+
+def test_settings_of_nonsense_do_not_keep_the_window_from_opening(qapp, settings, qtbot):
+    nonsense = {
+        "volume": "loud",
+        "loop": "maybe",
+        "channel": "middle",
+        "variable": "none",
+        "colours": "rainbow",
+        "darkest": "black",
+        "brightest": "white",
+        "recent": "3",
+        "theme": "pink",
+        "geometry": "x",
+        "rows": "y",
+    }
+    for key, value in nonsense.items():
+        settings.setValue(key, value)
+    desktop = Desktop(qapp, settings, lambda _n: ClockOutput())
+    desktop.window.show()
+    qtbot.waitExposed(desktop.window)
+    assert desktop.session.channel is Channel.MIX
+    assert desktop.session.volume == 0
+    desktop.session.close()
+    desktop.window.retire()
