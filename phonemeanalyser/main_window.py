@@ -1,13 +1,10 @@
 """The main window: lays the views out, and joins menus, keys and drops to the models. No signal logic."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from PySide6.QtCore import QSettings, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QDockWidget,
@@ -21,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.dialogs import Dialogs
+from phonemeanalyser.menus import Command, Menus
 from phonemeanalyser.models.history import shown_spectra
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
@@ -45,16 +43,6 @@ SLOW = 4
 """Numbers and what changes slowly are drawn at every fourth picture."""
 
 
-@dataclass(frozen=True)
-class Command:
-    """An entry of a menu: its text, its key, and what it does; a checkable one is given its state."""
-
-    text: str
-    key: str
-    act: Callable[..., Any]
-    checkable: bool = False
-
-
 class MainWindow(QMainWindow):
     """All views over one session and one preset.
 
@@ -70,11 +58,10 @@ class MainWindow(QMainWindow):
         self.theme = theme
         self.frozen = False
         self.dialogs = Dialogs(self, session, preset, settings)
-        self.actions_by_text: dict[str, QAction] = {}
+        self.menus = Menus(self)
         self._session = session
         self._preset = preset
         self._settings = settings
-        self._menus: dict[str, QMenu] = {}
         self._ticks = 0
         self._stale = True
         self._retired = False
@@ -154,7 +141,7 @@ class MainWindow(QMainWindow):
 
     def _make_menus(self) -> None:
         session, preset, dialogs = self._session, self._preset, self.dialogs
-        self._add_menu(
+        file = self.menus.add(
             "&File",
             Command("Open Sound…", "Ctrl+O", dialogs.ask_sound),
             Command("Load Preset…", "Ctrl+Shift+O", dialogs.ask_preset),
@@ -166,9 +153,9 @@ class MainWindow(QMainWindow):
             Command("Quit", "Ctrl+Q", self.close),
         )
         self._recent = QMenu("Open Recent", self)
-        self._menus["&File"].insertMenu(self.actions_by_text["Load Preset…"], self._recent)
-        self._make_edit_menu()
-        self._add_menu(
+        file.insertMenu(self.menus.actions["Load Preset…"], self._recent)
+        self.menus.add_edit(preset.undo_stack)
+        self.menus.add(
             "&Play",
             Command("Play or Pause", "Space", session.toggle),
             Command("Stop", "Escape", session.stop),
@@ -179,7 +166,7 @@ class MainWindow(QMainWindow):
             Command("Louder", "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
             Command("Quieter", "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
         )
-        self._add_menu(
+        self.menus.add(
             "&Analysis",
             Command("Bypass All Filters", "B", preset.set_bypassed, checkable=True),
             Command("Freeze Views", "F", self.set_frozen, checkable=True),
@@ -188,24 +175,14 @@ class MainWindow(QMainWindow):
             Command("Remove Variable…", "", dialogs.ask_remove_variable),
         )
         self._make_view_menu()
-        self._add_menu(
+        self.menus.add(
             "&Help",
             Command("Keyboard Shortcuts", "F1", self.show_shortcuts),
             Command("About PhonemeAnalyser", "", self.show_about),
         )
 
-    def _make_edit_menu(self) -> None:
-        edit = self._add_menu("&Edit")
-        stack = self._preset.undo_stack
-        for action, key in (
-            (stack.createUndoAction(self, "Undo"), QKeySequence.StandardKey.Undo),
-            (stack.createRedoAction(self, "Redo"), QKeySequence.StandardKey.Redo),
-        ):
-            action.setShortcuts(QKeySequence.keyBindings(key))  # Ctrl+Y and Ctrl+Shift+Z
-            edit.addAction(action)
-
     def _make_view_menu(self) -> None:
-        view = self._add_menu(
+        view = self.menus.add(
             "&View",
             Command("Coarse Display", "Shift+C", self._set_coarse, checkable=True),
             Command("Spectra in dB", "D", self._set_decibels, checkable=True),
@@ -214,24 +191,8 @@ class MainWindow(QMainWindow):
         for dock in self.findChildren(QDockWidget):
             view.addAction(dock.toggleViewAction())
         view.addSeparator()
-        group = QActionGroup(self)
         chosen = str(self._settings.value("theme", "system"))
-        for name in ("system", "light", "dark"):
-            action = QAction(f"Theme: {name}", self, checkable=True, checked=name == chosen)
-            action.triggered.connect(partial(self.theme_asked.emit, name))
-            group.addAction(action)
-            view.addAction(action)
-
-    def _add_menu(self, title: str, *commands: Command) -> QMenu:
-        menu = self._menus[title] = self.menuBar().addMenu(title)
-        for command in commands:
-            action = QAction(command.text, self, checkable=command.checkable)
-            action.setShortcut(QKeySequence(command.key))
-            signal = action.toggled if command.checkable else action.triggered
-            signal.connect(command.act if command.checkable else partial(_call, command.act))
-            menu.addAction(action)
-            self.actions_by_text[command.text] = action
-        return menu
+        self.menus.add_choice(view, "Theme", ("system", "light", "dark"), chosen, self.theme_asked.emit)
 
     def _connect(self) -> None:
         session, preset, dialogs = self._session, self._preset, self.dialogs
@@ -301,7 +262,7 @@ class MainWindow(QMainWindow):
     def set_frozen(self, frozen: bool) -> None:
         """Hold the views still while sound goes on, or let them go on."""
         self.frozen = frozen
-        self.actions_by_text["Freeze Views"].setChecked(frozen)
+        self.menus.show_checked("Freeze Views", frozen)
         self._show_state()
 
     def _set_coarse(self, on: bool) -> None:
@@ -315,6 +276,7 @@ class MainWindow(QMainWindow):
     def _show_names(self) -> None:
         path, preset = self._session.path, self._preset
         sound = path.name if path else "no sound"
+        self.time_view.invite("Press Space to play" if path else "Drop a sound here, or open one with Ctrl+O")
         changed = " (changed)" if preset.has_unsaved_changes else ""
         self.setWindowTitle(f"{sound} - {preset.preset.name}[*] - PhonemeAnalyser")
         self.setWindowModified(preset.has_unsaved_changes)
@@ -327,12 +289,8 @@ class MainWindow(QMainWindow):
         self._recent.setEnabled(not self._recent.isEmpty())
 
     def _show_state(self) -> None:
-        states = {"Loop": self._session.loop, "Bypass All Filters": self._preset.bypassed}
-        for text, state in states.items():
-            action = self.actions_by_text[text]
-            action.blockSignals(True)
-            action.setChecked(state)
-            action.blockSignals(False)
+        self.menus.show_checked("Loop", self._session.loop)
+        self.menus.show_checked("Bypass All Filters", self._preset.bypassed)
         self._stale = True
         self._show_output()
 
@@ -349,11 +307,7 @@ class MainWindow(QMainWindow):
 
     def show_shortcuts(self) -> None:
         """List all keys."""
-        menus = {
-            title.replace("&", ""): [(a.text().replace("&", ""), a.shortcut().toString()) for a in menu.actions()]
-            for title, menu in self._menus.items()
-        }
-        ShortcutsDialog(menus, self).open()
+        ShortcutsDialog(self.menus.keys(), self).open()
 
     def show_about(self) -> None:
         """Say what this is."""
@@ -399,7 +353,3 @@ class MainWindow(QMainWindow):
         self._retired = True
         self.close()
         self.deleteLater()
-
-
-def _call(act: Callable[[], Any], *_checked: bool) -> None:  # PySide passes none to a partial
-    act()

@@ -31,7 +31,8 @@ from engine.settings import AnalysisSettings, Decimation
 
 HIGH_PASSES = ((20, 20), (60, 60), (50, 100), (100, 150))
 DENOISE_THRESHOLDS = (0.0, 0.0001)
-SMOOTHS = ({"time_smooth": 0.3}, {"frequency_smooth": 0.5}, {"frequency_smooth": 1.0})
+SMOOTHS = ((0.3, 0.0), (0.0, 0.5), (0.0, 1.0))
+"""Over time and over frequency."""
 PRICE_OF_SMOOTHING = 0.005
 """Each smoothing costs time in every live frame; it must raise the macro F1 by this much to be taken."""
 
@@ -103,7 +104,7 @@ class PresetFitter:
         ]
         scores = [self._generalisation(settings) for settings in plain]
         best = plain[int(np.argmax(scores))]
-        smooth = [replace(best, **smoothing) for smoothing in SMOOTHS]
+        smooth = [replace(best, time_smooth=t, frequency_smooth=f) for t, f in SMOOTHS]
         gains = [self._generalisation(settings) - max(scores) for settings in smooth]
         return smooth[int(np.argmax(gains))] if max(gains) > PRICE_OF_SMOOTHING else best
 

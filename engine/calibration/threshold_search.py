@@ -5,8 +5,8 @@ them the table of successors is counted anew, until neither helps. It starts ane
 best end counts. A threshold decides one condition, so two runs of the rules, with the condition everywhere true
 and everywhere false, tell the exact score of every candidate at once.
 
-Two demands keep every rule alive: u, o and i share a variable, so their limits must descend, and a rule that
-finds too few frames of its own phoneme costs score.
+Three demands keep every rule and every threshold alive: u, o and i share a variable, so their limits must descend; a
+rule that finds too few frames of its own phoneme costs score, and so does a condition that excludes too few frames.
 """
 
 from collections.abc import Mapping
@@ -35,8 +35,13 @@ DESCENDING = ("u_o1", "o_o1", "i_o1")
 LEAST_FOUND = 0.03
 """The share of its phoneme's frames that each rule must find by itself."""
 
+LEAST_EXCLUDED = 0.005
+"""The share of all frames that each condition must exclude from its rules, all other conditions being as they are; a
+threshold that excludes none says nothing."""
+
 PRICE = 0.05
-"""What a rule that finds none costs in macro F1; one that finds half of the least share costs half."""
+"""What each rule that finds none, and each condition that excludes none, costs in macro F1; one that reaches half of
+its least share costs half."""
 
 SIGNIFICANT_DIGITS = 4
 LEAST_GAIN = 2e-4
@@ -75,7 +80,7 @@ class Fit:
     ----------
     thresholds : the best that were found.
     successors : the table that belongs to them.
-    score : their macro F1 on the frames that they were fitted to, less the price of rules that find too little.
+    score : their macro F1 on the frames that they were fitted to, less the price of idle rules and conditions.
     """
 
     thresholds: Thresholds
@@ -116,12 +121,11 @@ class ThresholdSearch:
         for _ in range(MOST_ROUNDS):
             table, fillers = self._successors(limits)
             marks = _marks_of(self._values, limits)
-            score = float(self._scores(self._confusion(_filled(_ANSWERS[marks], fillers))))
-            ends.append(Fit(_thresholds_of(limits), successors_of(table), score))
-            if len(ends) > PATIENCE and score < max(end.score for end in ends[:-PATIENCE]) + LEAST_GAIN:
+            ends.append(Fit(_thresholds_of(limits), successors_of(table), self._score(marks, fillers)))
+            if len(ends) > PATIENCE and ends[-1].score < max(e.score for e in ends[:-PATIENCE]) + LEAST_GAIN:
                 break
             for k in generator.permutation(len(CONDITIONS)):
-                score, marks = self._improve(CONDITIONS[k], limits, marks, fillers, score)
+                marks = self._improve(CONDITIONS[k], limits, marks, fillers)
         return max(ends, key=lambda end: end.score)
 
     def _start(self, generator: np.random.Generator) -> Limits:
@@ -139,15 +143,23 @@ class ThresholdSearch:
         table = counted_table(last[unidentified], self._truth[unidentified], self._totals)
         return table, (table[last] + N_CODES).astype(np.uint8)
 
-    def _improve(
-        self, c: Condition, limits: Limits, marks: Marks, fillers: Codes, best: float
-    ) -> tuple[float, Marks]:
+    def _score(self, marks: Marks, fillers: Codes) -> float:
+        answers = _ANSWERS[marks]
+        excluded = [np.count_nonzero(_ANSWERS[marks | bit] != answers) for bit in _BITS.values()]
+        score = float(self._scores(self._confusion(_filled(answers, fillers))))
+        return score - float(self._price_of_idling(np.array(excluded)).sum())
+
+    def _price_of_idling(self, excluded: NDArray[np.int64]) -> NDArray[np.float64]:
+        return PRICE * np.clip(1 - excluded / (LEAST_EXCLUDED * len(self._truth)), 0, 1)
+
+    def _improve(self, c: Condition, limits: Limits, marks: Marks, fillers: Codes) -> Marks:
         scores = np.where(self._allowed(c, limits), self._scores_of_candidates(c, marks, fillers), -np.inf)
+        now = scores[self._candidates[c] == limits[c]].max(initial=-np.inf)
         k = int(scores.argmax())
-        if scores[k] <= best:
-            return best, marks
+        if scores[k] <= now:
+            return marks
         limits[c] = self._candidates[c][k]
-        return float(scores[k]), (marks & ~_BITS[c]) | _mark_of(c, self._values[c], limits[c])
+        return (marks & ~_BITS[c]) | _mark_of(c, self._values[c], limits[c])
 
     def _allowed(self, c: Condition, limits: Limits) -> NDArray[np.bool_]:
         """Say which candidates keep the order of the thresholds that share a variable."""
@@ -161,15 +173,17 @@ class ThresholdSearch:
 
     def _scores_of_candidates(self, c: Condition, marks: Marks, fillers: Codes) -> NDArray[np.float64]:
         """Give the score with each candidate for one condition, all others as they are."""
-        when_true = _filled(_ANSWERS[marks | _BITS[c]], fillers)
-        when_false = _filled(_ANSWERS[marks & ~_BITS[c]], fillers)
+        when_true, when_false = _ANSWERS[marks | _BITS[c]], _ANSWERS[marks & ~_BITS[c]]
         open_ = np.flatnonzero(when_true != when_false)
+        when_true, when_false = _filled(when_true, fillers), _filled(when_false, fillers)
         below_true = self._counts_below(c, open_, when_true)
         below_false = self._counts_below(c, open_, when_false)
         settled = self._confusion(when_true) - below_true[-1]
         if c.sign == ">":
-            below_true, below_false = below_false, below_true
-        return self._scores(settled + below_true[:-1] + below_false[-1] - below_false[:-1])
+            true, false = below_true[-1] - below_true[:-1], below_false[:-1]
+        else:
+            true, false = below_true[:-1], below_false[-1] - below_false[:-1]
+        return self._scores(settled + true + false) - self._price_of_idling(false.sum(axis=(1, 2)))
 
     def _counts_below(self, c: Condition, frames: NDArray[np.intp], answers: Codes) -> NDArray[np.int64]:
         """Count label and answer of the frames whose value lies below each candidate; the last row is all."""

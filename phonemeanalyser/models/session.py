@@ -147,9 +147,11 @@ class Session(QObject):
             self.transport_changed.emit()
 
     def seek(self, seconds: float) -> None:
-        """Go to a place in the file."""
+        """Go to a place in the file; while nothing plays, the seconds before it are shown in place of the old."""
         if self._player is not None:
             self._player.seek(seconds)
+            if not self.playing:
+                self._show_before(self.position)
             self.transport_changed.emit()
 
     def set_loop(self, loop: bool) -> None:
@@ -231,9 +233,21 @@ class Session(QObject):
         if self._player is None or first == last:
             return
         self.history.take_back(last - first)
-        for analysis in self._analyses(first, last):
-            self.history.append(analysis)
+        self._look_back(first, last)
         self.rewritten.emit(last - first)
+
+    def _show_before(self, seconds: float) -> None:
+        last = round(seconds / FRAME_PERIOD)
+        self.history.clear()
+        self._look_back(max(0, last - AGAIN), last)
+
+    def _look_back(self, first: int, last: int) -> None:
+        """Analyse frames that nobody hears into the history; a damaged file is said."""
+        try:
+            for analysis in self._analyses(first, last):
+                self.history.append(analysis)
+        except EngineError as error:
+            self.failed.emit(str(error))
 
     def _analyses(self, first: int, last: int) -> Iterator[Analysis]:
         if self._player is not None:

@@ -20,7 +20,7 @@ class LiveCurve(pg.PlotCurveItem):
 
     def boundingRect(self) -> QRectF:
         """Give the visible part of the plot."""
-        return self.viewRect()
+        return QRectF(self.viewRect())
 
     def dataBounds(self, *_asked: Any, **_options: Any) -> tuple[None, None]:
         """Ask for no range, since the axes are fixed."""

@@ -48,13 +48,14 @@ class TimeView(QWidget):
         self._course = LiveCurve(pen=pg.mkPen(theme.signal))
         self._limits: list[pg.InfiniteLine] = []
         self._course_range = (0.0, 0.0)
+        self._n_bins = 0
         self.decibels = switch("dB", "Brightness in dB, or linear")
         self.low, self.high = QSpinBox(), QSpinBox()
         self.colours = QComboBox()
         self.variable = QComboBox()
         self._extremes = QLabel()
         self._cursor_label = QLabel(self._graphics)
-        self._hint = pg.TextItem("Press Space to play", color=theme.faint, anchor=(0.5, 0.5))
+        self._hint = pg.TextItem("", color=theme.faint, anchor=(0.5, 0.5))
         self._colour_bar = ColourBar()
         self._make_plots()
         self._lay_out()
@@ -62,8 +63,15 @@ class TimeView(QWidget):
         self._list_variables()
         self._choose_colours()
 
+    def invite(self, text: str) -> None:
+        """Say what the user may do, where nothing has been analysed yet."""
+        self._hint.setText(text)
+
     def refresh(self) -> None:
         """Draw what is new."""
+        if self._n_bins != self._history.n_bins:
+            self._n_bins = self._history.n_bins
+            self._plots[0].setYRange(0, self._n_bins * BIN_WIDTH, padding=0)
         self.sonagram.refresh()
         self._lane.update()
         self._draw_course()

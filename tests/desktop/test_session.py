@@ -185,3 +185,12 @@ def test_analysing_again_with_the_same_preset_changes_nothing(session: Session, 
     session.analyse_again()
     np.testing.assert_array_equal(session.history.phonemes[:60], phonemes)
     np.testing.assert_allclose(session.history.spectra[:60], spectra, atol=1e-3)
+
+
+def test_a_place_sought_while_nothing_plays_shows_the_seconds_before_it(session: Session, sound: Path) -> None:
+    session.open(sound)
+    session.seek(0.5)
+    assert frames(session) == list(range(50))
+    session.seek(0.2)
+    assert frames(session) == list(range(20))
+    assert session.averages.n_frames == 0

@@ -195,7 +195,7 @@ def test_another_channel_is_analysed_from_the_same_place(
     settled(session, qtbot)
     play(0.2)
     assert set(session.history.phonemes[session.history.indices(0, 100)].tolist()) == {Phoneme.SILENCE}
-    assert frames(session)[0] in {29, 30}
+    assert frames(session) == list(range(len(frames(session))))
     assert session.channel is Channel.RIGHT
 
 

@@ -47,14 +47,14 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     type_number(window.thresholds.numbers["sz_s1"], "3.5")
     press(window, Qt.Key.Key_F)
     n, path = desktop.session.history.n, desktop.session.path
-    next(a for a in window._menus["&View"].actions() if a.text() == "Theme: dark").trigger()
+    next(a for a in window.menus._menus["&View"].actions() if a.text() == "Theme: dark").trigger()
     assert desktop.window is not window
     assert desktop.window.isVisible()
     assert not window.isVisible()
     assert (desktop.session.history.n, desktop.session.path) == (n, path)
     assert desktop.window.isWindowModified()
     assert desktop.window.frozen
-    assert desktop.window.actions_by_text["Freeze Views"].isChecked()
+    assert desktop.window.menus.actions["Freeze Views"].isChecked()
     assert desktop.window.thresholds.numbers["sz_s1"].value() == 3.5
     qtbot.waitUntil(desktop.window.isActiveWindow, timeout=2000)
     press(desktop.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
@@ -92,7 +92,7 @@ def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbo
     shown(desktop, qtbot, None)
     for name in ("dark", "light", "system"):
         desktop.set_theme(name)
-        themes = [a for a in desktop.window._menus["&View"].actions() if a.text().startswith("Theme: ")]
+        themes = [a for a in desktop.window.menus._menus["&View"].actions() if a.text().startswith("Theme: ")]
         assert [a.text() for a in themes if a.isChecked()] == [f"Theme: {name}"]
         assert settings.value("theme") == name
 
@@ -103,7 +103,7 @@ def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbo
 def keys_of(window) -> dict[str, list[str]]:
     return {
         action.text().replace("&", ""): [key.toString() for key in action.shortcuts()]
-        for menu in window._menus.values()
+        for menu in window.menus._menus.values()
         for action in menu.actions()
     }
 
@@ -148,7 +148,7 @@ def test_everything_frequent_has_a_key(desktop, qtbot):
 def test_about_says_what_it_is(desktop, qtbot, monkeypatch):
     said = []
     monkeypatch.setattr(QMessageBox, "about", lambda *parts: said.append(parts[2]))
-    shown(desktop, qtbot, None).actions_by_text["About PhonemeAnalyser"].trigger()
+    shown(desktop, qtbot, None).menus.actions["About PhonemeAnalyser"].trigger()
     assert "MIT" in said[0]
 
 
@@ -224,7 +224,7 @@ def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
     for name in ("Filters", "Phoneme", "Thresholds"):
         dock = window.findChild(QDockWidget, name)
         dock.close()
-        toggle = next(a for a in window._menus["&View"].actions() if a.text() == name)
+        toggle = next(a for a in window.menus._menus["&View"].actions() if a.text() == name)
         assert not toggle.isChecked()
         toggle.trigger()
         assert dock.isVisible()

@@ -101,8 +101,8 @@ def test_the_read_out_lies_inside_the_plot_and_goes_with_the_mouse(view, qtbot):
 
 
 def test_the_view_menu_switches_all_spectra_at_once(window):
-    window.actions_by_text["Coarse Display"].trigger()
-    window.actions_by_text["Spectra in dB"].trigger()
+    window.menus.actions["Coarse Display"].trigger()
+    window.menus.actions["Spectra in dB"].trigger()
     assert window.spectrum.coarse.isChecked()
     assert window.averaged.coarse.isChecked()
     assert window.waveform.coarse.isChecked()

@@ -78,7 +78,7 @@ def test_l_loops_and_the_button_shows_it(desktop, window):
     assert window.transport.loop.isChecked()
     click(window.transport.loop)
     assert not desktop.session.loop
-    assert not window.actions_by_text["Loop"].isChecked()
+    assert not window.menus.actions["Loop"].isChecked()
 
 
 def test_a_loop_begins_again_at_the_end(desktop, window, qtbot):

@@ -135,7 +135,7 @@ def test_a_variable_is_removed_through_the_menu_and_comes_back_by_undo(desktop, 
     desktop.preset.add_variable(Variable("my_hum", 50, 200))
     window.time_view.variable.setCurrentText("my_hiss")
     monkeypatch.setattr(QInputDialog, "getItem", lambda *a, **_k: (a[3][0], True))
-    window.actions_by_text["Remove Variable…"].trigger()
+    window.menus.actions["Remove Variable…"].trigger()
     assert "my_hiss" not in chosen(window)
     assert window.time_view.variable.currentText() == "energy"
     press(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
@@ -143,5 +143,5 @@ def test_a_variable_is_removed_through_the_menu_and_comes_back_by_undo(desktop, 
 
 
 def test_without_variables_of_one_s_own_there_is_nothing_to_remove(window):
-    window.actions_by_text["Remove Variable…"].trigger()
+    window.menus.actions["Remove Variable…"].trigger()
     assert window.banner.label.text().startswith("There are no variables of your own yet")
