@@ -104,7 +104,7 @@ class SpectrumPath:
         self._pitch = pitch
         self._n_bins = settings.n_bins
         self._transform = Transform(settings)
-        self._shaper = FrequencyShaper(blur, _gains_of(settings))
+        self._shaper = FrequencyShaper(blur, _gains_of(settings), self._transform.scale[0])
         self._smooths = settings.has(Filter.TIME_SMOOTH) and settings.time_smooth > 0
         self._denoises = settings.has(Filter.DENOISE) and settings.denoise_threshold > 0
         self._threshold = np.array(settings.denoise_threshold, np.float32)
@@ -125,16 +125,17 @@ class SpectrumPath:
     def push(self, frames: Block) -> tuple[Block, Block | None, Block, Features]:
         """Give the final spectra, the mel spectra, the waveforms and the features of raw frames."""
         waves = self._transform.waveforms_of(frames)
-        raw = self._transform.amplitudes_of(waves)
-        spectra = self._shaper.shape(raw)
+        raw = self._transform.magnitudes_of(waves)
         if self._smooths:
-            spectra = self.smoother.push(spectra)
+            smooth = self.smoother.push(raw)
         else:
-            self.smoother.last = spectra[-1]
-        spectra = self._meter.widen(spectra)
+            smooth, self.smoother.last = raw, raw[-1]
+        spectra = self._meter.room_for(len(frames))
+        self._shaper.shape(smooth, spectra[:, : self._n_bins])  # over frequency, so it may well come after time
+        self._meter.add_maxima(spectra)
         values: Block = spectra.dot(self._filtered)
         if self._raw_meter is not None:
-            values += self._raw_meter.widen(raw).dot(self._raw_meter.weights(Spectrum.RAW))
+            values += self._raw_meter.widen(raw * self._transform.scale).dot(self._raw_meter.weights(Spectrum.RAW))
         values[:, ZERO_CROSSINGS] = zero_crossings_of(frames)
         values[:, VOLUME] = peak_levels_of(frames)
         if self._pitch:

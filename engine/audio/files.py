@@ -37,7 +37,7 @@ WARM_UP = 0.05
 """Sound before a place that the resampler must have heard to be right there, seconds."""
 
 DECODER_WARM_UP = 1.0
-"""The same for decoders of MP3, Vorbis and Opus, whose frames lean on those before them, seconds."""
+"""The same for decoders of MP3 and Opus, whose frames lean on those before them, seconds."""
 
 MP3_SLACK = 0.1
 """An MP3 file may lack this much of the length it announces, seconds: encoders count their padding differently."""
@@ -83,9 +83,10 @@ class SoundReader:
         self.n_samples = max(1, round(self._n_frames * SAMPLE_RATE / self.file_rate))
         self.notes = tuple(_notes(self.n_file_channels, self.n_samples, channel))
         self._is_mp3 = _is_mp3(self._file)
-        self._leans_back = self._is_mp3 or self._file.subtype in {"VORBIS", "OPUS"}
+        self._is_vorbis = self._file.subtype == "VORBIS"
+        self._leans_back = self._is_mp3 or self._file.subtype == "OPUS"
         self._read_frames = max(1, min(int(self.file_rate * READ_SECONDS), READ_VALUES // self.n_file_channels))
-        self.position = 0
+        self.position = self._frame = 0
         self._rest: Block = np.zeros((0, self.n_channels), np.float32)
         self._start_at(0)
 
@@ -157,7 +158,10 @@ class SoundReader:
 
     def _start_at(self, frame: int) -> None:
         try:
-            self._file.seek(frame)
+            if self._is_vorbis:
+                self._decode_up_to(frame)
+            else:
+                self._file.seek(frame)
         except soundfile.SoundFileError as error:
             raise AudioError(f"{self._name}: it can only be read from its beginning; {ADVICE} as WAV") from error
         self._frame = frame
@@ -165,6 +169,13 @@ class SoundReader:
         self._rest = np.zeros((0, self.n_channels), np.float32)
         self.position = frame * SAMPLE_RATE // self.file_rate
         self._resampler = self._new_resampler() if self.file_rate != SAMPLE_RATE else None
+
+    def _decode_up_to(self, frame: int) -> None:
+        """Reach a frame by decoding all before it: libsndfile's seek in Vorbis may miss by a block (its issue 885)."""
+        if frame < self._frame:
+            self._frame = self._file.seek(0)
+        while n := len(self._file.read(min(frame - self._frame, READ_VALUES), dtype="float32")):
+            self._frame += n
 
     def _new_resampler(self) -> Any:
         return soxr.ResampleStream(self.file_rate, SAMPLE_RATE, self.n_channels, dtype="float32", quality="HQ")

@@ -21,7 +21,7 @@ from engine.analyser import Analyser
 from engine.audio.files import SoundReader
 from engine.calibration.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
 from engine.calibration.scoring import Codes, Scores, scores_of
-from engine.calibration.threshold_search import LEAST_FOUND, Fit, ThresholdSearch
+from engine.calibration.threshold_search import LEAST_EXCLUDED, LEAST_FOUND, Fit, ThresholdSearch
 from engine.errors import EngineError
 from engine.features.measure import Features
 from engine.presets.preset import Preset, save_preset
@@ -29,7 +29,7 @@ from engine.recognition.recogniser import recogniser_of
 from engine.recognition.statistics import Statistics
 from engine.settings import AnalysisSettings, Decimation
 
-HIGH_PASSES = ((20, 20), (60, 60), (50, 100), (100, 150))
+HIGH_PASSES = ((20, 20), (60, 60), (100, 150))
 DENOISE_THRESHOLDS = (0.0, 0.0001)
 SMOOTHS = ((0.3, 0.0), (0.0, 0.5), (0.0, 1.0))
 """Over time and over frequency."""
@@ -165,7 +165,8 @@ class PresetFitter:
             n_speakers=len(set(self._speakers)),
             seed=self._seed,
             n_starts=self._n_starts,
-            least=LEAST_FOUND,
+            found=LEAST_FOUND,
+            excluded=LEAST_EXCLUDED,
             unseen=_in_words(unseen),
             noisy=_in_words(self._scores(settings, measured.noisy, held_out)),
             seen=_in_words(self._scores(settings, measured.clean, all_alike)),
@@ -175,7 +176,8 @@ class PresetFitter:
 NOTES = """\
 The thesis rules, fitted by engine.calibration.fit_thesis (seed {seed}, {n_starts} starts) to {minutes:.1f} minutes of
 labelled speech of {n_speakers} speakers, human and synthetic. The search maximises the macro F1 over ten classes,
-under two demands: u_o1 > o_o1 > i_o1, and each rule finds at least {least:.0%} of its own phoneme's frames.
+under three demands: u_o1 > o_o1 > i_o1; each rule finds at least {found:.0%} of its own phoneme's frames; each threshold
+keeps at least {excluded:.1%} of all frames from its rules.
 Each recording counts twice, as it is and with another level (-6..+6 dB) and a noise floor of -75..-65 dB, since the
 pauses of synthetic speech are digital zeros and those of real rooms are not; white noise crosses zero some 1020 times
 in a window, so silence must allow about as much.

@@ -35,7 +35,7 @@ DESCENDING = ("u_o1", "o_o1", "i_o1")
 LEAST_FOUND = 0.03
 """The share of its phoneme's frames that each rule must find by itself."""
 
-LEAST_EXCLUDED = 0.005
+LEAST_EXCLUDED = 0.001
 """The share of all frames that each condition must exclude from its rules, all other conditions being as they are; a
 threshold that excludes none says nothing."""
 

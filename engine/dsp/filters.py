@@ -19,9 +19,9 @@ def pre_emphasis(waves: Block, a: float) -> Block:
 
 
 class FrequencyShaper:
-    """Blurs over frequency and applies the ramps of the pass filters, in one go.
+    """Scales, blurs over frequency and applies the ramps of the pass filters, in one go.
 
-    All three are linear in the spectrum, so together they are one weight for a bin and one for each neighbour.
+    All are linear in the spectrum, so together they are one weight for a bin and one for each neighbour.
     At blur strength 0 nothing is blurred, at 1 every bin is the mean of three; the border repeats, so a flat
     spectrum stays flat.
 
@@ -29,27 +29,26 @@ class FrequencyShaper:
     ----------
     strength : of the blur, 0..1.
     gains : of the ramps, shape (n_bins,).
+    scale : what each bin is multiplied with before all else, shape (n_bins,); nothing where it is not given.
     """
 
-    def __init__(self, strength: float, gains: Block) -> None:
+    def __init__(self, strength: float, gains: Block, scale: Block | None = None) -> None:
+        scale = np.ones_like(gains) if scale is None else scale
         side = strength / 3
         centre = np.full(len(gains), 1 - 2 * side)
         centre[[0, -1]] += side
-        self._centre = (centre * gains).astype(np.float32)[np.newaxis]
-        self._below = (side * gains[1:]).astype(np.float32)
-        self._above = (side * gains[:-1]).astype(np.float32)
+        self._centre = (centre * gains * scale).astype(np.float32)[np.newaxis]
+        self._below = (side * gains[1:] * scale[:-1]).astype(np.float32)
+        self._above = (side * gains[:-1] * scale[1:]).astype(np.float32)
         self._blurs = strength > 0
-        self._changes = self._blurs or bool(np.any(gains != 1))
 
-    def shape(self, spectra: Block) -> Block:
-        """Give the shaped spectra; the input stays as it is."""
-        if not self._changes:
-            return spectra
-        out = spectra * self._centre
+    def shape(self, spectra: Block, out: Block | None = None) -> Block:
+        """Give the shaped spectra, written to `out` where it is given; the input stays as it is."""
+        shaped: Block = np.multiply(spectra, self._centre, out=out)
         if self._blurs:
-            out[:, 1:] += self._below * spectra[:, :-1]
-            out[:, :-1] += self._above * spectra[:, 1:]
-        return out
+            shaped[:, 1:] += self._below * spectra[:, :-1]
+            shaped[:, :-1] += self._above * spectra[:, 1:]
+        return shaped
 
 
 class TimeSmoother:
@@ -96,7 +95,8 @@ def low_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> B
 
 def denoise(spectra: Block, threshold: float | Block) -> Block:
     """Set amplitudes below `threshold` (0..1) to 0."""
-    return spectra * (spectra >= np.asarray(threshold, np.float32))
+    kept: Block = spectra * (spectra >= threshold)
+    return kept
 
 
 def normalise(spectra: Block, peaks: Block | None = None) -> Block:

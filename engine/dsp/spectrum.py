@@ -49,6 +49,10 @@ class Transform:
     Parameters
     ----------
     settings : the filters of the time domain: quantise, pre-emphasis, window function.
+
+    Attributes
+    ----------
+    scale : float32, shape (1, n_bins): what turns a bin's magnitude into an amplitude of 0..1.
     """
 
     def __init__(self, settings: AnalysisSettings) -> None:
@@ -57,8 +61,8 @@ class Transform:
         self._windows = settings.window_in_force is not WindowFunction.RECTANGLE
         self._window = window_of(settings.window_in_force, settings.n_samples)
         self._n_bins = settings.n_bins
-        self._scale = np.full((1, self._n_bins), 2 / self._window.sum(), np.float32)
-        self._scale[0, 0] /= 2
+        self.scale = np.full((1, self._n_bins), 2 / self._window.sum(), np.float32)
+        self.scale[0, 0] /= 2
 
     def waveforms_of(self, frames: Block) -> Block:
         """Apply the filters of the time domain; returns float32, shape (n_frames, 2048 / step)."""
@@ -67,16 +71,19 @@ class Transform:
             waves = pre_emphasis(waves, self._emphasis)
         return waves * self._window if self._windows else waves
 
-    def amplitudes_of(self, waves: Block) -> Block:
-        """Transform waveforms, already weighted by the window function, whose gain is divided out.
+    def magnitudes_of(self, waves: Block) -> Block:
+        """Transform waveforms, already weighted by the window function; times `scale` they are amplitudes.
 
         Returns
         -------
-        float32, shape (n_frames, n_bins): amplitudes, scaled so that a full-scale sine on a bin, or a full-scale
-        constant on bin 0, reads 1.0.
+        float32, shape (n_frames, n_bins).
         """
-        amplitudes: Block = np.abs(_rfft()(waves)[:, : self._n_bins]) * self._scale
-        return amplitudes
+        magnitudes: Block = np.abs(_rfft()(waves)[:, : self._n_bins])
+        return magnitudes
+
+    def amplitudes_of(self, waves: Block) -> Block:
+        """Transform waveforms to amplitudes: a full-scale sine on a bin, or constant on bin 0, reads 1.0."""
+        return self.magnitudes_of(waves) * self.scale
 
 
 @lru_cache(maxsize=1)

@@ -77,11 +77,19 @@ class BandMeter:
             weight = 1 / (reach.stop - reach.start) if v.kind is Kind.MEAN else 1
             self._weights[v.source][bins, names.index(v.name)] = weight
 
-    def widen(self, spectra: Block) -> Block:
-        """Write the maxima beside the bins; returns float32, shape (n_frames, n_bins + n_maxima)."""
-        wide = np.zeros((len(spectra), self._n_wide), FLOAT)
-        wide[:, : self._n_bins] = spectra
+    def room_for(self, n_frames: int) -> Block:
+        """Give room for spectra and their maxima: zeros, float32, shape (n_frames, n_bins + n_maxima)."""
+        return np.zeros((n_frames, self._n_wide), FLOAT)
+
+    def add_maxima(self, wide: Block) -> None:
+        """Write the maxima beside the bins."""
         wide[:, self._n_bins :] = np.maximum.reduceat(wide, self._edges, axis=1)[:, ::2]
+
+    def widen(self, spectra: Block) -> Block:
+        """Give spectra with their maxima beside the bins; float32, shape (n_frames, n_bins + n_maxima)."""
+        wide = self.room_for(len(spectra))
+        wide[:, : self._n_bins] = spectra
+        self.add_maxima(wide)
         return wide
 
     def weights(self, source: Spectrum) -> Block:

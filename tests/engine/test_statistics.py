@@ -55,8 +55,8 @@ def test_what_is_unidentified_takes_the_successor_from_the_table():
     assert calmed("a?m?", 0.0, {Phoneme.A: Phoneme.M, Phoneme.M: Phoneme.SILENCE}) == "amm_"
 
 
-def test_successors_follow_one_another_frame_by_frame():
-    assert calmed("a??", 0.0, {Phoneme.A: Phoneme.M, Phoneme.M: Phoneme.E}) == "ame"
+def test_a_successor_is_that_of_what_was_identified_last_not_of_what_was_filled_in():
+    assert calmed("a??", 0.0, {Phoneme.A: Phoneme.M, Phoneme.M: Phoneme.E}) == "amm"
 
 
 def test_a_successor_waits_too_until_the_minimum_time_is_over():
