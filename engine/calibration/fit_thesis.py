@@ -176,7 +176,7 @@ class PresetFitter:
 NOTES = """\
 The thesis rules, fitted by engine.calibration.fit_thesis (seed {seed}, {n_starts} starts) to {minutes:.1f} minutes of
 labelled speech of {n_speakers} speakers, human and synthetic. The search maximises the macro F1 over ten classes,
-under three demands: u_o1 > o_o1 > i_o1; each rule finds at least {found:.0%} of its own phoneme's frames; each threshold
+under three demands: u_o1 > o_o1 > i_o1; each rule finds at least {found:.0%} of its own frames; each threshold
 keeps at least {excluded:.1%} of all frames from its rules.
 Each recording counts twice, as it is and with another level (-6..+6 dB) and a noise floor of -75..-65 dB, since the
 pauses of synthetic speech are digital zeros and those of real rooms are not; white noise crosses zero some 1020 times
