@@ -171,7 +171,7 @@ class SoundReader:
         self._resampler = self._new_resampler() if self.file_rate != SAMPLE_RATE else None
 
     def _decode_up_to(self, frame: int) -> None:
-        """Reach a frame by decoding all before it: in Vorbis libsndfile seeks up to a block beside it (its issue 885)."""
+        """Reach a frame by decoding all before it: libsndfile seeks in Vorbis up to a block beside it (issue 885)."""
         if frame < self._frame:
             self._frame = self._file.seek(0)
         while n := len(self._file.read(min(frame - self._frame, READ_VALUES), dtype="float32")):
