@@ -39,6 +39,14 @@ STEP = 700
 AHEAD = STEP + 2000  # half a window and a block beyond what is heard next
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Have Qt's warnings fail the tests of this folder; the engine's tests know nothing of Qt."""
+    for item in items:
+        if item.path.parent == Path(__file__).parent:
+            item.add_marker(pytest.mark.qt_log_level_fail("WARNING"))
+            item.add_marker(pytest.mark.qt_log_ignore("propagateSizeHints"))
+
+
 @pytest.fixture
 def sound(tmp_path: Path) -> Path:
     """Speech-like sound of 0.85 s in a file."""
