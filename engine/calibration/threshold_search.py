@@ -35,7 +35,7 @@ DESCENDING = ("u_o1", "o_o1", "i_o1")
 LEAST_FOUND = 0.03
 """The share of its phoneme's frames that each rule must find by itself."""
 
-LEAST_EXCLUDED = 0.001
+LEAST_EXCLUDED = 0.0005
 """The share of all frames that each condition must exclude from its rules, all other conditions being as they are; a
 threshold that excludes none says nothing."""
 
@@ -129,7 +129,11 @@ class ThresholdSearch:
         return max(ends, key=lambda end: end.score)
 
     def _start(self, generator: np.random.Generator) -> Limits:
-        limits = {c: generator.choice(candidates) for c, candidates in self._candidates.items()}
+        """Draw each limit from that half of its candidates that lets more frames through to its rules."""
+        limits = {}
+        for c, candidates in self._candidates.items():
+            middle = len(candidates) // 2
+            limits[c] = generator.choice(candidates[: middle + 1] if c.sign == ">" else candidates[middle:])
         ladder = [c for name in DESCENDING for c in CONDITIONS if c.threshold == name]
         pool = np.unique(np.concatenate([self._candidates[c] for c in ladder]))
         drawn = generator.choice(pool, len(ladder), replace=len(pool) < len(ladder))

@@ -9,11 +9,26 @@ from numpy.typing import NDArray
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 
-SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType(dict.fromkeys(Phoneme, Phoneme.O))
-"""What a frame is likeliest to be after each phoneme where the rules say nothing.
+SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType(
+    {
+        Phoneme.SILENCE: Phoneme.P,
+        Phoneme.UNIDENTIFIED: Phoneme.O,
+        Phoneme.SZ: Phoneme.SZ,
+        Phoneme.SCH: Phoneme.E,
+        Phoneme.M: Phoneme.O,
+        Phoneme.P: Phoneme.I,
+        Phoneme.I: Phoneme.O,
+        Phoneme.A: Phoneme.M,
+        Phoneme.E: Phoneme.O,
+        Phoneme.U: Phoneme.U,
+        Phoneme.O: Phoneme.O,
+    }
+)
+"""What a frame is likeliest to be where the rules say nothing, by the phoneme that they named last.
 
-Fitted to labelled speech by `engine.calibration.fit_thesis`: the thesis rules say nothing where the band of the
-second formant is neither strong (a, e) nor weak (u, o, i, m), and there o scores best, whatever came before.
+Counted on labelled speech by `engine.calibration.fit_thesis`, with the thresholds of the preset Thesis: the class of
+which the largest share is found there. The rules say nothing mostly where the band of the second formant is neither
+strong (a, e) nor weak (u, o, i, m), hence the many o. The entry of unidentified is what is likeliest after anything.
 """
 
 
