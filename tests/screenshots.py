@@ -7,10 +7,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
 PICTURES = {
-    "window-light.png": ("1280x800", "light", "4.2"),
-    "window-dark.png": ("1280x800", "dark", "4.2"),
-    "window-large-light.png": ("1920x1080", "light", "6.3"),
-    "window-large-dark.png": ("1920x1080", "dark", "6.3"),
+    "window-light.png": ("1280x800", "light", "6.0"),
+    "window-dark.png": ("1280x800", "dark", "6.0"),
+    "window-large-light.png": ("1920x1080", "light", "9.4"),
+    "window-large-dark.png": ("1920x1080", "dark", "9.4"),
 }
 
 if __name__ == "__main__":

@@ -91,7 +91,7 @@ class PhonemeView(QWidget):
             self._write(painter, line.adjusted(16, 0, 0, 0), asked, colour, 11)
             self._write(painter, line.adjusted(62, 0, 0, 0), _words(comparison), colour, 11)
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            self._write(painter, line, f"{comparison.margin:+.3g}", mark, 11, right)
+            self._write(painter, line, _signed(comparison.margin), mark, 11, right)
             line = line.translated(0, ROW)
         if trace.phoneme is not self.phoneme:
             calmed = f"statistics: {trace.phoneme.label} → {self.phoneme.label}"
@@ -126,3 +126,7 @@ def _words(comparison: Comparison) -> str:
 
 def _short(value: float) -> str:
     return f"{value:.0f}" if abs(value) >= 1000 else f"{value:.3g}"
+
+
+def _signed(margin: float) -> str:
+    return f"{margin:+.0f}" if abs(margin) >= 1000 else f"{margin:+.3g}"
