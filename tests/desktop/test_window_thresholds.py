@@ -138,7 +138,7 @@ def test_arrow_keys_move_a_hundredth_and_with_shift_a_thousandth(desktop, window
 
 
 def test_the_reset_gives_back_the_file_s_value_and_goes_away(desktop, window):
-    for name, text in (("sz_s1", "77"), ("high_pass_end", "77"), ("denoise_threshold", "0.77")):
+    for name, text in (("sz_s1", "77"), ("high_pass_end", "770"), ("denoise_threshold", "0.77")):
         before = value_of(desktop, name)
         type_number(window.thresholds.numbers[name], text)
         assert window.thresholds.resets[name].isVisible()
