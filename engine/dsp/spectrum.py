@@ -52,7 +52,8 @@ class Transform:
 
     Attributes
     ----------
-    scale : float32, shape (1, n_bins): what turns a bin's magnitude into an amplitude of 0..1.
+    scale : float32, shape (1, n_bins): what turns a bin's magnitude into an amplitude, so that a full-scale sine on
+        a bin, or a full-scale constant on bin 0, reads 1.0.
     """
 
     def __init__(self, settings: AnalysisSettings) -> None:
@@ -80,10 +81,6 @@ class Transform:
         """
         magnitudes: Block = np.abs(_rfft()(waves)[:, : self._n_bins])
         return magnitudes
-
-    def amplitudes_of(self, waves: Block) -> Block:
-        """Transform waveforms to amplitudes: a full-scale sine on a bin, or constant on bin 0, reads 1.0."""
-        return self.magnitudes_of(waves) * self.scale
 
 
 @lru_cache(maxsize=1)

@@ -104,11 +104,10 @@ class Session(QObject):
     def open(self, path: Path) -> bool:
         """Open a file and stand at its beginning; a file that cannot be read leaves the present one in hand."""
         try:
-            player = FilePlayer(path, self.preset.in_force, self.channel, self._open_device)
+            player = FilePlayer(path, self.preset.in_force, self.channel, self._open_free_device)
         except EngineError as error:
             self.failed.emit(str(error))
             return False
-        self.close()
         player.loop = self.loop
         self._player = player
         self.set_volume(self.volume)
@@ -116,6 +115,11 @@ class Session(QObject):
         self.opened.emit()
         self.transport_changed.emit()
         return True
+
+    def _open_free_device(self, n_channels: int) -> Output:
+        """Open what is played on, once the present file has let go of it: some cards serve one stream at a time."""
+        self.close()
+        return self._open_device(n_channels)
 
     def play(self) -> None:
         """Play from where it stands; the averaged spectrum begins anew when that is the beginning."""

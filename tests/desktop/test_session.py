@@ -194,3 +194,14 @@ def test_a_place_sought_while_nothing_plays_shows_the_seconds_before_it(session:
     session.seek(0.2)
     assert frames(session) == list(range(20))
     assert session.averages.n_frames == 0
+
+
+def test_the_sound_card_is_let_go_before_the_next_file_takes_it(
+    session: Session, sound: Path, stereo: Path, outputs: Outputs
+) -> None:
+    session.open(sound)
+    first = outputs.last
+    seen: list[bool] = []
+    session._open_device = lambda n: (seen.append(first.closed), outputs(n))[1]
+    session.open(stereo)
+    assert seen == [True]

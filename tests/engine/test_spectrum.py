@@ -26,7 +26,7 @@ def spectrum_of(
         window_function=window,
     )
     transform = Transform(settings)
-    return transform.amplitudes_of(transform.waveforms_of(frame))[0]
+    return (transform.magnitudes_of(transform.waveforms_of(frame)) * transform.scale)[0]
 
 
 @pytest.mark.parametrize("window", WindowFunction)
@@ -101,7 +101,8 @@ def test_spectra_agree_with_the_definition_of_the_fourier_transform():
     time = np.arange(512)
     expected = [abs(np.sum(wave * np.exp(-2j * np.pi * k * time / 512))) / 256 for k in range(256)]
     expected[0] /= 2
-    amplitudes = Transform(AnalysisSettings()).amplitudes_of(wave[None].astype(np.float32))[0]
+    transform = Transform(AnalysisSettings())
+    amplitudes = (transform.magnitudes_of(wave[None].astype(np.float32)) * transform.scale)[0]
     np.testing.assert_allclose(amplitudes, expected, atol=1e-6)
 
 
