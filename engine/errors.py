@@ -3,8 +3,10 @@
 EngineError
 ├── SettingsError   a value that an analysis cannot work with
 ├── AudioError      a sound that cannot be read
-│   └── DeviceError     a sound card that cannot be used
+│   ├── DeviceError     a sound card that cannot be used
+│   └── RecordingError  a sound that cannot be written
 ├── PresetError     a preset or PhonemeData file that says something impossible
+├── RecogniserError a recogniser of another package that fails
 ├── CurveError      an averaged-spectrum file that cannot be read
 └── CorpusError     labelled recordings that cannot be read
 
@@ -28,8 +30,16 @@ class DeviceError(AudioError):
     """A sound card cannot be used."""
 
 
+class RecordingError(AudioError):
+    """A sound cannot be recorded to disk."""
+
+
 class PresetError(EngineError, ValueError):
     """A preset or PhonemeData file cannot be used."""
+
+
+class RecogniserError(EngineError):
+    """A recogniser from another package cannot be used."""
 
 
 class CurveError(EngineError, ValueError):

@@ -1,4 +1,4 @@
-"""Sound files, read from disk as a stream at 44.1 kHz: the only door to soundfile and soxr."""
+"""Sound files, read from disk as a stream at 44.1 kHz."""
 
 import io
 import math
@@ -6,15 +6,15 @@ from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
-from typing import Any, BinaryIO, Self
+from typing import BinaryIO, Self
 
 import numpy as np
-import soundfile
-import soxr
 from numpy.typing import NDArray
 
 from engine.audio.headers import ADVICE, mp3_states_its_length, sound_end
+from engine.audio.libsndfile import Decoder, DecodingError
 from engine.audio.opening import Part, opened, shown_name
+from engine.audio.resampling import Resampler
 from engine.errors import AudioError
 from engine.settings import SAMPLE_RATE, WINDOW, Channel
 
@@ -162,13 +162,14 @@ class SoundReader:
                 self._decode_up_to(frame)
             else:
                 self._file.seek(frame)
-        except soundfile.SoundFileError as error:
+        except DecodingError as error:
             raise AudioError(f"{self._name}: it can only be read from its beginning; {ADVICE} as WAV") from error
         self._frame = frame
         self._ended = False
         self._rest = np.zeros((0, self.n_channels), np.float32)
         self.position = frame * SAMPLE_RATE // self.file_rate
-        self._resampler = self._new_resampler() if self.file_rate != SAMPLE_RATE else None
+        rate = self.file_rate
+        self._resampler = Resampler(rate, self.n_channels) if rate != SAMPLE_RATE else None
 
     def _decode_up_to(self, frame: int) -> None:
         """Reach a frame by decoding all before it: libsndfile seeks in Vorbis up to a block beside it (issue 885)."""
@@ -176,9 +177,6 @@ class SoundReader:
             self._frame = self._file.seek(0)
         while n := len(self._file.read(min(frame - self._frame, READ_VALUES), dtype="float32")):
             self._frame += n
-
-    def _new_resampler(self) -> Any:
-        return soxr.ResampleStream(self.file_rate, SAMPLE_RATE, self.n_channels, dtype="float32", quality="HQ")
 
     def _next_part(self) -> Block:
         """Read on in the file and give what the resampler makes of it; silence once there is nothing left."""
@@ -188,14 +186,14 @@ class SoundReader:
         self._ended = self._frame >= self._n_frames
         if self._resampler is None:
             return block
-        return np.asarray(self._resampler.resample_chunk(block, last=self._ended), np.float32)
+        return self._resampler.push(block, last=self._ended)
 
     def _next_frames(self) -> Block:
         """Read the next frames, shape (n, n_file_channels), n > 0 while there are any."""
         n = min(self._read_frames, self._n_frames - self._frame)
         try:
             block: Block = self._file.read(n, dtype="float32", always_2d=True)
-        except soundfile.SoundFileError as error:
+        except DecodingError as error:
             raise AudioError(
                 f"{self._name}: it is damaged after {self._seconds(0)}; copy or export it again"
             ) from error
@@ -239,30 +237,19 @@ def mono_of(block: Block, channel: Channel) -> Block:
     return np.ascontiguousarray(block[:, 0 if channel is Channel.LEFT else 1])
 
 
-class _Decoder(soundfile.SoundFile):  # type: ignore[misc]
-    """A sound file whose `read` only reads.
-
-    soundfile seeks after every reading of a seekable file, and a seek makes an MP3 decoder forget the bits that
-    its next frame borrows: the sound would be wrong after every block.
-    """
-
-    def seekable(self) -> bool:
-        return False
-
-
-def _decoder(raw: BinaryIO, name: str) -> _Decoder:
+def _decoder(raw: BinaryIO, name: str) -> Decoder:
     if raw.seek(0, io.SEEK_END) == 0:
         raise AudioError(f"{name}: the file is empty (0 bytes); copy or record it again")
     end = sound_end(raw, name)
     try:
-        return _Decoder(Part(raw, end))
-    except (soundfile.SoundFileError, TypeError) as error:
+        return Decoder(Part(raw, end))
+    except (DecodingError, TypeError) as error:
         raise AudioError(
             f"{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG or MP3 file"
         ) from error
 
 
-def _checked_length(file: _Decoder, raw: BinaryIO, name: str) -> int:
+def _checked_length(file: Decoder, raw: BinaryIO, name: str) -> int:
     """Give the number of frames, after the refusals that concern the file as a whole."""
     rate, n_frames = int(file.samplerate), int(file.frames)
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
@@ -280,7 +267,7 @@ def _checked_length(file: _Decoder, raw: BinaryIO, name: str) -> int:
     return n_frames
 
 
-def _frames_there(file: _Decoder, most: int) -> int:
+def _frames_there(file: Decoder, most: int) -> int:
     """Count the frames of an MP3 file whose length is only guessed from its size, by looking where it ends."""
     here, beyond = -1, most
     probe = most - 1
@@ -294,7 +281,7 @@ def _frames_there(file: _Decoder, most: int) -> int:
     return beyond
 
 
-def _is_mp3(file: _Decoder) -> bool:
+def _is_mp3(file: Decoder) -> bool:
     return str(file.subtype).startswith("MPEG_LAYER")
 
 

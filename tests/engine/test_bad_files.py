@@ -63,7 +63,7 @@ def test_sizes_that_lie_are_named_before_the_sound_is_opened(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = LYING[name](tmp_path)
-    monkeypatch.setattr("engine.audio.files._Decoder", None)
+    monkeypatch.setattr("engine.audio.files.Decoder", None)
     with pytest.raises(AudioError, match=r"the sizes in its header do not match the file .*export it again"):
         SoundReader(path)
 

@@ -1,0 +1,98 @@
+"""WAV files of 24 bits that are playable at any moment while they grow, and turn to RF64 beyond 4 GB.
+
+libsndfile can do that too, but writes WAVE_FORMAT_EXTENSIBLE, which Python's `wave` before 3.12 refuses, and only
+through a part of soundfile that is private.
+"""
+
+import struct
+from contextlib import suppress
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.audio.pcm import packed, whole_numbers_of, write_whole
+
+WIDTH = 3
+"""Bytes of a sample."""
+
+HEADER = 80
+"""Bytes before the samples."""
+
+MOST_IN_RIFF = 0xFFFF_FFFF
+"""The largest size that RIFF can state; in RF64 it says that the size stands in ``ds64`` (EBU Tech 3306)."""
+
+
+class WavEncoder:
+    """Writes WAV; after every block the header is true.
+
+    Parameters
+    ----------
+    file : a new, empty, unbuffered file, which stays open.
+    rate : Hz.
+    n_channels : channels of each block.
+
+    Attributes
+    ----------
+    n_samples : samples per channel that a reader of the file finds now.
+    """
+
+    def __init__(self, file: BinaryIO, rate: int, n_channels: int) -> None:
+        self.n_samples = 0
+        self._file = file
+        self._rate = rate
+        self._n_channels = n_channels
+        self._frame = WIDTH * n_channels
+        self._state_length()
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Append a block, shape (n, n_channels), ±1.
+
+        Raises
+        ------
+        OSError : the disk refuses; as much of the block as fits is in the file.
+        """
+        begin = self._file.seek(self._end)
+        try:
+            write_whole(self._file, packed(whole_numbers_of(block)))
+        finally:
+            self.n_samples += (self._file.tell() - begin) // self._frame
+            self._state_length()
+
+    def close(self) -> None:
+        """Cut off what is no whole frame, and end at an even byte, as RIFF wants it; may be called twice.
+
+        Raises
+        ------
+        OSError : the disk refuses.
+        """
+        self._file.truncate(self._end)
+        self._file.seek(self._end)
+        with suppress(OSError):  # every reader does without it
+            write_whole(self._file, b"\0" * (self._end % 2))
+        self._state_length()
+
+    @property
+    def _end(self) -> int:
+        return HEADER + self.n_samples * self._frame
+
+    def _state_length(self) -> None:
+        self._file.seek(0)
+        write_whole(self._file, wav_header(self._rate, self._n_channels, self.n_samples))
+
+
+def wav_header(rate: int, n_channels: int, n_samples: int) -> bytes:
+    """Give the 80 bytes before the samples: RIFF if its size field can hold the length, else RF64."""
+    frame = WIDTH * n_channels
+    n_bytes = n_samples * frame
+    whole = HEADER - 8 + n_bytes + n_bytes % 2
+    sizes = struct.pack("<QQQI", whole, n_bytes, n_samples, 0)
+    big = whole > MOST_IN_RIFF
+    return b"".join(
+        (
+            struct.pack("<4sI4s", b"RF64" if big else b"RIFF", min(whole, MOST_IN_RIFF), b"WAVE"),
+            struct.pack("<4sI28s", b"ds64" if big else b"JUNK", len(sizes), sizes if big else b""),
+            struct.pack("<4sIHHIIHH", b"fmt ", 16, 1, n_channels, rate, rate * frame, frame, 8 * WIDTH),
+            struct.pack("<4sI", b"data", MOST_IN_RIFF if big else n_bytes),
+        )
+    )

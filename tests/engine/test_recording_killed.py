@@ -1,0 +1,115 @@
+"""A process that is killed while it records loses at most the last second."""
+
+import subprocess
+import sys
+import time
+from contextlib import ExitStack
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from engine.audio.files import SoundReader
+from engine.audio.journal import unfinished
+from engine.errors import AudioError
+from tests.recorders import samples_in, samples_of_16_bits
+
+RATES = {"a.wav": (44_100, 2), "b.flac": (44_100, 1), "c.wav": (16_000, 1), "d.flac": (8_000, 2)}
+"""What each process records at the same time: rate in Hz, and channels."""
+
+RECORD = """
+import sys, time
+from pathlib import Path
+from tests.engine.test_recording_killed import RATES
+from tests.recorders import begun, samples_of_16_bits
+folder = Path(sys.argv[1])
+recordings = {name: begun(folder / name, *form) for name, form in RATES.items()}
+print("begun", flush=True)
+start, n_blocks = time.monotonic(), 0
+while True:
+    for name, (rate, n_channels) in RATES.items():
+        recordings[name].write(samples_of_16_bits(n_blocks * rate // 100, rate // 100, n_channels))
+    n_blocks += 1
+    print(n_blocks, flush=True)
+    time.sleep(max(0.0, start + n_blocks / 100 - time.monotonic()))
+"""
+
+TAKES = """
+import sys, time
+from pathlib import Path
+from tests.recorders import begun, samples_of_16_bits
+folder = Path(sys.argv[1])
+print("begun", flush=True)
+for number in range(1000):
+    recording = begun(folder / f"{number}{'.wav' if number % 2 else '.flac'}", 16_000)
+    for block in range(10):
+        recording.write(samples_of_16_bits(block * 800, 800))
+        time.sleep(0.002)
+    recording.close()
+    print(recording.path.name, flush=True)
+"""
+
+
+def run_and_kill(program: str, folders: list[Path], moments: list[float]) -> list[list[str]]:
+    """Run a program in several processes, kill each at its moment (seconds), and give the lines that they wrote."""
+    with ExitStack() as at_end:
+        running = []
+        for folder in folders:
+            folder.mkdir()
+            command = [sys.executable, "-c", program, str(folder)]
+            process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+            at_end.callback(process.wait)
+            at_end.callback(process.kill)
+            running.append(process)
+        said = []
+        for process in running:
+            assert process.stdout is not None
+            assert process.stdout.readline() == "begun\n"
+        start = time.monotonic()
+        for process, moment in zip(running, moments, strict=True):
+            time.sleep(max(0.0, start + moment - time.monotonic()))
+            process.kill()
+        for process in running:
+            assert process.stdout is not None
+            said.append([line.strip() for line in process.stdout if line.endswith("\n")])
+            process.stdout.close()
+        return said
+
+
+@pytest.mark.parametrize("batch", range(5))
+def test_a_killed_process_loses_at_most_the_last_second(batch: int, tmp_path: Path) -> None:
+    moments = sorted(np.random.default_rng(batch).uniform(0.0, 3.0, 4))
+    folders = [tmp_path / str(number) for number in range(4)]
+    for folder, lines in zip(folders, run_and_kill(RECORD, folders, moments), strict=True):
+        given = int(lines[-1]) / 100 if lines else 0.0
+        offered = {recording.path: recording.seconds for recording in unfinished(folder / "journal")}
+        for name, (rate, n_channels) in RATES.items():
+            if given > 1:
+                with SoundReader(folder / name) as reader:
+                    assert reader.duration >= given - 1
+                    assert offered[folder / name] == reader.duration
+                    assert sum(len(block) for block in reader.blocks(10_000)) == reader.n_samples
+                found = samples_in(folder / name)
+                assert len(found) / rate == offered[folder / name]
+                np.testing.assert_array_equal(found, samples_of_16_bits(0, len(found), n_channels))
+
+
+def test_killing_at_a_beginning_or_an_end_spoils_no_other_recording(tmp_path: Path) -> None:
+    moments = sorted(np.random.default_rng(5).uniform(0.0, 1.0, 6))
+    folders = [tmp_path / str(number) for number in range(6)]
+    n_unfinished = 0
+    for folder, finished in zip(folders, run_and_kill(TAKES, folders, moments), strict=True):
+        for name in finished:
+            np.testing.assert_array_equal(samples_in(folder / name), samples_of_16_bits(0, 8000))
+        offered = [recording.path.name for recording in unfinished(folder / "journal")]
+        others = {path.name for path in folder.iterdir() if path.is_file()} - set(finished)
+        assert len(others) <= 1
+        assert set(offered) <= others | set(finished[-1:])
+        for name in others:
+            n_unfinished += 1
+            try:
+                with SoundReader(folder / name) as reader:
+                    assert sum(len(block) for block in reader.blocks(10_000)) == reader.n_samples
+            except AudioError:
+                assert name not in offered  # no sample was on the disk yet
+    assert n_unfinished > 0
