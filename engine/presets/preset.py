@@ -18,7 +18,7 @@ from engine.features.variables import Kind, Spectrum, Variable, check_user_varia
 from engine.phonemes import Phoneme
 from engine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
 from engine.recognition.phoneme_data import FILTER_FIELDS, LARGEST, PhonemeData, Thresholds
-from engine.recognition.recogniser import recogniser_of
+from engine.recognition.recogniser import check_recogniser
 from engine.recognition.statistics import SUCCESSORS
 from engine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
 
@@ -67,7 +67,7 @@ class Preset:
 
     Raises
     ------
-    EngineError : a variable's name is taken, or there is no such recogniser.
+    EngineError : a variable's name is taken, or there is no such recogniser, or there are two.
     """
 
     name: str = "untitled"
@@ -80,7 +80,7 @@ class Preset:
 
     def __post_init__(self) -> None:
         check_user_variables(self.variables)
-        recogniser_of(self.recogniser, self.thresholds)
+        check_recogniser(self.recogniser)
 
     @property
     def phoneme_data(self) -> PhonemeData:

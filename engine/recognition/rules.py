@@ -73,6 +73,8 @@ class ThesisRules:
     All comparisons of a block are one; what a value exceeds its limit by is the margin, positive where it holds.
     """
 
+    used_thresholds = frozenset(c.threshold for c in CONDITIONS)
+
     def __init__(self, thresholds: Thresholds) -> None:
         self._thresholds = thresholds
         self._names: tuple[str, ...] = ()

@@ -8,9 +8,11 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from engine.errors import EngineError, RecogniserError
 from engine.features.variables import Variable
 from engine.presets.preset import DEFAULT_PRESET, FACTORY, Preset, load_preset, save_preset
-from engine.recognition.phoneme_data import PhonemeData
+from engine.recognition.phoneme_data import PhonemeData, Thresholds
+from engine.recognition.recogniser import Recogniser, recogniser_of
 from engine.settings import Filter
 
 FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
@@ -66,10 +68,12 @@ class PresetModel(QObject):
     -------
     changed : the preset in force is another one.
     file_changed : the file's name, or whether there are unsaved changes.
+    refused : a sentence for the user: the recogniser in use does not take that threshold.
     """
 
     changed = Signal()
     file_changed = Signal()
+    refused = Signal(str)
 
     def __init__(self, path: Path = DEFAULT_PRESET) -> None:
         super().__init__()
@@ -80,6 +84,22 @@ class PresetModel(QObject):
         self.preset = load_preset(path)
         self._saved = self.preset
         self._run = 0
+        self._made: tuple[object, Recogniser] = self._make(self.preset)
+
+    @property
+    def recogniser(self) -> Recogniser:
+        """The recogniser of the preset in use, made once; EngineError where it cannot be made."""
+        if self._made[0] != _recogniser_key(self.preset):
+            self._made = self._make(self.preset)
+        return self._made[1]
+
+    @property
+    def used_thresholds(self) -> frozenset[str]:
+        """The thresholds that the recogniser in use compares with; all, where it cannot be made to tell."""
+        try:
+            return self.recogniser.used_thresholds
+        except EngineError:
+            return frozenset(f.name for f in fields(Thresholds))
 
     @property
     def in_force(self) -> Preset:
@@ -101,6 +121,7 @@ class PresetModel(QObject):
     def load(self, path: Path) -> None:
         """Load a preset or PhonemeData file; EngineError leaves everything as it was."""
         preset = load_preset(path, self.preset)
+        self._made = self._make(preset)
         self._saved = preset
         self.path = path
         self.undo_stack.clear()
@@ -127,8 +148,13 @@ class PresetModel(QObject):
         self.changed.emit()
 
     def edit(self, preset: Preset, what: str) -> None:
-        """Change the preset; `what` names the change in the Edit menu, and equal names in a row become one."""
+        """Change the preset; `what` names the change in the Edit menu, and equal names in a row become one.
+
+        EngineError, where its recogniser cannot be made, leaves everything as it was.
+        """
         if preset != self.preset:
+            if _recogniser_key(preset) != self._made[0]:
+                self._made = self._make(preset)
             self.undo_stack.push(_Edit(self._apply_edit, self.preset, preset, what, self._run))
             self.file_changed.emit()
 
@@ -169,14 +195,22 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, settings=settings), f"reset of {names[0].replace('_', ' ')}")
 
     def set_threshold(self, name: str, value: float) -> None:
-        """Change one of the 21 numbers of PhonemeData (high-pass bounds in bins)."""
+        """Change one of the 21 numbers of PhonemeData (high-pass bounds in bins), if the recogniser takes it."""
         data = self.preset.phoneme_data
         numbers = {f.name: getattr(data, f.name) for f in fields(PhonemeData)} | {name: value}
         if name == "high_pass_start":
             numbers["high_pass_end"] = max(value, numbers["high_pass_end"])
         if name == "high_pass_end":
             numbers["high_pass_start"] = min(value, numbers["high_pass_start"])
-        self.edit(self.preset.with_phoneme_data(PhonemeData(**numbers)), f"change of {name.replace('_', ' ')}")
+        try:
+            self.edit(self.preset.with_phoneme_data(PhonemeData(**numbers)), f"change of {name.replace('_', ' ')}")
+        except RecogniserError as error:
+            self.refused.emit(str(error))
+            self.changed.emit()  # whoever shows the refused number shows the old one again
+
+    def set_recogniser(self, name: str) -> None:
+        """Recognise with another recogniser; EngineError, where it cannot be made, leaves everything as it was."""
+        self.edit(replace(self.preset, recogniser=name), f"recogniser {name}")
 
     def saved_threshold(self, name: str) -> float:
         """Give one of the 21 numbers as the preset's file has it."""
@@ -192,9 +226,18 @@ class PresetModel(QObject):
         kept = tuple(v for v in self.preset.variables if v.name != name)
         self.edit(replace(self.preset, variables=kept), f"removal of {name}")
 
+    def _make(self, preset: Preset) -> tuple[object, Recogniser]:
+        recogniser = recogniser_of(preset.recogniser, preset.thresholds)
+        recogniser.used_thresholds  # noqa: B018 - one of another package is made by being asked
+        return _recogniser_key(preset), recogniser
+
     def _apply_edit(self, preset: Preset) -> None:
         self._apply(replace(preset, name=self.preset.name))  # the name is the file's, and saving is not undone
 
     def _apply(self, preset: Preset) -> None:
         self.preset = preset
         self.changed.emit()
+
+
+def _recogniser_key(preset: Preset) -> object:
+    return preset.recogniser, preset.thresholds

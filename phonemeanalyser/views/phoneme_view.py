@@ -1,5 +1,6 @@
 """The recognised phoneme in large letters, its intensity, why it was recognised, and the plain measures."""
 
+import math
 from typing import Any
 
 from PySide6.QtCore import QRectF, Qt
@@ -13,6 +14,8 @@ from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 
 ROW = 15
 """Height of a line of the trace in pixels."""
+MARGIN_WIDTH = 50
+"""Room that the margin at a line's right end takes in pixels."""
 N_ROWS = 10
 METERS = (("zc", "zero_crossings", "{:.0f}"), ("vol", "volume", "{:.3f}"), ("e", "energy", "{:.3f}"),
           ("f(g)", "f0", "{:.0f} Hz"))  # fmt: skip
@@ -26,7 +29,7 @@ class PhonemeView(QWidget):
         self._session = session
         self._theme = theme
         self.trace: Trace | None = None
-        self.phoneme = Phoneme.SILENCE
+        self.phoneme = self.recognised = Phoneme.SILENCE
         self.intensity = 0.0
         self.meters: dict[str, str] = {}
         self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
@@ -40,10 +43,11 @@ class PhonemeView(QWidget):
         """Show the newest frame."""
         newest = self._session.history.newest
         if newest is None:
-            self.phoneme, self.intensity, self.meters = Phoneme.SILENCE, 0.0, {}
+            self.phoneme = self.recognised = Phoneme.SILENCE
+            self.intensity, self.meters = 0.0, {}
         else:
             values = newest.features.frame(len(newest) - 1)
-            self.phoneme = Phoneme(int(newest.phonemes[-1]))
+            self.phoneme, self.recognised = Phoneme(int(newest.phonemes[-1])), Phoneme(int(newest.recognised[-1]))
             self.intensity = float(newest.intensities[-1])
             self.meters = {name: form.format(values[variable]) for name, variable, form in METERS}
             if values["f0"] == 0:
@@ -88,13 +92,17 @@ class PhonemeView(QWidget):
             colour = self._theme.text if fired else self._theme.faint
             mark = self._theme.good if comparison.margin > 0 else self._theme.bad
             self._write(painter, line, "✓" if comparison.margin > 0 else "✗", mark, 11)
-            self._write(painter, line.adjusted(16, 0, 0, 0), asked, colour, 11)
-            self._write(painter, line.adjusted(62, 0, 0, 0), _words(comparison), colour, 11)
+            words = QRectF(line.left() + 62, line.top(), line.width() - 62 - MARGIN_WIDTH, ROW)
+            self._write(painter, QRectF(line.left() + 16, line.top(), 44, ROW), asked, colour, 11)
+            self._write(painter, words, _words(comparison), colour, 11)
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             self._write(painter, line, _signed(comparison.margin), mark, 11, right)
             line = line.translated(0, ROW)
-        if trace.phoneme is not self.phoneme:
-            calmed = f"statistics: {trace.phoneme.label} → {self.phoneme.label}"
+        if not trace.comparisons:
+            self._write(painter, line.adjusted(16, 0, 0, 0), trace.rule, self._theme.text, 11)
+            line = line.translated(0, ROW)
+        if self.recognised is not self.phoneme:
+            calmed = f"statistics: {self.recognised.label} → {self.phoneme.label}"
             self._write(painter, line.adjusted(16, 0, 0, 0), calmed, self._theme.accent, 11)
 
     def _write(
@@ -105,7 +113,8 @@ class PhonemeView(QWidget):
         font.setPixelSize(size)
         painter.setFont(font)
         painter.setPen(QColor(colour))
-        painter.drawText(box, align, text)
+        fitting = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, math.ceil(box.width()))
+        painter.drawText(box, align, fitting)
 
 
 def rows_of(trace: Trace) -> list[tuple[Comparison, str, bool]]:

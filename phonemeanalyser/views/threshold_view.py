@@ -107,14 +107,15 @@ class ThresholdSlider(QWidget):
             holds = QRectF(left, middle - 2, handle - left, 4)
             if self._sign == ">":
                 holds = QRectF(handle, middle - 2, right - handle, 4)
-            painter.fillRect(holds, QColor(self._theme.accent))
+            painter.fillRect(holds, QColor(self._theme.accent if self.isEnabled() else self._theme.line))
         if self.live is not None:
             good = (self.live > self.value) == (self._sign == ">") and self.live != self.value
             colour = QColor(self._theme.good if good else self._theme.bad)
             painter.fillRect(QRectF(self._mark_at - 1.5, 1, 3, self.height() - 2), colour)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QColor(self._theme.base))
-        painter.setBrush(QColor(self._theme.accent if self.hasFocus() else self._theme.text))
+        handles = self._theme.text if self.isEnabled() else self._theme.faint
+        painter.setBrush(QColor(self._theme.accent if self.hasFocus() else handles))
         top = self.height() - 1.0
         corners = ((handle, middle - 1), (handle + 5, middle + 5), (handle + 5, top), (handle - 5, top),
                    (handle - 5, middle + 5))  # fmt: skip
@@ -168,6 +169,9 @@ class ThresholdView(QScrollArea):
         self.sliders: dict[str, ThresholdSlider] = {}
         self.numbers: dict[str, QDoubleSpinBox] = {}
         self.resets: dict[str, QToolButton] = {}
+        self.unused = QLabel()
+        self._headings: dict[str, QLabel] = {}
+        self._rows: dict[str, tuple[QWidget, ...]] = {}
         self._fill()
         preset.changed.connect(self._show_preset)
         self._show_preset()
@@ -177,7 +181,8 @@ class ThresholdView(QScrollArea):
         newest = self._history.newest
         values = newest.features.frame(len(newest) - 1) if newest is not None else {}
         for name, condition in CONDITION_OF.items():
-            self.sliders[name].set_live(values.get(condition.variable))
+            slider = self.sliders[name]
+            slider.set_live(values.get(condition.variable) if slider.isEnabled() else None)
 
     def _fill(self) -> None:
         body = QWidget()
@@ -186,12 +191,12 @@ class ThresholdView(QScrollArea):
         grid.setHorizontalSpacing(5)
         grid.setVerticalSpacing(1)
         grid.setColumnStretch(1, 1)
-        row = 0
-        for (title, note), names in zip(GROUPS, LAYOUT, strict=True):
-            heading = QLabel(f"<b>{title}</b> <span style='color:{self._theme.faint}'>{note}</span>")
+        self._add_note(grid)
+        row = 1
+        for (title, _), names in zip(GROUPS, LAYOUT, strict=True):
+            heading = self._headings[title] = QLabel()
             heading.setContentsMargins(0, 5, 0, 1)
             heading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-            heading.setToolTip(note)
             grid.addWidget(heading, row, 0, 1, 4)
             for row, name in enumerate(names, row + 1):  # noqa: B020 - rows go on from group to group
                 self._add_row(grid, row, name)
@@ -202,6 +207,13 @@ class ThresholdView(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
+
+    def _add_note(self, grid: QGridLayout) -> None:
+        self.unused.setTextFormat(Qt.TextFormat.PlainText)
+        self.unused.setWordWrap(True)
+        self.unused.setContentsMargins(0, 4, 0, 0)
+        self.unused.setStyleSheet(f"color: {self._theme.accent}")
+        grid.addWidget(self.unused, 0, 0, 1, 4)
 
     def _add_row(self, grid: QGridLayout, row: int, name: str) -> None:
         condition = CONDITION_OF.get(name)
@@ -239,6 +251,7 @@ class ThresholdView(QScrollArea):
         number.valueChanged.connect(lambda value: self._type(name, value))
         reset.clicked.connect(lambda _checked: self._preset.set_threshold(name, self._preset.saved_threshold(name)))
         self.sliders[name], self.numbers[name], self.resets[name] = slider, number, reset
+        self._rows[name] = (label, slider, number, reset)
 
     def _type(self, name: str, value: float) -> None:
         unit = UNITS.get(name, 1)
@@ -256,6 +269,22 @@ class ThresholdView(QScrollArea):
             number.setValue(slider.value)
             number.blockSignals(False)
             self.resets[name].setVisible(value != self._preset.saved_threshold(name))
+        self._show_used()
+
+    def _show_used(self) -> None:
+        """Grey the thresholds that the recogniser in use does not use; the notes tell of the thesis's rules."""
+        unused = CONDITION_OF.keys() - self._preset.used_thresholds
+        for title, note in GROUPS:
+            shown = "" if unused else note
+            self._headings[title].setText(f"<b>{title}</b> <span style='color:{self._theme.faint}'>{shown}</span>")
+            self._headings[title].setToolTip(shown)
+        for name in CONDITION_OF:
+            for widget in self._rows[name]:
+                widget.setEnabled(name not in unused)
+            if name in unused:
+                self.sliders[name].set_live(None)
+        self.unused.setText(f"Grey: not used by the recogniser {self._preset.preset.recogniser}")
+        self.unused.setVisible(bool(unused))
 
 
 def _words(name: str) -> str:

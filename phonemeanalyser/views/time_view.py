@@ -217,7 +217,8 @@ class TimeView(QWidget):
         for line in self._limits:
             course.removeItem(line)
         thresholds = self._preset.preset.thresholds
-        mine = [c.threshold for c in CONDITIONS if c.variable == self.variable.currentText()]
+        used = [c for c in CONDITIONS if c.threshold in self._preset.used_thresholds]
+        mine = [c.threshold for c in used if c.variable == self.variable.currentText()]
         pen = pg.mkPen(self._theme.bad, style=Qt.PenStyle.DashLine)
         self._limits = [
             pg.InfiniteLine(

@@ -1,0 +1,255 @@
+"""Choosing a recogniser in the window: the example of a plug-in at work, and what happens when one fails."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from engine.phonemes import Phoneme
+from engine.presets.preset import Preset, save_preset
+from engine.settings import FRAME_PERIOD
+from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.models.session import Session
+from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number
+from tests.plug_ins import Shelf
+from tests.tables import rows_of
+
+CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+FAILS_LATER = """
+class Own(Plain):
+    def recognise(self, features):
+        raise ValueError("no more")
+"""
+MADE_ONCE = """
+made = []
+
+class Own(Plain):
+    def __init__(self, thresholds):
+        made.append(self)
+        if len(made) > 1:
+            raise MemoryError("one is all that fits")
+"""
+UP_TO_ONE = """
+class Own(Plain):
+    used_thresholds = ("sz_s1",)
+    def __init__(self, thresholds):
+        if thresholds.sz_s1 > 100:
+            raise ValueError("sz_s1 goes up to 100")
+"""
+
+
+def choose(window, name: str) -> None:
+    """Choose a recogniser with the keyboard, as it opens a list of its own."""
+    box = window.recogniser.names
+    box.setFocus()
+    for _ in range(box.count()):
+        QTest.keyClick(box, Qt.Key.Key_Up)
+    while box.currentText() != name:
+        before = box.currentIndex()
+        QTest.keyClick(box, Qt.Key.Key_Down)
+        assert box.currentIndex() > before
+
+
+def ask_for(window, name: str) -> None:
+    """Choose a recogniser that is refused."""
+    box = window.recogniser.names
+    box.setCurrentText(name)
+    box.activated.emit(box.currentIndex())
+
+
+def told(window) -> str:
+    return window.banner.label.text()
+
+
+@pytest.fixture
+def sentences(session: Session) -> list[str]:
+    kept: list[str] = []
+    session.failed.connect(kept.append)
+    return kept
+
+
+# -- the example --------------------------------------------------------------------------------------------
+
+
+def test_the_window_offers_what_is_installed_and_shows_what_the_preset_uses(loudness, desktop, qtbot):
+    names = shown(desktop, qtbot).recogniser.names
+    assert [names.itemText(k) for k in range(names.count())] == ["thesis", "loudness"]
+    assert names.currentText() == "thesis"
+    assert "install" in names.toolTip()
+
+
+def test_choosing_a_recogniser_acts_at_once_and_undo_takes_it_back(loudness, desktop, qtbot):
+    window = followed(desktop, qtbot, DEMO, 3.6)
+    history = desktop.session.history
+    mouth = {Phoneme.A, Phoneme.SILENCE}
+    newest = history.indices(0, history.n)
+    assert set(history.phonemes[newest].tolist()) > mouth
+    choose(window, "loudness")
+    newest = history.indices(0, history.n)
+    assert set(history.phonemes[newest].tolist()) == mouth
+    assert desktop.preset.undo_stack.undoText() == "recogniser loudness"
+    assert window.isWindowModified()
+    press(window, Qt.Key.Key_Z, CONTROL)
+    assert window.recogniser.names.currentText() == desktop.preset.preset.recogniser == "thesis"
+    press(window, Qt.Key.Key_Z, CONTROL | SHIFT)
+    assert window.recogniser.names.currentText() == desktop.preset.preset.recogniser == "loudness"
+
+
+def test_the_decision_of_a_plug_in_is_shown(loudness, desktop, qtbot):
+    window = followed(desktop, qtbot, DEMO, 3.6)
+    choose(window, "loudness")
+    window.refresh_all()
+    assert window.phoneme.phoneme is Phoneme.A
+    assert [c.rule for c in window.phoneme.trace.comparisons] == ["opens", "stays"]
+    assert not window.phoneme.grab().isNull()
+
+
+def test_thresholds_that_a_recogniser_does_not_use_are_grey_and_say_so(loudness, desktop, qtbot):
+    window = followed(desktop, qtbot, DEMO, 3.6)
+    view = window.thresholds
+    assert not view.unused.isVisible()
+    choose(window, "loudness")
+    window.refresh_all()
+    live = {name for name, slider in view.sliders.items() if slider.isEnabled()}
+    assert live == {
+        "silence_energy", "time_smooth", "frequency_smooth", "high_pass_start", "high_pass_end", "denoise_threshold",
+    }  # fmt: skip
+    assert view.unused.isVisible()
+    assert view.unused.text() == "Grey: not used by the recogniser loudness"
+    assert view.sliders["silence_energy"].live is not None
+    assert view.sliders["sz_s1"].live is None
+    before = desktop.preset.preset.thresholds
+    drag(view.sliders["sz_s1"], 10, 50)
+    assert desktop.preset.preset.thresholds == before
+    choose(window, "thesis")
+    assert all(slider.isEnabled() for slider in view.sliders.values())
+    assert not view.unused.isVisible()
+
+
+def test_the_course_shows_no_limit_that_the_recogniser_does_not_use(shelf, desktop, qtbot):
+    shelf.offer("")
+    desktop.window.recogniser.names.addItem("own")
+    window = followed(desktop, qtbot)
+    assert len(window.time_view._limits) == 1
+    choose(window, "own")
+    assert window.time_view._limits == []
+
+
+def test_analyse_uses_an_installed_recogniser(loudness: Path, tmp_path: Path):
+    save_preset(Preset(recogniser="loudness"), tmp_path / "loud.toml")
+    command = [sys.executable, "-m", "phonemeanalyser", "analyse", str(DEMO), "--preset", str(tmp_path / "loud.toml")]
+    environment = {**os.environ, "PYTHONPATH": str(loudness)}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120, check=True)
+    assert {row["phoneme"] for row in rows_of(done.stdout)} == {"a", "silence"}
+    environment.pop("PYTHONPATH")
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode != 0
+    (line,) = done.stderr.splitlines()
+    assert "loud.toml: there is no recogniser named 'loudness'" in line
+
+
+# -- plug-ins that fail -------------------------------------------------------------------------------------
+
+
+def test_a_recogniser_that_cannot_be_made_leaves_the_one_before_in_use(shelf: Shelf, desktop, qtbot):
+    shelf.offer("import nowhere_at_all\nOwn = 1")
+    desktop.window.recogniser.names.addItem("own")
+    window = shown(desktop, qtbot)
+    ask_for(window, "own")
+    assert told(window).startswith("the recogniser 'own' of the package own-package cannot be imported")
+    assert window.recogniser.names.currentText() == desktop.preset.preset.recogniser == "thesis"
+    assert not window.isWindowModified()
+    assert not desktop.preset.undo_stack.canUndo()
+
+
+def test_a_preset_whose_recogniser_is_not_installed_is_refused_and_the_one_in_use_stays(desktop, qtbot, tmp_path):
+    window = shown(desktop, qtbot)
+    path = tmp_path / "theirs.toml"
+    save_preset(Preset(name="theirs"), path)
+    path.write_text(path.read_text().replace('recogniser = "thesis"', 'recogniser = "theirs"'))
+    window.dialogs.load_preset(path)
+    assert told(window).startswith("theirs.toml: there is no recogniser named 'theirs'; known are thesis; install")
+    assert desktop.preset.preset.name == "Thesis"
+
+
+def test_a_preset_whose_recogniser_cannot_be_made_is_refused_and_the_one_in_use_stays(
+    shelf: Shelf, desktop, qtbot, tmp_path
+):
+    shelf.offer("def Own(thresholds):\n    raise OSError('no model')")
+    save_preset(Preset(name="theirs", recogniser="own"), tmp_path / "theirs.toml")
+    window = shown(desktop, qtbot)
+    window.dialogs.load_preset(tmp_path / "theirs.toml")
+    assert "cannot be made (OSError: no model)" in told(window)
+    assert desktop.preset.preset.name == "Thesis"
+    assert not window.isWindowModified()
+
+
+@pytest.mark.parametrize("source", [FAILS_LATER, MADE_ONCE], ids=["recognise", "second making"])
+def test_a_recogniser_that_fails_while_playing_is_one_sentence_and_another_goes_on(
+    source, shelf: Shelf, session: Session, model: PresetModel, sound: Path, sentences, outputs, qtbot
+):
+    shelf.offer(source)
+    session.open(sound)
+    session.play()
+    model.set_recogniser("own")
+    qtbot.waitUntil(lambda: bool(session.tick() or sentences))
+    for _ in range(30):  # as many pictures
+        qtbot.wait(5)
+        session.tick()
+    assert len(sentences) == 1
+    assert sentences[0].startswith("the recogniser 'own' of the package own-package cannot")
+    assert not session.playing
+    model.set_recogniser("thesis")
+    session.play()
+    qtbot.waitUntil(lambda: outputs.last.n_written - outputs.last.heard > 20_000)
+    outputs.last.move(20_000)
+    assert session.tick()
+    assert len(sentences) == 1
+
+
+def test_a_recogniser_that_cannot_say_why_is_told_once(
+    shelf: Shelf, session: Session, model: PresetModel, sound: Path, sentences
+):
+    shelf.offer("class Own(Plain):\n    def explain(self, features, k):\n        1 / 0")
+    model.set_recogniser("own")
+    session.open(sound)
+    session.follow(0.5)
+    assert [session.explain() for _ in range(5)] == [None] * 5
+    assert len(sentences) == 1
+    assert "cannot say why (ZeroDivisionError" in sentences[0]
+    assert session.history.n == round(0.5 / FRAME_PERIOD)
+
+
+def test_one_recogniser_explains_until_the_preset_changes(
+    loudness, session: Session, model: PresetModel, sound: Path
+):
+    model.set_recogniser("loudness")
+    session.open(sound)
+    session.follow(0.3)
+    before = model.recogniser
+    session.explain()
+    model.set_setting("intensity_low", -40.0)
+    assert model.recogniser is before
+    model.set_threshold("silence_energy", 0.5)
+    assert model.recogniser is not before
+    trace = session.explain()
+    assert trace is not None
+    assert [c.limit for c in trace.comparisons] == [0.5, 0.25]
+
+
+def test_a_threshold_that_a_recogniser_does_not_take_is_refused_and_the_old_one_shown(shelf: Shelf, desktop, qtbot):
+    shelf.offer(UP_TO_ONE)
+    desktop.window.recogniser.names.addItem("own")
+    window = shown(desktop, qtbot)
+    choose(window, "own")
+    number = window.thresholds.numbers["sz_s1"]
+    type_number(number, "50")
+    type_number(number, "200")
+    assert "cannot be made (ValueError: sz_s1 goes up to 100)" in told(window)
+    assert number.value() == desktop.preset.preset.thresholds.sz_s1 == 50
+    click(window.thresholds.resets["sz_s1"])
+    assert desktop.preset.preset.thresholds.sz_s1 == desktop.preset.saved_threshold("sz_s1")
