@@ -196,8 +196,9 @@ class Analyser:
     def use(self, preset: Preset) -> None:
         """Go on with another preset from the next frame; what need not change remembers its past."""
         old = self._preset
+        if (preset.recogniser, preset.thresholds) != (old.recogniser, old.thresholds):
+            self._recogniser = recogniser_of(preset.recogniser, preset.thresholds)
         self._preset = preset
-        self._recogniser = recogniser_of(preset.recogniser, preset.thresholds)
         if (preset.settings, preset.variables) != (old.settings, old.variables):
             last = self._path.smoother.last
             self._path = SpectrumPath(preset, pitch=self._pitch)
@@ -208,6 +209,10 @@ class Analyser:
     def push(self, samples: Block) -> Analysis:
         """Take the next samples (float32, shape (n,), 44.1 kHz, ±1) and analyse the frames they complete."""
         return self._analyse(self._framer.push(samples))
+
+    def push_windows(self, windows: Block) -> Analysis:
+        """Analyse windows that the caller cut, shape (n, 2048), as if they followed each other every 10 ms."""
+        return self._analyse(windows)
 
     def finish(self) -> Analysis:
         """Analyse the last frames, with silence after the end of the sound."""

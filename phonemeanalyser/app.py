@@ -11,9 +11,10 @@ from types import TracebackType
 from PySide6.QtCore import QMessageLogContext, QSettings, QStandardPaths, QtMsgType, qInstallMessageHandler
 from PySide6.QtWidgets import QApplication, QMessageBox
 
-from engine.audio.stream import ClockOutput, Output, open_output
+from engine.audio.output import ClockOutput, Output, open_output
 from engine.errors import EngineError
 from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
 from phonemeanalyser.theme import DARK, LIGHT, Theme, apply_theme, system_theme
@@ -29,15 +30,17 @@ class Desktop:
     app : Qt's application.
     settings : where layout and choices are kept between starts.
     open_device : opens what is played on.
+    microphone : what is listened to; the system's, unless another is given.
     """
 
     def __init__(
-        self, app: QApplication, settings: QSettings, open_device: Callable[[int], Output] = open_output
-    ) -> None:
+        self, app: QApplication, settings: QSettings, open_device: Callable[[int], Output] = open_output,
+        microphone: Microphone | None = None,
+    ) -> None:  # fmt: skip
         self._app = app
         self._settings = settings
         self.preset = PresetModel()
-        self.session = Session(self.preset, open_device)
+        self.session = Session(self.preset, open_device, microphone)
         self.window = self._make_window()
         self._scheme = app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
 
@@ -95,6 +98,8 @@ def run(file: Path, preset: Path | None = None) -> int:
         desktop.window.dialogs.load_preset(preset)
     desktop.window.show()
     desktop.window.dialogs.open_sound(file)
+    desktop.window.dialogs.offer_unfinished()
+    desktop.session.microphone.refresh_devices()
     code = app.exec()
     desktop.close()
     return code

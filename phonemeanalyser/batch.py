@@ -19,7 +19,7 @@ from engine.audio.opening import shown_name
 from engine.errors import AudioError, EngineError
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
-from engine.recognition.runs import runs_of
+from engine.recognition.runs import RUN_COLUMNS, runs_of
 from engine.settings import FRAME_PERIOD, SAMPLE_RATE
 
 BLOCK = 5 * SAMPLE_RATE
@@ -172,7 +172,7 @@ def _writer_of(table: Table) -> Writer:
 
 def _csv_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, _preset: Preset) -> None:
     rows = csv.writer(file, lineterminator="\n")
-    rows.writerow(["start_s", "end_s", "phoneme", "intensity"])
+    rows.writerow(RUN_COLUMNS)
     rows.writerows(run.values() for run in _runs(analyses, reader))
 
 
@@ -206,13 +206,7 @@ def _heading(reader: SoundReader, preset: Preset) -> dict[str, Any]:
 
 
 def _runs(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[str, Any]]:
-    for run in runs_of(((a.phonemes, a.intensities) for a in analyses), reader.duration):
-        yield {
-            "start_s": _seconds(run.start),
-            "end_s": _seconds(run.end),
-            "phoneme": run.phoneme.label,
-            "intensity": round(run.intensity, 3),
-        }
+    return (run.row() for run in runs_of(((a.phonemes, a.intensities) for a in analyses), reader.duration))
 
 
 def _frames(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[str, Any]]:

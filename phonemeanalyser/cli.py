@@ -1,4 +1,4 @@
-"""The command line: open the window, analyse files, make a picture."""
+"""The command line: open the window, analyse files, listen, record, make a picture."""
 
 import argparse
 import importlib
@@ -10,10 +10,12 @@ from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
 
+from engine.audio.devices import InputChoice
 from engine.errors import EngineError
 from engine.presets.preset import DEFAULT_PRESET, load_preset
 from phonemeanalyser.batch import Table, analyse_all, jobs_of
 from phonemeanalyser.display import why_no_qt, why_no_window
+from phonemeanalyser.listening import list_devices, listen, record
 
 DEMO = Path(__file__).parent / "demo" / "demo.flac"
 NO_DISPLAY = 3
@@ -23,7 +25,9 @@ NO_DISPLAY = 3
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the program; returns the exit code: 0, 1 something failed, 2 wrong usage, 3 no display."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    commands: dict[str, Callable[[list[str]], int]] = {"analyse": _analyse, "screenshot": _screenshot}
+    commands: dict[str, Callable[[list[str]], int]] = {
+        "analyse": _analyse, "listen": _listen, "record": _record, "screenshot": _screenshot
+    }  # fmt: skip
     try:
         if words and words[0] in commands:
             return commands[words[0]](words[1:])
@@ -43,7 +47,7 @@ def _window(words: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="phonemeanalyser",
         description="Calibrate real-time phoneme recognition for lip sync.",
-        epilog="Commands: phonemeanalyser analyse --help; phonemeanalyser screenshot --help",
+        epilog="Commands: analyse, listen, record, screenshot; for each, phonemeanalyser COMMAND --help",
     )
     parser.add_argument("file", type=Path, nargs="?", default=DEMO, help="sound file to open (default: a demo)")
     parser.add_argument("--preset", type=Path, help="preset (.toml) or PhonemeData file to begin with")
@@ -68,6 +72,47 @@ def _analyse(words: list[str]) -> int:
     preset = load_preset(options.preset)
     jobs = jobs_of(options.inputs, options.out, options.kind)
     return 1 if analyse_all(jobs, preset, Table(options.kind, options.features)) else 0
+
+
+def _listen(words: list[str]) -> int:
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser listen",
+        description="Recognise what a microphone hears, and print a line at each change; Ctrl-C ends it.",
+    )
+    _add_input(parser)
+    parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind")
+    parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
+    options = parser.parse_args(words)
+    if options.list_devices:
+        list_devices()
+    else:
+        listen(load_preset(options.preset), _choice_of(options), options.seconds, options.kind)
+    return 0
+
+
+def _record(words: list[str]) -> int:
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser record", description="Record a microphone to a file; Ctrl-C ends it."
+    )
+    parser.add_argument("out", type=Path, metavar="OUT", help="a new .wav or .flac file")
+    _add_input(parser)
+    parser.add_argument("--phonemes", action="store_true", help="write the phonemes beside it, as OUT.csv")
+    options = parser.parse_args(words)
+    preset, choice = load_preset(options.preset), _choice_of(options)
+    record(options.out, preset, choice, options.seconds, with_phonemes=options.phonemes)
+    return 0
+
+
+def _add_input(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--device", default="", metavar="NAME", help="microphone, by name or a part of it")
+    parser.add_argument("--channel", type=int, default=1, metavar="N", help="channel of it, from 1; 0 mixes two")
+    parser.add_argument("--rate", type=int, default=0, metavar="HZ", help="sample rate (default: 44100 if it can)")
+    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
+    parser.add_argument("--seconds", type=_seconds, metavar="S", help="end after so long")
+
+
+def _choice_of(options: argparse.Namespace) -> InputChoice:
+    return InputChoice(options.device, options.channel, options.rate)
 
 
 def _screenshot(words: list[str]) -> int:

@@ -26,11 +26,13 @@ class Dialogs(QObject):
     refused : a sentence for the user; an empty one after something went well.
     sound_opened : a sound file is in hand, and first among the recent ones.
     variable_added : name of the user's new variable.
+    offered : a sentence, what can be done about it, and the function that does it.
     """
 
     refused = Signal(str)
     sound_opened = Signal()
     variable_added = Signal(str)
+    offered = Signal(str, str, object)
 
     def __init__(self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings) -> None:
         super().__init__(window)
@@ -71,12 +73,45 @@ class Dialogs(QObject):
             return [kept]
         return [str(path) for path in kept] if isinstance(kept, list) else []
 
+    # -- recordings ---------------------------------------------------------------------------------------
+
+    def ask_recordings_folder(self) -> None:
+        """Let the user choose where recordings go."""
+        microphone = self._session.microphone
+        name = QFileDialog.getExistingDirectory(self._window, "Where recordings go", str(microphone.folder))
+        if name:
+            microphone.folder = Path(name)
+
+    def offer_recording(self, path: str, seconds: float) -> None:
+        """Offer to open a recording that is complete."""
+        sentence = f"Recorded {seconds:.1f} s into {path}"
+        self.offered.emit(sentence, "Open It", lambda: self.open_sound(Path(path)))
+
+    def offer_unfinished(self) -> None:
+        """Offer to open a recording that was cut off when the program ended; the newest, if there are several."""
+        found = self._session.microphone.unfinished()
+        if not found:
+            return
+        newest = found[-1]
+        others = f" ({len(found) - 1} more are in {newest.path.parent})" if len(found) > 1 else ""
+        sentence = (
+            f"The program ended while it recorded; {newest.seconds:.1f} s of {newest.begun:%d %B, %H:%M} are safe in "
+            f"{newest.path}{others}"
+        )
+        self.offered.emit(sentence, "Open It", lambda: self.open_sound(newest.path))
+        for recording in found:
+            recording.forget()
+
     # -- presets ------------------------------------------------------------------------------------------
 
     def load_preset(self, path: Path) -> None:
         """Load a preset, after asking what is to become of unsaved changes."""
         if self.may_go_on() and self._try(lambda: self._preset.load(path)):
             self._settings.setValue("preset", str(path.resolve()))
+
+    def choose_recogniser(self, name: str) -> None:
+        """Recognise with another recogniser."""
+        self._try(lambda: self._preset.set_recogniser(name))
 
     def restore_preset(self) -> None:
         """Load the preset that was in use when the window was last closed, if it is still there."""

@@ -1,5 +1,6 @@
 """The main window: lays the views out, and joins menus, keys and drops to the models. No signal logic."""
 
+import time
 from functools import partial
 from pathlib import Path
 
@@ -8,12 +9,12 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QDockWidget,
-    QLabel,
     QMainWindow,
     QMenu,
     QMessageBox,
     QSplitter,
     QToolBar,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -21,15 +22,17 @@ from phonemeanalyser.dialogs import Dialogs
 from phonemeanalyser.menus import Command, Menus
 from phonemeanalyser.models.history import shown_spectra
 from phonemeanalyser.models.preset import PresetModel
-from phonemeanalyser.models.session import Session
+from phonemeanalyser.models.session import Session, Source
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.averaged_view import AveragedView
 from phonemeanalyser.views.banner import Banner
 from phonemeanalyser.views.filter_column import FilterColumn
 from phonemeanalyser.views.keys import KeysOfButtons
 from phonemeanalyser.views.phoneme_view import PhonemeView
+from phonemeanalyser.views.recogniser_choice import RecogniserChoice
 from phonemeanalyser.views.shortcuts import ShortcutsDialog
 from phonemeanalyser.views.spectrum_view import SpectrumView
+from phonemeanalyser.views.status_line import StatusLine
 from phonemeanalyser.views.threshold_view import ThresholdView
 from phonemeanalyser.views.time_view import TimeView
 from phonemeanalyser.views.transport import Transport
@@ -39,6 +42,11 @@ from phonemeanalyser.window_state import WindowState
 FRAME_MS = 16
 """Between two pictures: 60 a second."""
 FILTERS_WIDTH, PHONEME_WIDTH = 240, 310
+INVITATIONS = {
+    Source.FILE: "Press Space to play",
+    Source.MICROPHONE: "Press Space to listen, R to record",
+    Source.TONE: "Press Space to hear the tone",
+}
 SLOW = 4
 """Numbers and what changes slowly are drawn at every fourth picture."""
 
@@ -85,9 +93,10 @@ class MainWindow(QMainWindow):
         self.waveform = WaveformView(theme)
         self.time_view = TimeView(session.history, self._preset, theme)
         self.filters = FilterColumn(self._preset, theme)
+        self.recogniser = RecogniserChoice(self._preset)
         self.phoneme = PhonemeView(session, theme)
         self.thresholds = ThresholdView(self._preset, session.history, theme)
-        self._file_label, self._output_label = QLabel(), QLabel()
+        self.status = StatusLine(session, self._preset, theme)
 
     def _lay_out(self) -> None:
         self._bar("Transport", self.transport)
@@ -113,13 +122,13 @@ class MainWindow(QMainWindow):
             "average_db": self.averaged.decibels,
         }
         self.state = WindowState(self, {"rows": self._rows, "spectra": self._spectra}, switches, self._settings)
-        self._dock("Filters", self.filters, Qt.DockWidgetArea.LeftDockWidgetArea)
-        self._dock("Phoneme", self.phoneme, Qt.DockWidgetArea.RightDockWidgetArea)
-        self._dock("Thresholds", self.thresholds, Qt.DockWidgetArea.RightDockWidgetArea)
+        self._dock("Filters", Qt.DockWidgetArea.LeftDockWidgetArea, self.filters)
+        self._dock("Phoneme", Qt.DockWidgetArea.RightDockWidgetArea, self.recogniser, self.phoneme)
+        self._dock("Thresholds", Qt.DockWidgetArea.RightDockWidgetArea, self.thresholds)
         docks = self.findChildren(QDockWidget)
         self.resizeDocks(docks[:2], [FILTERS_WIDTH, PHONEME_WIDTH], Qt.Orientation.Horizontal)
-        self.statusBar().addWidget(self._file_label, 1)
-        self.statusBar().addPermanentWidget(self._output_label)
+        self.statusBar().addWidget(self.status.left, 1)
+        self.statusBar().addPermanentWidget(self.status.right)
         self.setAcceptDrops(True)
         self.resize(1280, 800)
 
@@ -133,10 +142,17 @@ class MainWindow(QMainWindow):
         self.insertToolBarBreak(bar)
         return bar
 
-    def _dock(self, title: str, view: QWidget, area: Qt.DockWidgetArea) -> None:
+    def _dock(self, title: str, area: Qt.DockWidgetArea, *views: QWidget) -> None:
         dock = QDockWidget(title, self)
         dock.setObjectName(title)
-        dock.setWidget(view)
+        body = QWidget()
+        column = QVBoxLayout(body)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        for view in views:
+            column.addWidget(view)
+        body.setSizePolicy(views[-1].sizePolicy())
+        dock.setWidget(body)
         self.addDockWidget(area, dock)
 
     def _make_menus(self) -> None:
@@ -165,6 +181,13 @@ class MainWindow(QMainWindow):
             Command("To the Beginning", "Home", lambda: session.seek(0)),
             Command("Louder", "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
             Command("Quieter", "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
+        )
+        self.menus.add(
+            "&Record",
+            Command("Record", "R", session.toggle_recording),
+            Command("Recordings Folder…", "", dialogs.ask_recordings_folder),
+            Command("Look for Microphones", "F5", session.microphone.refresh_devices),
+            Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency),
         )
         self.menus.add(
             "&Analysis",
@@ -197,11 +220,17 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         session, preset, dialogs = self._session, self._preset, self.dialogs
         self.transport.open_asked.connect(dialogs.ask_sound)
+        self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
+        session.microphone.recorded.connect(dialogs.offer_recording)
+        session.microphone.told.connect(self.banner.tell)
+        dialogs.offered.connect(self.banner.offer)
         self.averaged.load_asked.connect(dialogs.ask_curves)
         self.averaged.save_asked.connect(dialogs.ask_save_curve)
         self.averaged.variable_asked.connect(dialogs.ask_variable)
         self.filters.bypass_asked.connect(preset.set_bypassed)
+        self.recogniser.chosen.connect(dialogs.choose_recogniser)
         dialogs.refused.connect(self.banner.say)
+        preset.refused.connect(self.banner.say)
         dialogs.sound_opened.connect(self._show_recent)
         dialogs.variable_added.connect(self.time_view.variable.setCurrentText)
         self.banner.shown.connect(self._banner_bar.setVisible)
@@ -224,17 +253,23 @@ class MainWindow(QMainWindow):
 
     def tick(self) -> None:
         """Gather what is new and draw it: fast views each time, slow ones each fourth time."""
-        self._stale |= self._session.tick()
+        known_at = None
+        if self._session.tick():
+            self._stale = True
+            known_at = time.monotonic() - self._session.microphone.known_for
         self._ticks += 1
         slow = self._ticks % SLOW == 0
-        if self._session.playing and slow:
+        if slow and (self._session.playing or self._session.microphone.recording):
             self.transport.refresh()
+            self._show_output()
         if not self._stale or self.frozen:
             return
         self._refresh_fast()
         if slow:
             self._refresh_slow()
             self._stale = False
+            if known_at is not None and self._session.source is Source.MICROPHONE:
+                QTimer.singleShot(0, lambda: self.status.note_display(time.monotonic() - known_at))
 
     def refresh_all(self) -> None:
         """Draw everything as it is now."""
@@ -257,13 +292,18 @@ class MainWindow(QMainWindow):
         self.phoneme.refresh()
         self.thresholds.refresh()
         self.time_view.refresh_numbers()
-        self._show_output()
 
     def set_frozen(self, frozen: bool) -> None:
         """Hold the views still while sound goes on, or let them go on."""
         self.frozen = frozen
         self.menus.show_checked("Freeze Views", frozen)
         self._show_state()
+
+    def _measure_latency(self) -> None:
+        """Play clicks, with the microphone and the loudspeaker free for that."""
+        self._session.set_source(Source.MICROPHONE)
+        self.banner.tell("Listening for clicks from the loudspeaker, for three seconds …")
+        self._session.microphone.measure()
 
     def _set_coarse(self, on: bool) -> None:
         for view in (self.spectrum, self.averaged, self.waveform):
@@ -274,13 +314,12 @@ class MainWindow(QMainWindow):
             view.decibels.setChecked(on)
 
     def _show_names(self) -> None:
-        path, preset = self._session.path, self._preset
-        sound = path.name if path else "no sound"
-        self.time_view.invite("Press Space to play" if path else "Drop a sound here, or open one with Ctrl+O")
-        changed = " (changed)" if preset.has_unsaved_changes else ""
-        self.setWindowTitle(f"{sound} - {preset.preset.name}[*] - PhonemeAnalyser")
+        session, preset = self._session, self._preset
+        self.time_view.invite(INVITATIONS[session.source] if session.path or session.source is not Source.FILE
+                              else "Drop a sound here, or open one with Ctrl+O")  # fmt: skip
+        self.setWindowTitle(f"{session.name} - {preset.preset.name}[*] - PhonemeAnalyser")
         self.setWindowModified(preset.has_unsaved_changes)
-        self._file_label.setText(f" {sound}: {self._session.description}   ·   preset {preset.preset.name}{changed}")
+        self._show_output()
 
     def _show_recent(self) -> None:
         self._recent.clear()
@@ -295,13 +334,7 @@ class MainWindow(QMainWindow):
         self._show_output()
 
     def _show_output(self) -> None:
-        session = self._session
-        parts = ["views frozen"] if self.frozen else []
-        parts += [f"{session.n_dropped} frames not shown"] if session.n_dropped else []
-        parts += [f"♪ {session.output_name}" if session.has_card else session.output_name]
-        text = "   ·   ".join(part for part in parts if part) + " "
-        if text != self._output_label.text():
-            self._output_label.setText(text)
+        self.status.refresh(frozen=self.frozen)
 
     # -- help ---------------------------------------------------------------------------------------------
 

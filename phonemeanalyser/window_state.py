@@ -3,12 +3,15 @@
 import math
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QSettings
 from PySide6.QtWidgets import QAbstractButton, QMainWindow, QSplitter
 
+from engine.audio.devices import InputChoice
 from engine.settings import Channel
+from phonemeanalyser.models.microphone import SUFFIXES, Microphone
 from phonemeanalyser.models.session import Session
 from phonemeanalyser.views.time_view import TimeView
 
@@ -45,6 +48,14 @@ class WindowState:
         keep("volume", round(session.volume))
         keep("loop", int(session.loop))
         keep("channel", session.channel.value)
+        microphone = session.microphone
+        keep("microphone", microphone.choice.label)
+        keep("microphone_channel", microphone.choice.channel)
+        keep("microphone_rate", microphone.choice.rate)
+        keep("microphone_else_default", int(microphone.choice.else_default))
+        keep("recordings", str(microphone.folder))
+        keep("recording_kind", microphone.suffix)
+        keep("recording_phonemes", int(microphone.with_phonemes))
         keep("variable", view.variable.currentText())
         keep("colours", view.colours.currentText())
         keep("darkest", view.low.value())
@@ -62,10 +73,26 @@ class WindowState:
         session.set_loop(self._kept("loop", int(session.loop)) == "1")
         channels = {channel.value: channel for channel in Channel}
         session.set_channel(channels.get(self._kept("channel", session.channel.value), session.channel))
+        self._restore_microphone(session.microphone)
         view.variable.setCurrentText(self._kept("variable", view.variable.currentText()))
         view.colours.setCurrentText(self._kept("colours", view.colours.currentText()))
         view.low.setValue(round(self._kept_number("darkest", view.low.value())))
         view.high.setValue(round(self._kept_number("brightest", view.high.value())))
+
+    def _restore_microphone(self, microphone: Microphone) -> None:
+        choice = microphone.choice
+        microphone.choose(
+            InputChoice(
+                self._kept("microphone", choice.label),
+                max(0, round(self._kept_number("microphone_channel", choice.channel))),
+                max(0, round(self._kept_number("microphone_rate", choice.rate))),
+                self._kept("microphone_else_default", int(choice.else_default)) == "1",
+            )
+        )
+        microphone.folder = Path(self._kept("recordings", str(microphone.folder)))
+        suffix = self._kept("recording_kind", microphone.suffix)
+        microphone.suffix = suffix if suffix in SUFFIXES else microphone.suffix
+        microphone.with_phonemes = self._kept("recording_phonemes", int(microphone.with_phonemes)) == "1"
 
     def _kept_number(self, name: str, default: float) -> float:
         try:

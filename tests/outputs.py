@@ -25,6 +25,7 @@ class HandDrivenOutput:
         self.n_written = 0
         self.heard = 0.0
         self.lost = False
+        self.alive = True
         self.running = False
         self.closed = False
         self.played: list[NDArray[np.float32]] = []

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from engine import live
 from engine.analyser import Analysis, analyses_of
 from engine.audio.files import SoundReader
-from engine.live import FilePlayer
+from engine.live import player as live
+from engine.live.player import Player
 from engine.presets.preset import Preset
 from engine.settings import HOP, AnalysisSettings, Channel
 from tests.outputs import HandDrivenOutput
@@ -44,7 +44,7 @@ class Rig:
 
     def __init__(self, path: Path, preset: Preset = PRESET, **options: Channel) -> None:
         self.outputs: list[HandDrivenOutput] = []
-        self.player = FilePlayer(path, preset, open_device=self._open, **options)
+        self.player = Player(SoundReader(path, **options), preset, self._open)
 
     def _open(self, n_channels: int) -> HandDrivenOutput:
         self.outputs.append(HandDrivenOutput(n_channels))

@@ -1,235 +1,158 @@
-"""Where played sound goes: a sound card, or a clock where there is none. The only door to sounddevice.
+"""Streams of sound cards, through PortAudio: the only door to sounddevice.
 
-Both count samples since they were opened, and say which one is being heard now: picture follows that.
+PortAudio belongs to the whole process and its list of devices stays as it was when it was initialised, so the list
+is made anew whenever no stream is open. A lock keeps threads from doing two of these things at once.
 """
 
-import math
 import threading
-import time
-from contextlib import ExitStack
-from typing import Any, Protocol
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any, Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
-from engine.audio.ring import Ring
+from engine.audio.devices import Device
 from engine.errors import DeviceError
-from engine.settings import SAMPLE_RATE
 
-AHEAD = SAMPLE_RATE // 8
-"""Samples that are written at most before they are heard."""
+Callback = Callable[[Any, int, Any, Any], None]
+"""Called by PortAudio with a block, n, times and status; copies, counts, and leaves.
 
+A block to fill is an array, float32, shape (n, n_channels); one that came is raw memory of the same layout.
+"""
 
-class Output(Protocol):
-    """Plays what is written to it, at 44.1 kHz."""
-
-    name: str
-    is_card: bool
-    gain: float
-
-    @property
-    def room(self) -> int:
-        """Samples per channel that can be written now."""
-        ...
-
-    @property
-    def n_written(self) -> int:
-        """Samples per channel written since the opening."""
-        ...
-
-    @property
-    def heard(self) -> float:
-        """Number of the sample that is heard now, counted like `n_written`."""
-        ...
-
-    @property
-    def lost(self) -> bool:
-        """Whether the device has gone away."""
-        ...
-
-    def write(self, block: NDArray[np.float32]) -> None:
-        """Append a block, shape (n, n_channels), n at most `room`."""
-        ...
-
-    def skip(self) -> None:
-        """Pass over everything that is written but not yet heard."""
-        ...
-
-    def run(self, running: bool) -> None:
-        """Go on, or hold still where it is."""
-        ...
-
-    def close(self) -> None:
-        """Let the device go."""
-        ...
+_door = threading.RLock()
+_open: "set[CardStream]" = set()
 
 
-class ClockOutput:
-    """No sound card: time passes all the same, and samples count as heard on the clock."""
-
-    name = "no sound card: silent, on the clock"
-    is_card = False
-    lost = False
-
-    def __init__(self) -> None:
-        self.gain = 1.0
-        self.n_written = 0
-        self._heard = 0.0
-        self._since: float | None = None
-        self._moving = threading.Lock()
-
-    @property
-    def room(self) -> int:
-        """Samples that can be written now."""
-        return AHEAD - (self.n_written - int(self.heard))
-
-    @property
-    def heard(self) -> float:
-        """Number of the sample whose time it is; never beyond what was written."""
-        with self._moving:
-            return self._move()
-
-    def write(self, block: NDArray[np.float32]) -> None:
-        """Count a block; time in which there was nothing to hear is not made up for."""
-        with self._moving:
-            self._move()
-            self.n_written += len(block)
-
-    def skip(self) -> None:
-        """Pass over everything that is written."""
-        with self._moving:
-            self._move()
-            self._heard = float(self.n_written)
-
-    def run(self, running: bool) -> None:
-        """Go on, or hold still."""
-        with self._moving:
-            self._move()
-            self._since = time.monotonic() if running else None
-
-    def close(self) -> None:
-        """Nothing has to be let go."""
-
-    def _move(self) -> float:
-        now = time.monotonic()
-        if self._since is not None:
-            self._heard = min(self._heard + (now - self._since) * SAMPLE_RATE, float(self.n_written))
-            self._since = now
-        return self._heard
-
-
-class CardOutput:
-    """The default sound card.
-
-    The callback copies samples and notes which one leaves when; nothing else happens there.
+def devices() -> list[Device]:
+    """List the sound devices that are there now; while a stream is open, those that were there when it was opened.
 
     Raises
     ------
-    DeviceError : there is no sound card, no PortAudio, or the card cannot be opened.
+    DeviceError : PortAudio is missing.
+    """
+    with _door:
+        sounddevice = _sounddevice()
+        _look_again(sounddevice)
+        apis = [str(api["name"]) for api in sounddevice.query_hostapis()]
+        default = sounddevice.default.device[0]
+        return [
+            Device(
+                name=str(d["name"]),
+                host_api=apis[d["hostapi"]],
+                n_inputs=int(d["max_input_channels"]),
+                n_outputs=int(d["max_output_channels"]),
+                rate=round(d["default_samplerate"]),
+                is_default=k == default,
+            )
+            for k, d in enumerate(sounddevice.query_devices())
+        ]
+
+
+class CardStream:
+    """An open stream, in or out, that runs until it is closed or its device goes away.
+
+    Parameters
+    ----------
+    direction : ``input`` or ``output``.
+    device : None for the system's default.
+    rate : sample rate, Hz.
+    n_channels : channels.
+    latency : suggested latency, seconds.
+    callback : takes or fills the blocks.
+
+    Raises
+    ------
+    DeviceError : there is no such device, no PortAudio, or it cannot be opened that way.
     """
 
-    is_card = True
-
-    def __init__(self, n_channels: int) -> None:
-        sounddevice = _sounddevice()
-        self.gain = 1.0
-        self._ring = Ring(AHEAD, n_channels)
-        self._running = False
-        self._latest = 0.0
-        self._moving = threading.Lock()
-        self._mark = (0, 0.0, 0)
+    def __init__(
+        self, direction: Literal["input", "output"], device: Device | None, rate: int, n_channels: int,
+        latency: float, callback: Callback,
+    ) -> None:  # fmt: skip
         self._closing = False
         self._finished = False
-        try:
-            with ExitStack() as unless_started:
-                self._stream = sounddevice.OutputStream(
-                    samplerate=SAMPLE_RATE,
+        with _door:
+            sounddevice = _sounddevice()
+            _look_again(sounddevice)
+            kind = sounddevice.RawInputStream if direction == "input" else sounddevice.OutputStream
+            try:
+                self._stream = kind(
+                    samplerate=rate,
                     channels=n_channels,
+                    device=None if device is None else _number_of(device, sounddevice),
                     dtype="float32",
-                    latency=0.05,
-                    callback=self._fill,
+                    latency=latency,
+                    callback=callback,
                     finished_callback=self._finish,
                 )
-                unless_started.callback(self._stream.close)
-                self._stream.start()
+                self._start()
                 self.name = str(sounddevice.query_devices(self._stream.device)["name"])
-                unless_started.pop_all()
-        except (sounddevice.PortAudioError, ValueError) as error:
-            raise DeviceError(f"the sound card cannot be opened ({_reason(error)})") from error
+            except (sounddevice.PortAudioError, ValueError) as error:
+                raise DeviceError(f"the sound card cannot be opened ({_reason(error)})") from error
+            _open.add(self)
 
     @property
-    def room(self) -> int:
-        """Samples that can be written now."""
-        return self._ring.room
+    def time(self) -> float:
+        """The stream's clock, seconds."""
+        return float(self._stream.time)
 
     @property
-    def n_written(self) -> int:
-        """Samples written since the opening."""
-        return self._ring.n_written
-
-    @property
-    def heard(self) -> float:
-        """Number of the sample that leaves the card now, by the stream's own clock; never runs back."""
-        with self._moving:
-            first, leaves_at, n = self._mark
-            if self._running:
-                since = math.inf if self._finished else (self._stream.time - leaves_at) * SAMPLE_RATE
-                self._latest = float(max(min(first + since, first + n), self._latest))
-            return self._latest
+    def ended(self) -> bool:
+        """Whether it runs no more, for whatever reason."""
+        return self._finished
 
     @property
     def lost(self) -> bool:
-        """Whether the stream ended without our doing."""
+        """Whether it ended without our doing: the device has gone away."""
         return self._finished and not self._closing
 
-    def write(self, block: NDArray[np.float32]) -> None:
-        """Append a block."""
-        self._ring.write(block)
-
-    def skip(self) -> None:
-        """Pass over everything that is written."""
-        with self._moving:
-            self._ring.skip()
-            self._latest = float(self._ring.n_written)
-            self._mark = (self._ring.n_written, math.inf, 0)
-
-    def run(self, running: bool) -> None:
-        """Go on, or hold still."""
-        self._latest = self.heard
-        self._running = running
-
     def close(self) -> None:
-        """Let the card go at once."""
-        self._closing = True
-        self._stream.abort()
-        self._stream.close()
+        """Let the device go at once, without waiting for what is under way."""
+        with _door:
+            if self._closing:
+                return
+            self._closing = True
+            _open.discard(self)
+            self._stream.abort(ignore_errors=True)
+            self._stream.close(ignore_errors=True)
 
-    def _fill(self, out: NDArray[np.float32], _n: int, times: Any, _status: Any) -> None:
-        if not self._running:
-            out[:] = 0
-            return
-        n = self._ring.read_into(out)
-        out *= np.float32(self.gain)
-        if n:
-            self._mark = (self._ring.n_read - n, times.outputBufferDacTime, n)
+    def _start(self) -> None:
+        try:
+            self._stream.start()
+        except BaseException:
+            self._stream.close(ignore_errors=True)
+            raise
 
     def _finish(self) -> None:
         self._finished = True
 
 
-def open_output(n_channels: int) -> Output:
-    """Open the default sound card, or a clock where there is none."""
+def _look_again(sounddevice: Any) -> None:
+    """Have PortAudio list the devices anew, which ends all streams, so only where none is open."""
+    if _open:
+        return
     try:
-        return CardOutput(n_channels)
-    except DeviceError:
-        return ClockOutput()
+        with suppress(sounddevice.PortAudioError):  # what could not be initialised the last time needs no end
+            sounddevice._terminate()
+        sounddevice._initialize()
+    except sounddevice.PortAudioError as error:
+        raise DeviceError(f"the sound system does not answer ({_reason(error)}); check that it runs") from error
+
+
+def _number_of(device: Device, sounddevice: Any) -> int:
+    apis = [str(api["name"]) for api in sounddevice.query_hostapis()]
+    for k, d in enumerate(sounddevice.query_devices()):
+        if (str(d["name"]), apis[d["hostapi"]]) == (device.name, device.host_api):
+            return k
+    raise ValueError(f"{device.label} is not there")
 
 
 def _sounddevice() -> Any:
     try:
         import sounddevice  # noqa: PLC0415 - raises where PortAudio is missing, so only who plays imports it
     except (OSError, ImportError) as error:
-        raise DeviceError("sound cannot be played, since PortAudio is missing; install libportaudio2") from error
+        raise DeviceError(
+            "sound cannot be played or recorded, since PortAudio is missing; install libportaudio2"
+        ) from error
     return sounddevice
 
 

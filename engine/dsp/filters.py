@@ -1,6 +1,7 @@
 """The filters: on waveforms (pre-emphasis) and on amplitude spectra (all others).
 
-Every function takes and gives float32 blocks of shape (n_frames, n_bins) and leaves its input as it is.
+Every function takes and gives float32 blocks of shape (n_frames, n_bins) and leaves its input as it is; denoise and
+normalise take a single spectrum of shape (n_bins,) as well.
 """
 
 import numpy as np
@@ -102,6 +103,6 @@ def denoise(spectra: Block, threshold: float | Block) -> Block:
 def normalise(spectra: Block, peaks: Block | None = None) -> Block:
     """Divide each spectrum by its largest amplitude, shape (n_frames, 1) where it is known; a silent one stays 0."""
     if peaks is None:
-        peaks = np.maximum.reduce(spectra, axis=1, keepdims=True)
+        peaks = np.maximum.reduce(spectra, axis=-1, keepdims=True)
     divisors: Block = np.maximum(peaks, TINY)
     return spectra / divisors

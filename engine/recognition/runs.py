@@ -2,12 +2,16 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
+
+RUN_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
+"""The columns of a table of runs."""
 
 
 @dataclass(frozen=True)
@@ -19,6 +23,38 @@ class Run:
     phoneme: Phoneme
     intensity: float
 
+    def row(self) -> dict[str, Any]:
+        """Give it as a row of a table, in seconds to the microsecond."""
+        values = (round(self.start, 6), round(self.end, 6), self.phoneme.label, round(self.intensity, 3))
+        return dict(zip(RUN_COLUMNS, values, strict=True))
+
+
+class RunJoiner:
+    """Joins equal frames into runs, as the frames come."""
+
+    def __init__(self) -> None:
+        self._code, self._first, self._frame, self._total = -1, 0, 0, 0.0
+
+    def push(self, phonemes: NDArray[np.uint8], intensities: NDArray[np.float32]) -> list[Run]:
+        """Take the next frames, both of shape (n_frames,), and give the runs that ended."""
+        runs = []
+        for code, intensity in zip(phonemes.tolist(), intensities.tolist(), strict=True):
+            if code != self._code and self._frame > self._first:
+                runs.append(self._run(self._frame * FRAME_PERIOD))
+                self._first, self._total = self._frame, 0.0
+            self._code = code
+            self._total += intensity
+            self._frame += 1
+        return runs
+
+    def finish(self, duration: float) -> list[Run]:
+        """Give the run that is still open, which ends where the sound does, at `duration` seconds."""
+        return [self._run(duration)] if self._frame > self._first else []
+
+    def _run(self, end: float) -> Run:
+        mean = self._total / (self._frame - self._first)
+        return Run(self._first * FRAME_PERIOD, end, Phoneme(self._code), mean)
+
 
 def runs_of(blocks: Iterable[tuple[NDArray[np.uint8], NDArray[np.float32]]], duration: float) -> Iterator[Run]:
     """Join equal frames into runs that cover a sound from 0 to its end without gaps.
@@ -28,18 +64,7 @@ def runs_of(blocks: Iterable[tuple[NDArray[np.uint8], NDArray[np.float32]]], dur
     blocks : phonemes and intensities of consecutive blocks of frames, each of shape (n_frames,).
     duration : seconds of the whole sound, where the last run ends.
     """
-    current, first, frame, total = -1, 0, 0, 0.0
+    joiner = RunJoiner()
     for phonemes, intensities in blocks:
-        for code, intensity in zip(phonemes.tolist(), intensities.tolist(), strict=True):
-            if code != current and frame > first:
-                yield _run(first, frame, current, total)
-                first, total = frame, 0.0
-            current = code
-            total += intensity
-            frame += 1
-    if frame > first:
-        yield Run(first * FRAME_PERIOD, duration, Phoneme(current), total / (frame - first))
-
-
-def _run(first: int, last: int, code: int, total: float) -> Run:
-    return Run(first * FRAME_PERIOD, last * FRAME_PERIOD, Phoneme(code), total / (last - first))
+        yield from joiner.push(phonemes, intensities)
+    yield from joiner.finish(duration)

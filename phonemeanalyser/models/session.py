@@ -1,20 +1,24 @@
-"""The sound in hand: opened, played, and what is known of it."""
+"""The sound in hand: a file, a microphone or a tone; played or heard, and what is known of it."""
 
 from collections.abc import Callable, Iterator
+from enum import StrEnum
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
 from engine.analyser import Analysis, analyses_between
 from engine.audio.files import SoundReader
-from engine.audio.stream import Output, open_output
+from engine.audio.output import Output, open_output
+from engine.audio.tone import ToneReader
 from engine.errors import EngineError
-from engine.live import FilePlayer
-from engine.recognition.recogniser import recogniser_of
+from engine.live.player import Player
+from engine.presets.preset import Preset
 from engine.recognition.trace import Trace
 from engine.settings import FRAME_PERIOD, Channel
+from engine.tones import Tone
 from phonemeanalyser.models.averages import AveragesModel
 from phonemeanalyser.models.history import History
+from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
 
 QUIETEST_DB = -60.0
@@ -23,13 +27,23 @@ AGAIN = 1000
 """Frames that are analysed anew at most when the preset changes while nothing plays: ten seconds."""
 
 
+class Source(StrEnum):
+    """Where the sound comes from."""
+
+    FILE = "file"
+    MICROPHONE = "microphone"
+    TONE = "tone"
+
+
 class Session(QObject):
-    """Plays a file and gathers its analysis; `tick` moves it on, and whoever draws looks at it afterwards.
+    """Follows one source at a time and gathers its analysis.
+
+    `tick` moves it on, and whoever draws looks at it afterwards. Only the source in use holds its device.
 
     Signals
     -------
-    opened : another file is in hand.
-    transport_changed : playing, pausing, stopping, loop, volume or channel.
+    opened : another file is in hand, or another source.
+    transport_changed : playing, pausing, stopping, recording, loop, volume or channel.
     cleared : everything gathered was forgotten.
     rewritten : this many of the newest columns of the history are others now.
     failed : a sentence for the user.
@@ -41,48 +55,76 @@ class Session(QObject):
     rewritten = Signal(int)
     failed = Signal(str)
 
-    def __init__(self, preset: PresetModel, open_device: Callable[[int], Output] = open_output) -> None:
+    def __init__(
+        self, preset: PresetModel, open_device: Callable[[int], Output] = open_output,
+        microphone: Microphone | None = None,
+    ) -> None:  # fmt: skip
         super().__init__()
         self.preset = preset
         self.history = History()
         self.averages = AveragesModel()
+        self.microphone = microphone or Microphone()
+        self.source = Source.FILE
+        self.tone = Tone()
         self.loop = False
         self.volume = 0.0
         self.channel = Channel.MIX
         self._open_device = open_device
-        self._player: FilePlayer | None = None
+        self._file: SoundReader | None = None
+        self._left_at = 0.0
+        self._player: Player | None = None
+        self._tone_reader: ToneReader | None = None
+        self._unexplained: Preset | None = None  # its recogniser could not say why, which was told
         preset.changed.connect(self._use_preset)
+        self.microphone.failed.connect(self.failed)
 
     # -- what it is ---------------------------------------------------------------------------------------
 
     @property
     def path(self) -> Path | None:
-        """The file in hand."""
-        return self._player.reader.path if self._player else None
+        """The file in hand; it stays so while another source is in use."""
+        return self._file.path if self._file else None
 
     @property
     def duration(self) -> float:
-        """Seconds of the file in hand."""
-        return self._player.reader.duration if self._player else 0.0
+        """Seconds of the file in hand; 0 while another source is in use."""
+        return self._file.duration if self._file and self.source is Source.FILE else 0.0
 
     @property
     def position(self) -> float:
-        """Seconds from the file's beginning to what is heard."""
+        """Seconds from the beginning to what is heard."""
+        if self.source is Source.MICROPHONE:
+            return self.microphone.seconds
+        if self.source is Source.TONE:
+            return self._player.position if self._player else 0.0
         return min(self._player.position, self.duration) if self._player else 0.0
 
     @property
     def playing(self) -> bool:
-        """Whether sound is going on."""
+        """Whether sound is going on, or is listened for."""
+        if self.source is Source.MICROPHONE:
+            return self.microphone.active
         return self._player is not None and self._player.playing
 
     @property
+    def name(self) -> str:
+        """What is in hand: the file's name, the microphone or the tone."""
+        if self.source is Source.FILE:
+            return self._file.path.name if self._file else "no sound"
+        return str(self.source)
+
+    @property
     def description(self) -> str:
-        """The file's rate and channels, in words."""
-        if self._player is None:
+        """What is in hand, in words: rate and channels of a file, the microphone's state, the kind of tone."""
+        if self.source is Source.MICROPHONE:
+            return self.microphone.words
+        if self.source is Source.TONE:
+            return self.tone.kind.replace("_", " ")
+        if self._file is None:
             return "no sound"
-        reader = self._player.reader
-        channels = {1: "mono", 2: "stereo"}.get(reader.n_file_channels, f"{reader.n_file_channels} channels")
-        return ", ".join([f"{reader.file_rate:,} Hz".replace(",", " "), channels, *reader.notes])
+        n = self._file.n_file_channels
+        channels = {1: "mono", 2: "stereo"}.get(n, f"{n} channels")
+        return ", ".join([f"{self._file.file_rate:,} Hz".replace(",", " "), channels, *self._file.notes])
 
     @property
     def output_name(self) -> str:
@@ -96,45 +138,87 @@ class Session(QObject):
 
     @property
     def n_dropped(self) -> int:
-        """Frames that were analysed but never shown, since the file was opened."""
-        return self._player.n_dropped if self._player else 0
+        """Frames that were analysed but never shown, since the source is in use."""
+        return self._player.n_dropped if self._player else self.microphone.n_dropped
 
-    # -- transport ----------------------------------------------------------------------------------------
+    # -- where the sound comes from -----------------------------------------------------------------------
 
     def open(self, path: Path) -> bool:
-        """Open a file and stand at its beginning; a file that cannot be read leaves the present one in hand."""
+        """Open a file and stand at its beginning; a file that cannot be read leaves everything as it was."""
         try:
-            player = FilePlayer(path, self.preset.in_force, self.channel, self._open_free_device)
+            file = SoundReader(path, self.channel)
         except EngineError as error:
             self.failed.emit(str(error))
             return False
+        self._leave()
+        self.source = Source.FILE
+        self._file = file
+        self._take_up(Player(file, self.preset.in_force, self._open_device))
+        return True
+
+    def set_source(self, source: Source) -> None:
+        """Follow a file, the microphone or a tone; a file goes on from where it was left."""
+        if source is self.source:
+            return
+        if self.source is Source.FILE:
+            self._left_at = self.position
+        if source is Source.FILE and self.path is not None and self.open(self.path):
+            self.seek(self._left_at)
+            return
+        self._leave()
+        self.source = source
+        self.clear()
+        if source is Source.TONE:
+            self._tone_reader = ToneReader(self.tone)
+            self._take_up(Player(self._tone_reader, self.preset.in_force, self._open_device))
+        if source is not Source.FILE:
+            self.play()
+        self.opened.emit()
+
+    def set_tone(self, tone: Tone) -> None:
+        """Generate another tone."""
+        self.tone = tone
+        if self._tone_reader is not None:
+            self._tone_reader.use(tone)
+        self.transport_changed.emit()
+
+    def _take_up(self, player: Player) -> None:
         player.loop = self.loop
         self._player = player
         self.set_volume(self.volume)
         self.clear()
         self.opened.emit()
         self.transport_changed.emit()
-        return True
 
-    def _open_free_device(self, n_channels: int) -> Output:
-        """Open what is played on, once the present file has let go of it: some cards serve one stream at a time."""
-        self.close()
-        return self._open_device(n_channels)
+    def _leave(self) -> None:
+        """Let the source in use go: some cards serve one stream at a time."""
+        self.microphone.stop()
+        self._tone_reader = None
+        if self._player is not None:
+            self._player.close()
+            self._player = None
+
+    # -- transport ----------------------------------------------------------------------------------------
 
     def play(self) -> None:
-        """Play from where it stands; the averaged spectrum begins anew when that is the beginning."""
-        if self._player is None:
+        """Play or listen; the averaged spectrum begins anew when that is the beginning."""
+        if self.source is Source.MICROPHONE:
+            self.microphone.listen(self.preset.in_force)
+        elif self._player is None:
             return
-        if self.position == 0:
-            self.averages.clear()
-        self._player.play()
+        else:
+            if self.position == 0:
+                self.averages.clear()
+            self._player.play()
         self.transport_changed.emit()
 
     def pause(self) -> None:
-        """Hold still."""
-        if self._player is not None:
+        """Hold still; a microphone is let go, and a recording ends."""
+        if self.source is Source.MICROPHONE:
+            self.microphone.stop()
+        elif self._player is not None:
             self._player.pause()
-            self.transport_changed.emit()
+        self.transport_changed.emit()
 
     def toggle(self) -> None:
         """Play or pause."""
@@ -144,15 +228,25 @@ class Session(QObject):
             self.play()
 
     def stop(self) -> None:
-        """Hold still, at the beginning."""
-        if self._player is not None:
-            self._player.pause()
+        """Hold still; a file stands at its beginning."""
+        self.pause()
+        if self.source is Source.FILE and self._player is not None:
             self._player.seek(0)
-            self.transport_changed.emit()
+        self.transport_changed.emit()
+
+    def toggle_recording(self) -> None:
+        """Record what the microphone hears, or end that; another source makes room for the microphone."""
+        if self.microphone.recording:
+            self.microphone.end_recording()
+        else:
+            self.set_source(Source.MICROPHONE)
+            self.play()
+            self.microphone.begin_recording()
+        self.transport_changed.emit()
 
     def seek(self, seconds: float) -> None:
         """Go to a place in the file; while nothing plays, the seconds before it are shown in place of the old."""
-        if self._player is not None:
+        if self._player is not None and self.source is Source.FILE:
             self._player.seek(seconds)
             if not self.playing:
                 self._show_before(self.position)
@@ -177,9 +271,9 @@ class Session(QObject):
         if channel is self.channel:
             return
         before, self.channel = self.channel, channel
-        if self._player is not None:
-            path, position, playing = self._player.reader.path, self.position, self.playing
-            if not self.open(path):
+        if self._file is not None and self.source is Source.FILE:
+            position, playing = self.position, self.playing
+            if not self.open(self._file.path):
                 self.channel = before
             else:
                 self.seek(position)
@@ -194,26 +288,23 @@ class Session(QObject):
         self.cleared.emit()
 
     def close(self) -> None:
-        """Let the file go."""
-        if self._player is not None:
-            self._player.close()
-            self._player = None
+        """Let everything go."""
+        self._leave()
+        self.microphone.close()
 
     # -- what is found ------------------------------------------------------------------------------------
 
     def tick(self) -> bool:
         """Gather what has been heard since the last tick; say whether there was anything."""
-        if self._player is None:
-            return False
         try:
-            blocks = self._player.take()
+            blocks = self.microphone.take() if self._player is None else self._player.take()
         except EngineError as error:
             self.stop()
             self.failed.emit(str(error))
             return False
         for analysis in blocks:
             self.gather(analysis)
-        if self.playing and self._player.finished:
+        if self._player is not None and self.playing and self._player.finished:
             self.stop()
         return bool(blocks)
 
@@ -234,11 +325,24 @@ class Session(QObject):
     def analyse_again(self) -> None:
         """Analyse what was heard last anew with the preset in force, so that a change shows while nothing plays."""
         first, last = self.history.newest_run(AGAIN)
-        if self._player is None or first == last:
+        if self._player is None or self.source is not Source.FILE or first == last:
             return
         self.history.take_back(last - first)
         self._look_back(first, last)
         self.rewritten.emit(last - first)
+
+    def explain(self) -> Trace | None:
+        """Say why the newest frame was recognised as it was."""
+        newest = self.history.newest
+        if newest is None:
+            return None
+        try:
+            return self.preset.recogniser.explain(newest.features, len(newest) - 1)
+        except EngineError as error:
+            if self.preset.preset is not self._unexplained:
+                self._unexplained = self.preset.preset
+                self.failed.emit(str(error))
+            return None
 
     def _show_before(self, seconds: float) -> None:
         last = round(seconds / FRAME_PERIOD)
@@ -254,20 +358,12 @@ class Session(QObject):
             self.failed.emit(str(error))
 
     def _analyses(self, first: int, last: int) -> Iterator[Analysis]:
-        if self._player is not None:
-            with SoundReader(self._player.reader.path, self.channel) as reader:
+        if self._file is not None:
+            with SoundReader(self._file.path, self.channel) as reader:
                 yield from analyses_between(reader, first, last, self.preset.in_force, pitch=True)
 
-    def explain(self) -> Trace | None:
-        """Say why the newest frame was recognised as it was."""
-        newest = self.history.newest
-        if newest is None:
-            return None
-        preset = self.preset.in_force
-        recogniser = recogniser_of(preset.recogniser, preset.thresholds)
-        return recogniser.explain(newest.features, len(newest) - 1)
-
     def _use_preset(self) -> None:
+        self.microphone.use(self.preset.in_force)
         if self._player is not None:
             self._player.use(self.preset.in_force)
             if not self.playing:

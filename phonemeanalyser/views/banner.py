@@ -1,4 +1,6 @@
-"""A line that says what went wrong and what to do, without a dialog."""
+"""A line that says what went wrong or well and what to do, without a dialog."""
+
+from collections.abc import Callable
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
@@ -31,13 +33,16 @@ class Banner(QWidget):
         dismiss.clicked.connect(lambda _checked: self.say(""))
         row = QHBoxLayout(self)
         row.setContentsMargins(10, 4, 6, 4)
+        self.action = QToolButton()
+        self.action.setToolTip("What can be done about it")
+        self.action.clicked.connect(self._act)
+        self._wanted: Callable[[], object] | None = None
         row.addWidget(self.label, 1)
+        row.addWidget(self.action)
         row.addWidget(dismiss)
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setObjectName("banner")
-        self.setStyleSheet(
-            f"#banner {{ background: {theme.bad} }} #banner QLabel, #banner QToolButton {{ color: white }}"
-        )
+        self._theme = theme
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(lambda: self.say(""))
@@ -48,12 +53,42 @@ class Banner(QWidget):
         self._fit()
 
     def say(self, sentence: str) -> None:
-        """Show a sentence; an empty one takes the banner away."""
+        """Show what went wrong; an empty sentence takes the banner away."""
+        self._show(sentence, self._theme.bad, SHOWN_MS)
+
+    def tell(self, sentence: str) -> None:
+        """Show what is going on, or went well."""
+        self._show(sentence, self._theme.accent, SHOWN_MS)
+
+    def offer(self, sentence: str, action: str, act: Callable[[], object]) -> None:
+        """Show something that can be acted upon, until the user does so or dismisses it."""
+        self._show(sentence, self._theme.accent, 0)
+        self._wanted = act
+        self.action.setText(action)
+        self.action.setToolTip(f"{action}: {sentence}")
+        self.action.show()
+        self._fit()
+
+    def _act(self) -> None:
+        act, self._wanted = self._wanted, None
+        self._show("", self._theme.accent, 0)
+        if act is not None:
+            act()
+
+    def _show(self, sentence: str, colour: str, duration_ms: int) -> None:
+        self.setStyleSheet(
+            f"#banner {{ background: {colour} }} #banner QLabel {{ color: white }}"
+            "#banner QToolButton { color: white; background: rgba(255, 255, 255, 40); border: 0; border-radius: 3px;"
+            " padding: 3px 9px }"
+            "#banner QToolButton:hover { background: rgba(255, 255, 255, 90) }"
+        )
         self.label.setText(sentence)
+        self.action.hide()
         self.shown.emit(bool(sentence))
         self._fit()
-        if sentence:
-            self._timer.start(SHOWN_MS)
+        self._timer.stop()
+        if sentence and duration_ms:
+            self._timer.start(duration_ms)
 
     def _fit(self) -> None:
         self.label.setFixedHeight(max(0, self.label.heightForWidth(self.label.width())))  # no toolbar asks for that

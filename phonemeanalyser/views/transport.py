@@ -1,118 +1,56 @@
-"""Play, stop, the time line, loop, volume and channel."""
+"""The bar above the views: source, play, stop, record, loop, volume, and what belongs to the source."""
 
-from typing import Any
-
-from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QKeyEvent, QMouseEvent, QPainter
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSlider, QStyle, QToolButton, QWidget
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPainter
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QSlider,
+    QStackedWidget,
+    QStyle,
+    QToolButton,
+    QWidget,
+)
 
 from engine.settings import Channel
-from phonemeanalyser.models.session import QUIETEST_DB, Session
+from phonemeanalyser.models.session import QUIETEST_DB, Session, Source
 from phonemeanalyser.theme import Theme
-
-
-class TimeLine(QWidget):
-    """The whole file as a line; a click or a drag goes there.
-
-    Signals
-    -------
-    sought : seconds from the file's beginning.
-    """
-
-    sought = Signal(float)
-
-    def __init__(self, session: Session, theme: Theme) -> None:
-        super().__init__()
-        self._session = session
-        self._theme = theme
-        self._shown = -1
-        self.setMinimumSize(120, 30)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setToolTip("Click to go there; arrow keys go by a second")
-        self.setAccessibleName("time line")
-
-    def refresh(self) -> None:
-        """Show where the sound is."""
-        shown = round(self._x_of(self._session.position))
-        if shown != self._shown:
-            self._shown = shown
-            self.update()
-
-    def paintEvent(self, _event: Any) -> None:
-        """Paint the track, what has been heard, marks of time, and the place."""
-        painter = QPainter(self)
-        track = QRectF(6, 5, self.width() - 12, 9)
-        painter.fillRect(track, QColor(self._theme.line))
-        x = self._x_of(self._session.position)
-        painter.fillRect(QRectF(6, 5, x - 6, 9), QColor(self._theme.accent))
-        painter.fillRect(QRectF(x - 1.5, 1, 3, 17), QColor(self._theme.text))
-        self._paint_marks(painter)
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Go there."""
-        self._seek(event)
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Follow the mouse."""
-        if event.buttons() & Qt.MouseButton.LeftButton:
-            self._seek(event)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Go by a second."""
-        steps = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}
-        if event.key() in steps:
-            self.sought.emit(max(0.0, self._session.position + steps[Qt.Key(event.key())]))
-        else:
-            super().keyPressEvent(event)
-
-    def _paint_marks(self, painter: QPainter) -> None:
-        duration = self._session.duration
-        if duration <= 0:
-            return
-        font = painter.font()
-        font.setPixelSize(9)
-        painter.setFont(font)
-        painter.setPen(QColor(self._theme.faint))
-        spacing = next((s for s in SPACINGS if duration / s * 46 < self.width() - 60), SPACINGS[-1])
-        for k in range(int(duration / spacing) + 1):
-            x = self._x_of(k * spacing)
-            if x > self.width() - 24:
-                break
-            painter.fillRect(QRectF(x, 14, 1, 4), QColor(self._theme.faint))
-            painter.drawText(QRectF(x + 2, 17, 50, 12), clock_of(k * spacing, spacing < 1))
-
-    def _seek(self, event: QMouseEvent) -> None:
-        share = min(max((event.position().x() - 6) / max(1, self.width() - 12), 0.0), 1.0)
-        self.sought.emit(share * self._session.duration)
-
-    def _x_of(self, seconds: float) -> float:
-        return 6 + seconds / max(self._session.duration, 1e-6) * (self.width() - 12)
-
-
-SPACINGS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1200, 3600)
+from phonemeanalyser.views.microphone_bar import MicrophoneBar
+from phonemeanalyser.views.record_button import RecordButton
+from phonemeanalyser.views.time_line import TimeLine, clock_of
+from phonemeanalyser.views.tone_bar import ToneBar
 
 
 class Transport(QWidget):
-    """The bar above the views.
+    """The bar above the views: where the sound comes from, what it does, and what belongs to its source.
 
     Signals
     -------
     open_asked : the user wants to open a file.
+    folder_asked : the user wants to choose where recordings go.
     """
 
     open_asked = Signal()
+    folder_asked = Signal()
 
     def __init__(self, session: Session, theme: Theme) -> None:
         super().__init__()
         self._session = session
         self._theme = theme
-        self.open = self._button(QStyle.StandardPixmap.SP_DialogOpenButton, "Open a sound file (Ctrl+O)")
-        self.play = self._button(QStyle.StandardPixmap.SP_MediaPlay, "Play or pause (Space)")
-        self.stop = self._button(QStyle.StandardPixmap.SP_MediaStop, "Stop and go to the beginning (Escape)")
-        self.loop = self._button(QStyle.StandardPixmap.SP_BrowserReload, "Begin again at the end (L)")
+        pixmap = QStyle.StandardPixmap
+        self.open = self._button(pixmap.SP_DialogOpenButton, "Open a sound file (Ctrl+O)")
+        self.play = self._button(pixmap.SP_MediaPlay, "Play or pause (Space)")
+        self.stop = self._button(pixmap.SP_MediaStop, "Stop (Escape); a file goes to its beginning")
+        self.record = RecordButton(session, theme)
+        self.loop = self._button(pixmap.SP_BrowserReload, "Begin again at the end (L)")
+        self.source = QComboBox()
         self.time_line = TimeLine(session, theme)
+        self.microphone = MicrophoneBar(session.microphone, theme)
+        self.tone = ToneBar(theme)
+        self.pages = QStackedWidget()
         self.time = QLabel()
+        self.volume_label, self.channel_label = QLabel("volume"), QLabel("channel")
         self.volume = QSlider(Qt.Orientation.Horizontal)
         self.channel = QComboBox()
         self._lay_out()
@@ -120,9 +58,17 @@ class Transport(QWidget):
         self._show_state()
 
     def refresh(self) -> None:
-        """Show where the sound is."""
+        """Show where the sound is, and how loud the microphone."""
+        session = self._session
         self.time_line.refresh()
-        text = f"{clock_of(self._session.position, True)} / {clock_of(self._session.duration, True)}"
+        if session.source is Source.MICROPHONE:
+            self.microphone.refresh()
+        text = clock_of(session.position, True)
+        if session.source is Source.FILE:
+            text += f" / {clock_of(session.duration, True)}"
+        if session.microphone.recording:
+            sign = "●" if session.microphone.listening else "waiting"
+            text = f"{sign} {clock_of(session.microphone.recorded_seconds, True)}"
         if text != self.time.text():
             self.time.setText(text)
 
@@ -138,53 +84,76 @@ class Transport(QWidget):
     def _lay_out(self) -> None:
         self.loop.setCheckable(True)
         self.volume.setRange(int(QUIETEST_DB), 0)
-        self.volume.setFixedWidth(90)
+        self.volume.setFixedWidth(80)
         for channel in Channel:
             self.channel.addItem(channel.value, channel)
         self.channel.setToolTip("Which channel of a stereo file is analysed")
-        self.time.setMinimumWidth(120)
+        for source in Source:
+            self.source.addItem(source.value, source)
+        self.source.setToolTip("Where the sound comes from")
+        self.source.setAccessibleName("source")
+        self.time.setMinimumWidth(112)
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        for page in (self.time_line, self.microphone, self.tone):
+            self.pages.addWidget(page)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(6, 3, 6, 3)
         layout.setSpacing(6)
-        buttons = (self.open, self.play, self.stop, self.loop)
-        others = (self.time, QLabel("volume"), self.volume, QLabel("channel"), self.channel)
-        row: tuple[QWidget, ...] = (*buttons, self.time_line, *others)
+        buttons = (self.source, self.open, self.play, self.stop, self.record, self.loop)
+        others = (self.time, self.volume_label, self.volume, self.channel_label, self.channel)
+        row: tuple[QWidget, ...] = (*buttons, self.pages, *others)
         for widget in row:
-            layout.addWidget(widget, 1 if widget is self.time_line else 0)
+            layout.addWidget(widget, 1 if widget is self.pages else 0)
 
     def _connect(self) -> None:
+        session = self._session
         self.open.clicked.connect(self.open_asked)
-        self.play.clicked.connect(self._session.toggle)
-        self.stop.clicked.connect(self._session.stop)
-        self.loop.toggled.connect(self._session.set_loop)
-        self.time_line.sought.connect(self._session.seek)
-        self.volume.valueChanged.connect(self._session.set_volume)
-        self.channel.activated.connect(lambda k: self._session.set_channel(Channel(self.channel.itemData(k))))
-        self._session.transport_changed.connect(self._show_state)
+        self.play.clicked.connect(session.toggle)
+        self.stop.clicked.connect(session.stop)
+        self.record.clicked.connect(session.toggle_recording)
+        self.record.folder_asked.connect(self.folder_asked)
+        self.loop.toggled.connect(session.set_loop)
+        self.source.activated.connect(lambda k: session.set_source(Source(self.source.itemData(k))))
+        self.time_line.sought.connect(session.seek)
+        self.tone.tone_changed.connect(session.set_tone)
+        self.volume.valueChanged.connect(session.set_volume)
+        self.channel.activated.connect(lambda k: session.set_channel(Channel(self.channel.itemData(k))))
+        session.transport_changed.connect(self._show_state)
+        session.opened.connect(self._show_state)
+        session.microphone.changed.connect(self._show_state)
 
     def _show_state(self) -> None:
         session = self._session
         icon = QStyle.StandardPixmap.SP_MediaPause if session.playing else QStyle.StandardPixmap.SP_MediaPlay
         self.play.setIcon(tinted_icon(self.style(), icon, self._theme))
+        tip = "Listen, or let the microphone go" if session.source is Source.MICROPHONE else "Play or pause"
+        self.play.setToolTip(f"{tip} (Space)")
         self.volume.setToolTip(f"Volume {session.volume:.0f} dB" if session.volume > QUIETEST_DB else "Silent")
         with QSignalBlocker(self.volume), QSignalBlocker(self.loop):
             self.volume.setValue(round(session.volume))
             self.loop.setChecked(session.loop)
         self.channel.setCurrentText(session.channel.value)
-        controls: tuple[QWidget, ...] = (self.play, self.stop, self.time_line)
-        for widget in controls:
-            widget.setEnabled(session.path is not None)
+        self.source.setCurrentIndex(self.source.findData(session.source))
+        self.record.show_state()
+        self._show_page()
         self.time_line.update()
         self.refresh()
 
-
-def clock_of(seconds: float, fine: bool) -> str:
-    """Write seconds as 1:02:03.4, without hours where there are none."""
-    minutes, rest = divmod(seconds, 60)
-    hours, minutes = divmod(int(minutes), 60)
-    tail = f"{int(rest * 10) / 10:04.1f}" if fine else f"{int(rest):02d}"
-    return f"{hours}:{minutes:02d}:{tail}" if hours else f"{minutes}:{tail}"
+    def _show_page(self) -> None:
+        """Show the controls of the source in use."""
+        source = self._session.source
+        pages: dict[Source, QWidget] = {
+            Source.FILE: self.time_line, Source.MICROPHONE: self.microphone, Source.TONE: self.tone
+        }  # fmt: skip
+        self.pages.setCurrentWidget(pages[source])
+        of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
+        for widget in of_file:
+            widget.setVisible(source is Source.FILE)
+        for widget in (self.volume_label, self.volume):
+            widget.setVisible(source is not Source.MICROPHONE)
+        needing_a_file: tuple[QWidget, ...] = (self.play, self.stop, self.time_line)
+        for widget in needing_a_file:
+            widget.setEnabled(source is not Source.FILE or self._session.path is not None)
 
 
 def tinted_icon(style: QStyle, icon: QStyle.StandardPixmap, theme: Theme) -> QIcon:

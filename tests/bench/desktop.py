@@ -5,7 +5,7 @@ from pathlib import Path
 import soundfile
 from PySide6.QtCore import QEventLoop, QSettings, QTimer
 
-from engine.audio.stream import ClockOutput
+from engine.audio.output import ClockOutput
 from engine.settings import SAMPLE_RATE
 from phonemeanalyser.app import Desktop, make_application
 from tests.bench.figures import speech

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QObject
 
 from engine.analyser import Analyser, Analysis
-from engine.live import STEP
+from engine.live.player import STEP
 from engine.settings import FRAME_PERIOD
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.models.session import Session

@@ -17,7 +17,7 @@ from PySide6.QtCore import QEvent, QSettings
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from engine.audio.stream import ClockOutput
+from engine.audio.output import ClockOutput
 from engine.features.variables import Variable
 from engine.presets.preset import Preset, save_preset
 from phonemeanalyser.app import Desktop

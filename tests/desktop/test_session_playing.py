@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from engine.audio.stream import ClockOutput
+from engine.audio.output import ClockOutput
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 from phonemeanalyser.models.preset import PresetModel

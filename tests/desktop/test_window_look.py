@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QImage
 from PySide6.QtWidgets import QApplication, QDockWidget, QMessageBox
 
-from engine.audio.stream import ClockOutput
+from engine.audio.output import ClockOutput
 from engine.settings import Channel
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.main_window import MainWindow

@@ -51,10 +51,10 @@ def change(window) -> None:
 def test_title_and_status_bar_name_sound_and_preset_and_mark_changes(desktop, window):
     assert window.windowTitle() == "cards.flac - Thesis[*] - PhonemeAnalyser"
     assert not window.isWindowModified()
-    assert window._file_label.text().endswith("preset Thesis")
+    assert window.status.left.text().endswith("preset Thesis")
     change(window)
     assert window.isWindowModified()
-    assert window._file_label.text().endswith("preset Thesis (changed)")
+    assert window.status.left.text().endswith("preset Thesis (changed)")
     press(window, Qt.Key.Key_Z, CONTROL)
     assert not window.isWindowModified()
     press(window, Qt.Key.Key_Z, CONTROL | SHIFT)

@@ -161,7 +161,7 @@ def test_the_channel_changes_while_it_plays(desktop, qtbot, tmp_path):
 
 
 def test_the_status_bar_says_what_plays_where(desktop, window):
-    texts = [label.text() for label in (window._file_label, window._output_label)]
+    texts = [label.text() for label in (window.status.left, window.status.right)]
     assert texts[0].strip().startswith("cards.flac: 44 100 Hz, mono")
     assert texts[1].strip() == "no sound card: silent, on the clock"
 
@@ -181,13 +181,13 @@ def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(des
     qtbot.waitUntil(lambda: desktop.session.history.n > 20, timeout=5000)
     press(window, Qt.Key.Key_F)
     still = window.time_view.grab().toImage(), window.spectrum.grab().toImage()
-    assert "views frozen" in window._output_label.text()
+    assert "views frozen" in window.status.right.text()
     n = desktop.session.history.n
     qtbot.waitUntil(lambda: desktop.session.history.n > n + 30, timeout=5000)
     assert (window.time_view.grab().toImage(), window.spectrum.grab().toImage()) == still
     press(window, Qt.Key.Key_F)
     qtbot.waitUntil(lambda: window.time_view.grab().toImage() != still[0], timeout=2000)
-    assert "frozen" not in window._output_label.text()
+    assert "frozen" not in window.status.right.text()
 
 
 def test_frozen_views_catch_up_even_when_the_sound_has_stopped(desktop, window, qtbot):

@@ -5,10 +5,11 @@ import sys
 import time
 from pathlib import Path
 
-from engine.live import FilePlayer
+from engine.audio.files import SoundReader
+from engine.live.player import Player
 from engine.presets.preset import DEFAULT_PRESET, load_preset
 
-player = FilePlayer(Path(sys.argv[1]), load_preset(DEFAULT_PRESET))
+player = Player(SoundReader(Path(sys.argv[1])), load_preset(DEFAULT_PRESET))
 seen: list[tuple[float, float]] = []
 frames: list[int] = []
 early = 0

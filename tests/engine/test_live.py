@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine import live
 from engine.analyser import Analysis
-from engine.audio.stream import ClockOutput
-from engine.live import FilePlayer
+from engine.audio.files import SoundReader
+from engine.audio.output import ClockOutput
+from engine.live import player as live
+from engine.live.player import Player
 from engine.presets.preset import Preset
 from engine.recognition.phoneme_data import Thresholds
 from engine.settings import HOP, SAMPLE_RATE, AnalysisSettings, Channel
@@ -47,7 +48,7 @@ def test_what_is_heard_is_the_file(rig: Rig) -> None:
 
 
 def test_a_player_on_the_clock_gives_every_frame_too(path: Path) -> None:
-    player = FilePlayer(path, PRESET, open_device=lambda _n: ClockOutput())
+    player = Player(SoundReader(path), PRESET, lambda _n: ClockOutput())
     assert not player.has_card
     start = time.monotonic()
     player.play()

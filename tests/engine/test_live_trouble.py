@@ -8,9 +8,10 @@ from typing import Any
 
 import pytest
 
-from engine import live
+from engine.audio.files import SoundReader
 from engine.errors import AudioError
-from engine.live import FilePlayer
+from engine.live import player as live
+from engine.live.player import Player
 from engine.settings import FRAME_PERIOD
 from tests.bad_files import BAD_FILES
 from tests.outputs import HandDrivenOutput
@@ -64,7 +65,7 @@ def test_a_bad_file_opens_no_device_and_leaves_no_thread(name: str, tmp_path: Pa
         return HandDrivenOutput(n_channels)
 
     with pytest.raises(AudioError):
-        FilePlayer(BAD_FILES[name](tmp_path), PRESET, open_device=open_device)
+        Player(SoundReader(BAD_FILES[name](tmp_path)), PRESET, open_device)
     assert threading.active_count() == before
     assert not opened
 

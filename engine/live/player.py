@@ -1,19 +1,21 @@
-"""The analysis thread: plays a file and analyses it a little ahead of what is heard.
+"""The analysis thread: plays a sound and analyses it a little ahead of what is heard.
 
 The thread reads, plays and analyses; whoever shows the result calls `take` now and then and gets what has been
 heard since. Nothing else passes between the two.
 """
 
 import threading
+import time
 from collections import deque
 from collections.abc import Callable
-from pathlib import Path
+from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.analyser import PRE_ROLL, Analyser, Analysis
-from engine.audio.files import SoundReader, mono_of
-from engine.audio.stream import ClockOutput, Output, open_output
+from engine.audio.files import mono_of
+from engine.audio.output import ClockOutput, Output, open_output
 from engine.presets.preset import Preset
 from engine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, Channel
 
@@ -21,36 +23,57 @@ STEP = 2 * HOP
 """Samples that are read, played and analysed at a time."""
 MOST_WAITING = 1500
 """Blocks that wait for `take` at most; older ones are dropped and counted."""
+RETRY = 2.0
+"""Seconds between two tries to find a sound card again."""
+WAKING = 0.3
+"""Seconds that a sound card is given to ask for sound."""
 
 
-class FilePlayer:
-    """Plays a sound file, and hands out its analysis in step with what is heard.
+class Reader(Protocol):
+    """Gives a sound at 44.1 kHz, block by block."""
+
+    channel: Channel
+    n_channels: int
+    n_samples: int
+
+    @property
+    def duration(self) -> float:
+        """Length of the sound, seconds."""
+        ...
+
+    def read(self, n: int) -> NDArray[np.float32]:
+        """Give the next samples, shape (m, n_channels), fewer than `n` only at the end."""
+        ...
+
+    def seek(self, sample: int) -> None:
+        """Go to a sample."""
+        ...
+
+    def close(self) -> None:
+        """Let go."""
+        ...
+
+
+class Player:
+    """Plays a sound, and hands out its analysis in step with what is heard.
 
     Starts standing still at the beginning. All methods may be called from any one thread; they return at once.
+    Without a sound card it goes on silently on the clock, and looks for one every two seconds while it plays.
 
     Parameters
     ----------
-    path : the sound file.
+    reader : the sound; it is closed by `close`. All its channels are heard, one is analysed.
     preset : what to recognise with.
-    channel : which channel is analysed; all are heard.
     open_device : opens the output for a number of channels.
-
-    Raises
-    ------
-    AudioError : the file cannot be read.
     """
 
-    def __init__(
-        self,
-        path: Path,
-        preset: Preset,
-        channel: Channel = Channel.MIX,
-        open_device: Callable[[int], Output] = open_output,
-    ) -> None:
-        self.reader = SoundReader(path, channel)
+    def __init__(self, reader: Reader, preset: Preset, open_device: Callable[[int], Output] = open_output) -> None:
+        self.reader = reader
         self.loop = False
         self.n_dropped = 0
-        self._output: Output = open_device(self.reader.n_channels)
+        self._open_device = open_device
+        self._output: Output = open_device(reader.n_channels)
+        self._next_try = time.monotonic() + RETRY
         self._preset = preset
         self._analyser = Analyser(preset, pitch=True)
         self._playing = False
@@ -134,7 +157,7 @@ class FilePlayer:
             error, self._error = self._error, None
             raise error
         if self._output.lost:
-            self._do(self._go_on_without_card)
+            self._do(self._leave_card)
         heard = self._output.heard
         due = []
         with self._handover:
@@ -159,6 +182,8 @@ class FilePlayer:
             try:
                 while self._commands:
                     self._commands.popleft()()
+                if self._playing and not self._output.is_card and time.monotonic() > self._next_try:
+                    self._look_for_card()
                 busy = self._playing and not self._at_end and self._output.room >= STEP
                 if busy:
                     self._advance()
@@ -224,20 +249,36 @@ class FilePlayer:
         with self._handover:
             self._waiting.clear()
 
-    def _go_on_without_card(self) -> None:
-        """Go on silently from the first frame that was not handed out."""
-        lost = self._output
-        if not lost.lost:
-            return
+    def _leave_card(self) -> None:
+        """Go on silently, since the card has gone."""
+        if self._output.lost:
+            self._change_output(ClockOutput())
+
+    def _look_for_card(self) -> None:
+        """Go on aloud if there is a card again; one that opens and stands still is none."""
+        self._next_try = time.monotonic() + RETRY
+        found = self._open_device(self.reader.n_channels)
+        deadline = time.monotonic() + WAKING
+        while found.is_card and not found.alive and time.monotonic() < deadline:
+            time.sleep(0.01)
+        if found.is_card and found.alive:
+            self._change_output(found)
+        else:
+            found.close()
+
+    def _change_output(self, output: Output) -> None:
+        """Go on elsewhere from the first frame that was not handed out."""
+        old = self._output
+        output.gain = old.gain
         with self._handover:
             frame = self._waiting[0][1].start if self._waiting else _frame_at(self.position)
             self._waiting.clear()
             self._target = frame
-            self._output = ClockOutput()
+            self._output = output
             self._running = False
         self._begin(frame)
         self._segments, self._target = self._segments[-1:], None
-        lost.close()
+        old.close()
 
 
 def _frame_at(seconds: float) -> int:

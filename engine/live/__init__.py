@@ -1,0 +1,1 @@
+"""Sound as it happens: files that are played, microphones that are listened to."""

@@ -1,0 +1,188 @@
+"""What is recorded while a microphone is heard: a file, and its phonemes beside it if that is wanted."""
+
+import csv
+import math
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.analyser import Analysis
+from engine.audio.recording import Recording
+from engine.audio.takes import journal_folder, recordings_folder
+from engine.errors import RecordingError
+from engine.recognition.runs import RUN_COLUMNS, Run, RunJoiner
+from engine.settings import FRAME_PERIOD
+
+
+class Tape:
+    """Records what a listener hears.
+
+    The file is begun with the first block. A microphone that comes back with another sample rate, or another that
+    takes its place, goes into a file of its own.
+
+    Parameters
+    ----------
+    next_path : names a new file; called for each, in the listening thread.
+    with_phonemes : write the phonemes beside it as they are recognised, as a table that ends in ``.csv``.
+    seconds : how much of each file is recorded at most.
+    journal, rescue : see `Recording`; the user's own folders unless others are named.
+    """
+
+    def __init__(
+        self, next_path: Callable[[], Path], *, with_phonemes: bool = False, seconds: float = math.inf,
+        journal: Path | None = None, rescue: Path | None = None,
+    ) -> None:  # fmt: skip
+        self.paths: list[Path] = []
+        self._next_path = next_path
+        self._with_phonemes = with_phonemes
+        self._most = seconds
+        self._n_given = 0
+        self._journal = journal or journal_folder()
+        self._rescue = rescue or recordings_folder()
+        self._recording: Recording | None = None
+        self._phonemes: PhonemeTable | None = None
+        self._refusal: str | None = None
+        self._closed = False
+        self._turning = threading.Lock()
+
+    @property
+    def seconds(self) -> float:
+        """Length of what is safely on disk in the newest file, seconds."""
+        return self._recording.seconds if self._recording else 0.0
+
+    @property
+    def path(self) -> Path | None:
+        """The newest file; None before the first sound."""
+        return self._recording.path if self._recording else None
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Remarks for the user, a sentence each; mostly none."""
+        return self._recording.notes if self._recording else ()
+
+    @property
+    def failure(self) -> str | None:
+        """Why nothing is recorded any more, as a sentence; None while all is well."""
+        return self._refusal or (self._recording.failure if self._recording else None)
+
+    def write(self, block: NDArray[np.float32], rate: int, began: float) -> None:
+        """Take a block, shape (n, n_channels), whose first sample was heard at `began` seconds of listening."""
+        with self._turning:
+            recording = self._recording
+            if self._closed or self.failure:
+                return
+            if recording is None or (recording.rate, recording.n_channels) != (rate, block.shape[1]):
+                recording = self._begin(rate, block.shape[1], began)
+            left = round(min(len(block), self._most * rate - self._n_given))
+            if recording is None or left == 0:
+                return
+            if self._phonemes is not None:
+                self._phonemes.lie(began, self._n_given / rate)
+            recording.write(block[:left])
+            self._n_given += left
+
+    def follow(self, analysis: Analysis) -> None:
+        """Take what was found in what was written."""
+        if self._phonemes is not None:
+            self._phonemes.push(analysis)
+
+    def close(self) -> None:
+        """End the recording and finish its files; what is heard afterwards begins no other."""
+        with self._turning:
+            self._closed = True
+        self._finish(self._recording, self._phonemes)
+
+    def _begin(self, rate: int, n_channels: int, began: float) -> Recording | None:
+        old, phonemes = self._recording, self._phonemes
+        if old is not None:  # a disk may take its time, and the microphone does not wait
+            threading.Thread(target=self._finish, args=(old, phonemes), name="recording ends").start()
+        try:
+            path = self._next_path()
+            self._recording = Recording(path, rate, n_channels, journal=self._journal, rescue=self._rescue)
+            self.paths.append(path)
+            self._n_given = 0
+            self._phonemes = self._table(path, began) if self._with_phonemes else None
+        except RecordingError as error:
+            self._refusal = str(error)
+            return None
+        return self._recording
+
+    def _table(self, path: Path, began: float) -> "PhonemeTable":
+        return PhonemeTable(path.with_suffix(".csv"), began, self._most)
+
+    def _finish(self, recording: Recording | None, phonemes: "PhonemeTable | None") -> None:
+        if recording is not None:
+            recording.close()
+        if phonemes is not None and recording is not None:
+            phonemes.close(recording.seconds)
+
+
+class PhonemeTable:
+    """Writes the phonemes of a recording as they are recognised; each row is on the disk when its phoneme ends.
+
+    Parameters
+    ----------
+    path : the table, a new file.
+    began : when the recording began, seconds of listening.
+    seconds : how much is recorded at most; no row reaches beyond it.
+
+    Raises
+    ------
+    RecordingError : the table cannot be written.
+    """
+
+    def __init__(self, path: Path, began: float, seconds: float = math.inf) -> None:
+        self._began = self._lag = began
+        self._most = seconds
+        self._joiner = RunJoiner()
+        self._shift: float | None = None
+        self._writing = threading.Lock()
+        try:
+            self._file = path.open("x", encoding="utf-8", newline="", buffering=1)
+            self._rows = csv.DictWriter(self._file, RUN_COLUMNS, lineterminator="\n")
+            self._rows.writeheader()
+        except OSError as error:
+            raise RecordingError(
+                f"{path.name}: this table cannot be written ({error.strerror}); record without the phonemes beside it"
+            ) from error
+
+    def lie(self, began: float, place: float) -> None:
+        """Take note that what is heard from `began` seconds on lies at `place` seconds of the recording."""
+        if abs(began - place - self._lag) < FRAME_PERIOD / 2:
+            return
+        with self._writing:  # the microphone was away, which the recording does not show
+            self._write(self._joiner.finish(place - (self._shift or 0.0)))
+            self._joiner, self._shift = RunJoiner(), None
+            self._began, self._lag = began, began - place
+
+    def push(self, analysis: Analysis) -> None:
+        """Take the next frames; those from before the recording are left out."""
+        wanted = analysis.part(slice(max(0, round(self._began / FRAME_PERIOD) - analysis.start), None))
+        if len(wanted) == 0:
+            return
+        with self._writing:
+            if self._shift is None:
+                self._shift = wanted.start * FRAME_PERIOD - self._lag
+            self._write(self._joiner.push(wanted.phonemes, wanted.intensities))
+
+    def close(self, duration: float) -> None:
+        """Write the last row, and finish."""
+        with self._writing, suppress(OSError):
+            self._write(self._joiner.finish(duration - (self._shift or 0.0)))
+            self._file.close()
+
+    def _write(self, runs: list[Run]) -> None:
+        """Write rows; a full disk is no matter of the table's, since the recording says so."""
+        with suppress(OSError):
+            for run in runs if not self._file.closed else []:
+                shifted = replace(run, start=self._on_tape(run.start), end=self._on_tape(run.end))
+                if shifted.start < shifted.end:
+                    self._rows.writerow(shifted.row())
+
+    def _on_tape(self, seconds: float) -> float:
+        return min(max(0.0, seconds + (self._shift or 0.0)), self._most)

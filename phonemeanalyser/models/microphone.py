@@ -1,0 +1,307 @@
+"""The microphone: which one, what it does, and what is recorded of it."""
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from engine.analyser import Analysis
+from engine.audio.devices import Device, InputChoice, inputs_of
+from engine.audio.journal import Unfinished, unfinished
+from engine.audio.level import Level
+from engine.audio.stream import devices
+from engine.audio.takes import journal_folder, new_take, recordings_folder
+from engine.errors import EngineError
+from engine.live.ear import Latency
+from engine.live.listener import Listener
+from engine.live.loopback import Loopback, measure_loopback
+from engine.live.tape import Tape
+from engine.presets.preset import Preset
+
+RATES = (0, 16_000, 22_050, 32_000, 44_100, 48_000, 96_000)
+"""Sample rates to choose from, Hz; 0 leaves it to the device."""
+SUFFIXES = (".wav", ".flac")
+"""What a recording can be."""
+PATIENCE = 0.7
+"""Seconds in which a microphone may open before that counts as trouble."""
+MOST_CHANNELS = 8
+"""Channels to choose from at most; some devices claim any number."""
+
+
+class Microphone(QObject):
+    """Listens and records; `take` moves it on.
+
+    Signals
+    -------
+    changed : another choice, or a recording begins or ends.
+    devices_changed : the list of devices is another.
+    recorded : a recording is complete: its path, and its seconds.
+    told : a sentence for the user about something that went well.
+    failed : a sentence for the user.
+    """
+
+    changed = Signal()
+    told = Signal(str)
+    devices_changed = Signal()
+    recorded = Signal(str, float)
+    failed = Signal(str)
+
+    def __init__(
+        self, make_listener: Callable[..., Listener] = Listener, list_devices: Callable[[], list[Device]] = devices,
+        journal: Path | None = None, folder: Path | None = None,
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self.choice = InputChoice()
+        self.devices: list[Device] = []
+        self.folder = self._rescue = folder or recordings_folder()
+        self.suffix = ".wav"
+        self.with_phonemes = False
+        self.loopback: Loopback | None = None
+        self._journal = journal or journal_folder()
+        self._make_listener = make_listener
+        self._list_devices = list_devices
+        self._listener: Listener | None = None
+        self._tape: Tape | None = None
+        self._ending: list[tuple[threading.Thread, Tape]] = []
+        self._leaving: list[threading.Thread] = []
+        self._found: list[Device] | None = None
+        self._looking: threading.Thread | None = None
+        self._troubled = ""
+        self._began = 0.0
+        self._measuring: threading.Thread | None = None
+        self._measured: Loopback | EngineError | None = None
+
+    # -- how it is ----------------------------------------------------------------------------------------
+
+    @property
+    def active(self) -> bool:
+        """Whether it is listened to, or tried to."""
+        return self._listener is not None
+
+    @property
+    def listening(self) -> bool:
+        """Whether sound comes in now."""
+        return self._listener is not None and self._listener.status.listening
+
+    @property
+    def recording(self) -> bool:
+        """Whether what comes is recorded."""
+        return self._tape is not None
+
+    @property
+    def words(self) -> str:
+        """What is going on, in words."""
+        if self._listener is None:
+            return "not listening"
+        status = self._listener.status
+        rate = f"{self._listener.rate:,} Hz".replace(",", " ")
+        return f"{status.words}, {rate}" if status.listening else status.words
+
+    @property
+    def seconds(self) -> float:
+        """How long it has been listened to, seconds."""
+        return self._listener.seconds if self._listener else 0.0
+
+    @property
+    def recorded_seconds(self) -> float:
+        """How much of the present recording is on disk, seconds."""
+        return self._tape.seconds if self._tape else 0.0
+
+    @property
+    def lost_seconds(self) -> float:
+        """Sound that was lost while it was listened to, seconds."""
+        return self._listener.lost_seconds if self._listener else 0.0
+
+    @property
+    def n_dropped(self) -> int:
+        """Frames that were analysed but never taken."""
+        return self._listener.n_dropped if self._listener else 0
+
+    @property
+    def level(self) -> Level:
+        """What the level meter reads."""
+        return self._listener.level if self._listener else Level()
+
+    @property
+    def latency(self) -> Latency | None:
+        """How long a sound takes to become a phoneme; None while nothing comes.
+
+        The card's own word for its share gives way to what a loopback measured.
+        """
+        if self._listener is None or not self.listening:
+            return None
+        latency = self._listener.latency
+        return replace(latency, capture=self.loopback.capture) if self.loopback else latency
+
+    @property
+    def known_for(self) -> float:
+        """Seconds since the newest frames became known; 0 while nothing is listened to."""
+        return self._listener.known_for if self._listener else 0.0
+
+    # -- what it shall do ---------------------------------------------------------------------------------
+
+    def listen(self, preset: Preset) -> None:
+        """Begin to listen."""
+        if self._listener is None:
+            self._listener = self._make_listener(preset, self.choice, pitch=True)
+            self._began = time.monotonic()
+            self.changed.emit()
+
+    def stop(self) -> None:
+        """Let the microphone go, and end the recording."""
+        self.end_recording()
+        listener, self._listener = self._listener, None
+        if listener is not None:
+            self._leaving.append(_begun(listener.close))  # a sound server that hangs must not hang the window
+            self.changed.emit()
+
+    def use(self, preset: Preset) -> None:
+        """Recognise with another preset."""
+        if self._listener is not None:
+            self._listener.use(preset)
+
+    def choose(self, choice: InputChoice) -> None:
+        """Listen to another microphone, channel or rate."""
+        if choice != self.choice:
+            self.choice = choice
+            self.loopback = None
+            if self._listener is not None:
+                self._listener.choose(choice)
+            self.changed.emit()
+
+    def set_else_default(self, on: bool) -> None:
+        """Go on with the system's default microphone while the chosen one is not there, or wait for it."""
+        self.choose(replace(self.choice, else_default=on))
+
+    def refresh_devices(self) -> None:
+        """Look which microphones there are; `devices_changed` tells when that is known."""
+        if self._looking is None:
+            self._looking = _begun(self._look)
+
+    def measure(self) -> None:
+        """Play clicks and listen for them; `told` or `failed` tells what came of it."""
+        if self._measuring is None:
+            self.stop()
+            self._measuring = _begun(self._measure)
+            self.changed.emit()
+
+    @property
+    def measuring(self) -> bool:
+        """Whether clicks are being played."""
+        return self._measuring is not None
+
+    def begin_recording(self) -> None:
+        """Record what is heard from now on into a new file in the folder."""
+        if self._listener is None or self._tape is not None:
+            return
+        folder, suffix = self.folder, self.suffix
+        self._tape = Tape(
+            lambda: new_take(folder, suffix),
+            with_phonemes=self.with_phonemes,
+            journal=self._journal,
+            rescue=self._rescue,
+        )
+        self._listener.record(self._tape)
+        self.changed.emit()
+
+    def end_recording(self) -> None:
+        """End the recording; `recorded` tells when its file is complete."""
+        tape, self._tape = self._tape, None
+        if tape is not None:
+            if self._listener is not None:
+                self._listener.record(None)
+            self._ending.append((_begun(tape.close), tape))
+            self.changed.emit()
+
+    def unfinished(self) -> list[Unfinished]:
+        """Give the recordings that were cut off when the program ended."""
+        return unfinished(self._journal)
+
+    def take(self) -> list[Analysis]:
+        """Give what was found since the last call, and see to recordings; raises what ended the listening."""
+        self._see_to_devices()
+        self._see_to_measurement()
+        self._see_to_recordings()
+        self._see_to_trouble()
+        return self._listener.take() if self._listener else []
+
+    def close(self) -> None:
+        """Let everything go; waits until recordings are complete."""
+        self.stop()
+        measuring = [self._measuring] if self._measuring else []
+        for thread in [*self._leaving, *measuring, *(thread for thread, _ in self._ending)]:
+            thread.join(timeout=6)
+
+    def _look(self) -> None:
+        try:
+            self._found = inputs_of(self._list_devices())
+        except EngineError:
+            self._found = []
+
+    def _measure(self) -> None:
+        for thread in self._leaving:  # some cards serve one stream at a time
+            thread.join()
+        try:
+            self._measured = measure_loopback(self.choice)
+        except EngineError as error:
+            self._measured = error
+
+    def _see_to_measurement(self) -> None:
+        if self._measuring is None or self._measuring.is_alive():
+            return
+        self._measuring = None
+        found = self._measured
+        if isinstance(found, Loopback):
+            self.loopback = found
+            self.told.emit(
+                f"A click comes back after {1000 * found.round_trip:.0f} ms ({found.n_heard} of {found.n_played} "
+                f"heard, within {1000 * found.spread:.0f} ms of each other); {1000 * found.capture:.0f} ms of it "
+                "are the microphone's, and the status line now counts with them."
+            )
+        else:
+            self.failed.emit(str(found))
+        self.changed.emit()
+
+    def _see_to_devices(self) -> None:
+        self._leaving = [thread for thread in self._leaving if thread.is_alive()]
+        if self._looking is not None and not self._looking.is_alive():
+            self._looking = None
+            if self._found is not None and self._found != self.devices:
+                self.devices = self._found
+                self.devices_changed.emit()
+
+    def _see_to_trouble(self) -> None:
+        """Say once when nothing comes any more, and once when it does again."""
+        if self._listener is None or self._listener.status.listening:
+            if self._troubled and self._listener is not None:
+                lost = f"{self.lost_seconds:.1f} s could not be heard"
+                self.told.emit(f"The microphone is there: {self._listener.status.words}; {lost}.")
+            self._troubled = ""
+            return
+        words = self._listener.status.words.split(" since ")[0]
+        if words != self._troubled and time.monotonic() > self._began + PATIENCE:
+            self._troubled = words
+            waits = "; the recording waits for it" if self.recording else ""
+            self.failed.emit(f"{words[0].upper()}{words[1:]}{waits}.")
+
+    def _see_to_recordings(self) -> None:
+        if self._tape is not None and self._tape.failure:
+            self.end_recording()
+        for ending in [e for e in self._ending if not e[0].is_alive()]:
+            self._ending.remove(ending)
+            tape = ending[1]
+            if tape.failure:
+                self.failed.emit(tape.failure)
+            elif tape.path is not None and tape.seconds:
+                self.recorded.emit(str(tape.path), tape.seconds)
+            else:
+                self.failed.emit("Nothing was recorded, since no sound came; check the microphone.")
+
+
+def _begun(act: Callable[[], object]) -> threading.Thread:
+    thread = threading.Thread(target=act, daemon=True)
+    thread.start()
+    return thread
