@@ -268,8 +268,10 @@ class MainWindow(QMainWindow):
         if slow:
             self._refresh_slow()
             self._stale = False
-            if known_at is not None and self._session.source is Source.MICROPHONE:
-                QTimer.singleShot(0, lambda: self.status.note_display(time.monotonic() - known_at))
+        elif self.phoneme.is_outdated:
+            self.phoneme.refresh()
+        if known_at is not None and self._session.source is Source.MICROPHONE:
+            QTimer.singleShot(0, lambda: self.status.note_display(time.monotonic() - known_at))
 
     def refresh_all(self) -> None:
         """Draw everything as it is now."""

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from PySide6.QtCore import QByteArray, QSettings
 from PySide6.QtWidgets import QAbstractButton, QMainWindow, QSplitter
 
 from engine.audio.devices import InputChoice
+from engine.errors import SettingsError
 from engine.settings import Channel
 from phonemeanalyser.models.microphone import SUFFIXES, Microphone
 from phonemeanalyser.models.session import Session
@@ -81,14 +83,12 @@ class WindowState:
 
     def _restore_microphone(self, microphone: Microphone) -> None:
         choice = microphone.choice
-        microphone.choose(
-            InputChoice(
-                self._kept("microphone", choice.label),
-                max(0, round(self._kept_number("microphone_channel", choice.channel))),
-                max(0, round(self._kept_number("microphone_rate", choice.rate))),
-                self._kept("microphone_else_default", int(choice.else_default)) == "1",
-            )
-        )
+        label = self._kept("microphone", choice.label)
+        channel = round(self._kept_number("microphone_channel", choice.channel))
+        rate = round(self._kept_number("microphone_rate", choice.rate))
+        else_default = self._kept("microphone_else_default", int(choice.else_default)) == "1"
+        with suppress(SettingsError):  # somebody edited the file
+            microphone.choose(InputChoice(label, channel, rate, else_default))
         microphone.folder = Path(self._kept("recordings", str(microphone.folder)))
         suffix = self._kept("recording_kind", microphone.suffix)
         microphone.suffix = suffix if suffix in SUFFIXES else microphone.suffix

@@ -3,7 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from engine.errors import DeviceError
+from engine.errors import DeviceError, SettingsError
+
+MOST_CHANNELS = 64
+"""The highest number that a channel may have."""
+LOWEST_RATE, HIGHEST_RATE = 4_000, 384_000
+"""Sample rates that may be asked for, Hz."""
 
 
 @dataclass(frozen=True)
@@ -42,12 +47,22 @@ class InputChoice:
     channel : which of its channels, counted from 1; 0 mixes the first two.
     rate : sample rate, Hz; 0 takes 44.1 kHz where the device has it, else what the device suggests.
     else_default : record from the system's default device while this one is not there.
+
+    Raises
+    ------
+    SettingsError : a number lies outside its range.
     """
 
     label: str = ""
     channel: int = 1
     rate: int = 0
     else_default: bool = False
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.channel <= MOST_CHANNELS:
+            raise SettingsError(f"the channel must lie in 0..{MOST_CHANNELS}, got {self.channel}")
+        if self.rate and not LOWEST_RATE <= self.rate <= HIGHEST_RATE:
+            raise SettingsError(f"the sample rate must lie in {LOWEST_RATE}..{HIGHEST_RATE} Hz, got {self.rate}")
 
     @property
     def n_channels(self) -> int:

@@ -1,30 +1,25 @@
 """The sound in hand: a file, a microphone or a tone; played or heard, and what is known of it."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from engine.analyser import Analysis, analyses_between
 from engine.audio.files import SoundReader
 from engine.audio.output import Output, open_output
 from engine.audio.tone import ToneReader
 from engine.errors import EngineError
 from engine.live.player import Player
-from engine.presets.preset import Preset
 from engine.recognition.trace import Trace
 from engine.settings import FRAME_PERIOD, Channel
 from engine.tones import Tone
-from phonemeanalyser.models.averages import AveragesModel
-from phonemeanalyser.models.history import History
+from phonemeanalyser.models.findings import Findings
 from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
 
 QUIETEST_DB = -60.0
 """At this volume and below nothing is heard."""
-AGAIN = 1000
-"""Frames that are analysed anew at most when the preset changes while nothing plays: ten seconds."""
 
 
 class Source(StrEnum):
@@ -61,8 +56,8 @@ class Session(QObject):
     ) -> None:  # fmt: skip
         super().__init__()
         self.preset = preset
-        self.history = History()
-        self.averages = AveragesModel()
+        self.findings = Findings(preset)
+        self.history, self.averages = self.findings.history, self.findings.averages
         self.microphone = microphone or Microphone()
         self.source = Source.FILE
         self.tone = Tone()
@@ -74,9 +69,11 @@ class Session(QObject):
         self._left_at = 0.0
         self._player: Player | None = None
         self._tone_reader: ToneReader | None = None
-        self._unexplained: Preset | None = None  # its recogniser could not say why, which was told
         preset.changed.connect(self._use_preset)
         self.microphone.failed.connect(self.failed)
+        self.findings.failed.connect(self.failed)
+        self.findings.cleared.connect(self.cleared)
+        self.findings.rewritten.connect(self.rewritten)
 
     # -- what it is ---------------------------------------------------------------------------------------
 
@@ -248,8 +245,8 @@ class Session(QObject):
         """Go to a place in the file; while nothing plays, the seconds before it are shown in place of the old."""
         if self._player is not None and self.source is Source.FILE:
             self._player.seek(seconds)
-            if not self.playing:
-                self._show_before(self.position)
+            if not self.playing and self._file is not None:
+                self.findings.show_before(self._file.path, self.channel, self.position)
             self.transport_changed.emit()
 
     def set_loop(self, loop: bool) -> None:
@@ -283,9 +280,7 @@ class Session(QObject):
 
     def clear(self) -> None:
         """Forget spectra, averages, sonagram and extremes."""
-        self.history.clear()
-        self.averages.clear()
-        self.cleared.emit()
+        self.findings.clear()
 
     def close(self) -> None:
         """Let everything go."""
@@ -303,68 +298,26 @@ class Session(QObject):
             self.failed.emit(str(error))
             return False
         for analysis in blocks:
-            self.gather(analysis)
+            self.findings.gather(analysis)
         if self._player is not None and self.playing and self._player.finished:
             self.stop()
         return bool(blocks)
 
-    def gather(self, analysis: Analysis) -> None:
-        """Take in a block of analysed frames."""
-        self.history.append(analysis)
-        self.averages.add(analysis)
-
     def follow(self, seconds: float) -> None:
         """Analyse the file in hand from its beginning up to a time at once, as if it had been played so far."""
-        if self._player is None:
+        if self._player is None or self._file is None:
             return
-        n_wanted = round(min(seconds, self.duration) / FRAME_PERIOD) + (seconds >= self.duration)
-        for analysis in self._analyses(0, n_wanted):
-            self.gather(analysis)
+        n_frames = round(min(seconds, self.duration) / FRAME_PERIOD) + (seconds >= self.duration)
+        self.findings.follow(self._file.path, self.channel, n_frames)
         self._player.seek(seconds)
-
-    def analyse_again(self) -> None:
-        """Analyse what was heard last anew with the preset in force, so that a change shows while nothing plays."""
-        first, last = self.history.newest_run(AGAIN)
-        if self._player is None or self.source is not Source.FILE or first == last:
-            return
-        self.history.take_back(last - first)
-        self._look_back(first, last)
-        self.rewritten.emit(last - first)
 
     def explain(self) -> Trace | None:
         """Say why the newest frame was recognised as it was."""
-        newest = self.history.newest
-        if newest is None:
-            return None
-        try:
-            return self.preset.recogniser.explain(newest.features, len(newest) - 1)
-        except EngineError as error:
-            if self.preset.preset is not self._unexplained:
-                self._unexplained = self.preset.preset
-                self.failed.emit(str(error))
-            return None
-
-    def _show_before(self, seconds: float) -> None:
-        last = round(seconds / FRAME_PERIOD)
-        self.history.clear()
-        self._look_back(max(0, last - AGAIN), last)
-
-    def _look_back(self, first: int, last: int) -> None:
-        """Analyse frames that nobody hears into the history; a damaged file is said."""
-        try:
-            for analysis in self._analyses(first, last):
-                self.history.append(analysis)
-        except EngineError as error:
-            self.failed.emit(str(error))
-
-    def _analyses(self, first: int, last: int) -> Iterator[Analysis]:
-        if self._file is not None:
-            with SoundReader(self._file.path, self.channel) as reader:
-                yield from analyses_between(reader, first, last, self.preset.in_force, pitch=True)
+        return self.findings.explain()
 
     def _use_preset(self) -> None:
         self.microphone.use(self.preset.in_force)
         if self._player is not None:
             self._player.use(self.preset.in_force)
-            if not self.playing:
-                self.analyse_again()
+            if not self.playing and self.source is Source.FILE and self._file is not None:
+                self.findings.analyse_again(self._file.path, self.channel)

@@ -43,6 +43,7 @@ class Banner(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setObjectName("banner")
         self._theme = theme
+        self._ink = "white" if theme.name == "light" else theme.base
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(lambda: self.say(""))
@@ -77,9 +78,9 @@ class Banner(QWidget):
 
     def _show(self, sentence: str, colour: str, duration_ms: int) -> None:
         self.setStyleSheet(
-            f"#banner {{ background: {colour} }} #banner QLabel {{ color: white }}"
-            "#banner QToolButton { color: white; background: rgba(255, 255, 255, 40); border: 0; border-radius: 3px;"
-            " padding: 3px 9px }"
+            f"#banner {{ background: {colour} }} #banner QLabel {{ color: {self._ink} }}"
+            f"#banner QToolButton {{ color: {self._ink}; background: rgba(255, 255, 255, 40); border: 0;"
+            " border-radius: 3px; padding: 3px 9px }"
             "#banner QToolButton:hover { background: rgba(255, 255, 255, 90) }"
         )
         self.label.setText(sentence)

@@ -39,6 +39,12 @@ class PhonemeView(QWidget):
             "(fundamental frequency), and what each rule said, down to the one that fired"
         )
 
+    @property
+    def is_outdated(self) -> bool:
+        """Whether another phoneme is heard than the one that is shown."""
+        newest = self._session.history.newest
+        return newest is not None and int(newest.phonemes[-1]) != self.phoneme
+
     def refresh(self) -> None:
         """Show the newest frame."""
         newest = self._session.history.newest

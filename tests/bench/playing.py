@@ -92,7 +92,7 @@ def _gather(session: Session, blocks: list[Analysis], minutes: float) -> None:
     for _ in range(round(minutes * 60 / 12)):
         for block in blocks:
             if len(block):
-                session.gather(block)
+                session.findings.gather(block)
 
 
 def _measured(desktop: Desktop) -> Cost:

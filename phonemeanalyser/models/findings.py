@@ -1,0 +1,96 @@
+"""What was found in the sound so far: the last minute, the averaged spectrum, and why the newest frame is so."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from engine.analyser import Analysis, analyses_between
+from engine.audio.files import SoundReader
+from engine.errors import EngineError
+from engine.presets.preset import Preset
+from engine.recognition.trace import Trace
+from engine.settings import FRAME_PERIOD, Channel
+from phonemeanalyser.models.averages import AveragesModel
+from phonemeanalyser.models.history import History
+from phonemeanalyser.models.preset import PresetModel
+
+AGAIN = 1000
+"""Frames that are analysed anew at most when the preset changes while nothing plays: ten seconds."""
+
+
+class Findings(QObject):
+    """Gathers analyses.
+
+    Signals
+    -------
+    cleared : everything was forgotten.
+    rewritten : this many of the newest columns of the history are others now.
+    failed : a sentence for the user.
+    """
+
+    cleared = Signal()
+    rewritten = Signal(int)
+    failed = Signal(str)
+
+    def __init__(self, preset: PresetModel) -> None:
+        super().__init__()
+        self.history = History()
+        self.averages = AveragesModel()
+        self._preset = preset
+        self._unexplained: Preset | None = None  # its recogniser could not say why, which was told
+
+    def gather(self, analysis: Analysis) -> None:
+        """Take in a block of analysed frames."""
+        self.history.append(analysis)
+        self.averages.add(analysis)
+
+    def clear(self) -> None:
+        """Forget spectra, averages, sonagram and extremes."""
+        self.history.clear()
+        self.averages.clear()
+        self.cleared.emit()
+
+    def follow(self, path: Path, channel: Channel, n_frames: int) -> None:
+        """Gather the first frames of a file."""
+        for analysis in self._analyses(path, channel, 0, n_frames):
+            self.gather(analysis)
+
+    def analyse_again(self, path: Path, channel: Channel) -> None:
+        """Analyse what was heard last of a file anew with the preset in force."""
+        first, last = self.history.newest_run(AGAIN)
+        if first < last:
+            self.history.take_back(last - first)
+            self._look_back(path, channel, first, last)
+            self.rewritten.emit(last - first)
+
+    def show_before(self, path: Path, channel: Channel, seconds: float) -> None:
+        """Show the seconds of a file before a time in place of what was heard."""
+        last = round(seconds / FRAME_PERIOD)
+        self.history.clear()
+        self._look_back(path, channel, max(0, last - AGAIN), last)
+
+    def explain(self) -> Trace | None:
+        """Say why the newest frame was recognised as it was."""
+        newest = self.history.newest
+        if newest is None:
+            return None
+        try:
+            return self._preset.recogniser.explain(newest.features, len(newest) - 1)
+        except EngineError as error:
+            if self._preset.preset is not self._unexplained:
+                self._unexplained = self._preset.preset
+                self.failed.emit(str(error))
+            return None
+
+    def _look_back(self, path: Path, channel: Channel, first: int, last: int) -> None:
+        """Analyse frames that nobody hears into the history; a damaged file is said."""
+        try:
+            for analysis in self._analyses(path, channel, first, last):
+                self.history.append(analysis)
+        except EngineError as error:
+            self.failed.emit(str(error))
+
+    def _analyses(self, path: Path, channel: Channel, first: int, last: int) -> Iterator[Analysis]:
+        with SoundReader(path, channel) as reader:
+            yield from analyses_between(reader, first, last, self._preset.in_force, pitch=True)
