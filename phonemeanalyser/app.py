@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import QMessageLogContext, QSettings, QStandardPaths, QtMsgType, qInstallMessageHandler
+from PySide6.QtCore import QMessageLogContext, QSettings, QStandardPaths, QTimer, QtMsgType, qInstallMessageHandler
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from engine.audio.output import ClockOutput, Output, open_output
@@ -19,6 +19,8 @@ from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
 from phonemeanalyser.theme import DARK, LIGHT, Theme, apply_theme, system_theme
 
+AFTER_SHOWING_MS = 20
+"""The window is to be seen before the sound card is awake."""
 THEMES = {"light": LIGHT, "dark": DARK}
 
 
@@ -97,12 +99,15 @@ def run(file: Path, preset: Path | None = None) -> int:
     if preset is not None:
         desktop.window.dialogs.load_preset(preset)
     desktop.window.show()
-    desktop.window.dialogs.open_sound(file)
-    desktop.window.dialogs.offer_unfinished()
-    desktop.session.microphone.refresh_devices()
+    QTimer.singleShot(AFTER_SHOWING_MS, lambda: _begin(desktop, file))
     code = app.exec()
     desktop.close()
     return code
+
+
+def _begin(desktop: Desktop, file: Path) -> None:
+    desktop.window.dialogs.open_sound(file)
+    desktop.window.dialogs.offer_unfinished()
 
 
 def screenshot(

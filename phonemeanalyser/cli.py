@@ -11,6 +11,7 @@ from pathlib import Path
 from types import ModuleType
 
 from engine.audio.devices import InputChoice
+from engine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from engine.errors import EngineError
 from engine.presets.preset import DEFAULT_PRESET, load_preset
 from phonemeanalyser.batch import Table, analyse_all, jobs_of
@@ -105,8 +106,8 @@ def _record(words: list[str]) -> int:
 
 def _add_input(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--device", default="", metavar="NAME", help="microphone, by name or a part of it")
-    parser.add_argument("--channel", type=int, default=1, metavar="N", help="channel of it, from 1; 0 mixes two")
-    parser.add_argument("--rate", type=int, default=0, metavar="HZ", help="sample rate (default: 44100 if it can)")
+    parser.add_argument("--channel", type=_channel, default=1, metavar="N", help="channel of it, from 1; 0 mixes two")
+    parser.add_argument("--rate", type=_rate, default=0, metavar="HZ", help="sample rate (default: 44100 if it can)")
     parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
     parser.add_argument("--seconds", type=_seconds, metavar="S", help="end after so long")
 
@@ -141,6 +142,18 @@ def _seconds(text: str) -> float:
     if not 0 <= seconds < math.inf:
         raise argparse.ArgumentTypeError(f"must be 0 s or later, got {text!r}")
     return seconds
+
+
+def _channel(text: str) -> int:
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"must be a channel, counted from 1, or 0 for a mix, got {text!r}")
+    return int(text)
+
+
+def _rate(text: str) -> int:
+    if not text.isdecimal() or not LOWEST_RATE <= int(text) <= HIGHEST_RATE:
+        raise argparse.ArgumentTypeError(f"must lie in {LOWEST_RATE}..{HIGHEST_RATE} Hz, got {text!r}")
+    return int(text)
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -2,7 +2,12 @@
 
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
+
+import soundfile
+
+from tests.virtual_sound import VirtualSound
 
 ROOT = Path(__file__).resolve().parents[1]
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
@@ -12,11 +17,34 @@ PICTURES = {
     "window-large-light.png": ("1920x1080", "light", "9.4"),
     "window-large-dark.png": ("1920x1080", "dark", "9.4"),
 }
+LIVE = {
+    "microphone-light.png": ("1280", "800", "light"),
+    "microphone-dark.png": ("1280", "800", "dark"),
+}
+"""The window while it records the demo from a virtual microphone."""
 
-if __name__ == "__main__":
+
+def main() -> None:
+    """Make them all."""
     for name, (size, theme, at) in PICTURES.items():
         command = [sys.executable, "-m", "phonemeanalyser", "screenshot", str(DEMO), "-o"]
-        subprocess.run(
-            [*command, str(ROOT / "screenshots" / name), "--size", size, "--theme", theme, "--at", at], check=True
-        )
-        print(ROOT / "screenshots" / name)
+        subprocess.run([*command, str(_place(name)), "--size", size, "--theme", theme, "--at", at], check=True)
+    with tempfile.TemporaryDirectory() as folder, VirtualSound() as sound:
+        wav = Path(folder) / "demo.wav"
+        soundfile.write(wav, *soundfile.read(DEMO))
+        for name, (width, height, theme) in LIVE.items():
+            voice = sound.play_into_microphone(wav)
+            command = [sys.executable, "-m", "tests.screenshot_live", str(_place(name)), theme, width, height, "6.0"]
+            environment = sound.environment | {"QT_QPA_PLATFORM": "offscreen"}
+            subprocess.run(command, check=True, cwd=ROOT, env=environment)
+            voice.terminate()
+            voice.wait()
+
+
+def _place(name: str) -> Path:
+    print(ROOT / "screenshots" / name)
+    return ROOT / "screenshots" / name
+
+
+if __name__ == "__main__":
+    main()

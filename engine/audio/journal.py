@@ -10,8 +10,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-
-from filelock import FileLock, Timeout
+from typing import Any
 
 from engine.audio.files import SoundReader
 from engine.errors import AudioError
@@ -28,7 +27,7 @@ class Note:
     def __init__(self, journal: Path, path: Path) -> None:
         journal.mkdir(parents=True, exist_ok=True)
         self._file = journal / f"{uuid.uuid4().hex}.json"
-        self._lock = FileLock(_lock_of(self._file), thread_local=False)
+        self._lock = _lock_of(self._file)
         self._lock.acquire(blocking=False)
         begun = datetime.now().astimezone().isoformat(timespec="seconds")
         being_written = self._file.with_suffix(".new")
@@ -45,7 +44,7 @@ class Note:
         _unlink(self._file)
         with suppress(OSError):
             self._lock.release()
-        _unlink(_lock_of(self._file))
+        _unlink(_lock_path(self._file))
 
 
 @dataclass(frozen=True)
@@ -81,15 +80,15 @@ def unfinished(journal: Path) -> list[Unfinished]:
 
 
 def _is_dead(note: Path) -> bool:
-    lock = FileLock(_lock_of(note), thread_local=False)
+    lock = _lock_of(note)
     try:
         lock.acquire(blocking=False)
-    except (Timeout, OSError, NotImplementedError):
+    except (OSError, NotImplementedError):  # held by the living: a TimeoutError
         return False
     alone = note.exists()
     lock.release()
     if not alone:
-        _unlink(_lock_of(note))
+        _unlink(_lock_path(note))
     return alone
 
 
@@ -108,10 +107,16 @@ def _read(note: Path) -> Unfinished | None:
 
 def _forget(note: Path) -> None:
     _unlink(note)
-    _unlink(_lock_of(note))
+    _unlink(_lock_path(note))
 
 
-def _lock_of(note: Path) -> Path:
+def _lock_of(note: Path) -> Any:
+    from filelock import FileLock  # noqa: PLC0415 - takes 40 ms, which only who records should wait for
+
+    return FileLock(_lock_path(note), thread_local=False)
+
+
+def _lock_path(note: Path) -> Path:
     return note.with_suffix(".lock")
 
 

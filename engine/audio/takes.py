@@ -4,8 +4,6 @@ import os
 from datetime import datetime
 from pathlib import Path
 
-import platformdirs
-
 from engine.audio.opening import shown_name
 from engine.errors import RecordingError
 
@@ -15,12 +13,16 @@ FOLDER = "PhonemeAnalyser"
 
 def recordings_folder() -> Path:
     """Give the folder in which recordings are made unless the user chooses one; it need not exist."""
-    return platformdirs.user_music_path() / FOLDER
+    from platformdirs import user_music_path  # noqa: PLC0415 - as below
+
+    return user_music_path() / FOLDER
 
 
 def journal_folder() -> Path:
     """Give the folder in which running recordings are noted; it need not exist."""
-    return platformdirs.user_data_path(FOLDER, appauthor=False) / "unfinished"
+    from platformdirs import user_data_path  # noqa: PLC0415 - takes 15 ms, which only who records should wait for
+
+    return user_data_path(FOLDER, appauthor=False) / "unfinished"
 
 
 def new_take(folder: Path, suffix: str) -> Path:

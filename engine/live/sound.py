@@ -129,6 +129,10 @@ class Sound:
         self._volume = min(float(decibels), 0.0)
         self._player.set_gain(10 ** (self._volume / 20))
 
+    def use(self, preset: Preset) -> None:
+        """Recognise with another preset from the next 20 ms on."""
+        self._player.use(preset)
+
     def poll(self) -> Heard:
         """Give the phoneme and the intensity of what is heard now; AudioError where the file is damaged there.
 

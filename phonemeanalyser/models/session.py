@@ -168,6 +168,8 @@ class Session(QObject):
         if source is Source.TONE:
             self._tone_reader = ToneReader(self.tone)
             self._take_up(Player(self._tone_reader, self.preset.in_force, self._open_device))
+        if source is Source.MICROPHONE:
+            self.microphone.refresh_devices()
         if source is not Source.FILE:
             self.play()
         self.opened.emit()
@@ -292,7 +294,8 @@ class Session(QObject):
     def tick(self) -> bool:
         """Gather what has been heard since the last tick; say whether there was anything."""
         try:
-            blocks = self.microphone.take() if self._player is None else self._player.take()
+            heard = self.microphone.take()  # it tells of devices and recordings even while another source is in use
+            blocks = heard if self._player is None else self._player.take()
         except EngineError as error:
             self.stop()
             self.failed.emit(str(error))

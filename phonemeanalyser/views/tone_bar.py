@@ -135,9 +135,12 @@ class ToneBar(QWidget):
         layout.addWidget(self.numbers["level"])
 
     def _connect(self) -> None:
-        self.kind.activated.connect(lambda k: self._choose(replace(self._tone, kind=self.kind.itemData(k))))
+        self.kind.activated.connect(self._choose_kind)
         self.slider.valueChanged.connect(lambda step: self._edit("frequency", _frequency_at(step)))
         self.vowel.activated.connect(self._choose_vowel)
+
+    def _choose_kind(self, k: int) -> None:
+        self._choose(replace(self._tone, kind=ToneKind(self.kind.itemData(k))))  # Qt gives a plain string back
 
     def _choose_vowel(self, k: int) -> None:
         """Take a vowel's formants; to choose its own ones is to change those that are there."""
