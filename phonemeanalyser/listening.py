@@ -107,9 +107,8 @@ class _Changes:
                 self._last = code
                 frame = analysis.start + k
                 age = self.listener.age_of(frame) if self.listener else 0.0
-                line = self._line_of(
-                    frame * FRAME_PERIOD, Phoneme(code).label, float(analysis.intensities[k]), 1000 * age
-                )
+                began = self.listener.time_of(frame) if self.listener else frame * FRAME_PERIOD
+                line = self._line_of(began, Phoneme(code).label, float(analysis.intensities[k]), 1000 * age)
                 sys.stdout.write(line + "\n")
                 sys.stdout.flush()
 

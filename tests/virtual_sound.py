@@ -1,4 +1,7 @@
-"""A virtual sound card for tests: a private PulseAudio with null sinks, as any user, without hardware."""
+"""A virtual sound card for tests: a private PulseAudio with a microphone and a speaker, without hardware.
+
+The microphone hears what is played into the sink `mic_in`; whatever the speaker plays can be recorded.
+"""
 
 import os
 import shutil
@@ -19,25 +22,24 @@ START_SECONDS = 10.0
 
 
 class VirtualSound:
-    """Runs while it is entered; programs started with its `environment` hear and speak through it."""
+    """Runs while it is entered; programs started with its `environment` hear and speak through it.
 
-    def __init__(self, rate: int = 44_100) -> None:
+    Parameters
+    ----------
+    rate : sample rate of microphone and speaker, Hz.
+    loopback : let the microphone hear what the speaker plays, rather than what is played into it.
+    """
+
+    def __init__(self, rate: int = 44_100, *, loopback: bool = False) -> None:
         self._rate = rate
+        self._source = "speaker.monitor" if loopback else "mic"
         self._folder = Path(tempfile.mkdtemp(prefix="vsound"))
-        self._socket = self._folder / "native"
-
-    def __enter__(self) -> "VirtualSound":
-        self._server = subprocess.Popen(
-            ["pulseaudio", "-n", "--daemonize=no", "--exit-idle-time=-1", "--disable-shm=yes", "--use-pid-file=no",
-             "--realtime=no", "--high-priority=no", "--log-target=stderr",
-             "-L", f"module-null-sink sink_name=speaker rate={self._rate} channels=2 format=s16le norewinds=1",
-             "-L", f"module-native-protocol-unix socket={self._socket} auth-anonymous=1"],
-            env=self._server_environment(), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL, start_new_session=True,
-        )  # fmt: skip
-        self._wait_for_the_socket()
+        self._socket, self._log = self._folder / "native", self._folder / "log"
         plugins = next(iter(sorted(Path("/usr/lib").glob("*/alsa-lib"))))
         (self._folder / "asound.conf").write_text(ASOUND.format(plugins=plugins))
+
+    def __enter__(self) -> "VirtualSound":
+        self._start()
         return self
 
     def __exit__(self, *_error: object) -> None:
@@ -47,14 +49,32 @@ class VirtualSound:
 
     @property
     def environment(self) -> dict[str, str]:
-        """The environment of a program that uses this sound card."""
+        """The environment of a program that uses this sound card, with a home of its own for recordings and notes."""
+        home = self._folder / "home"
+        home.mkdir(exist_ok=True)
         return {
             **os.environ,
+            "HOME": str(home),
+            "XDG_DATA_HOME": str(home / "data"),
             "PULSE_SERVER": f"unix:{self._socket}",
             "ALSA_CONFIG_PATH": str(self._folder / "asound.conf"),
             "PULSE_SINK": "speaker",
+            "PULSE_SOURCE": self._source,
             "PULSE_COOKIE": str(self._folder / "cookie"),
         }
+
+    @property
+    def journal(self) -> Path:
+        """Where programs with this environment note their running recordings."""
+        return self._folder / "home" / "data" / "PhonemeAnalyser" / "unfinished"
+
+    def play_into_microphone(self, path: Path) -> subprocess.Popen[bytes]:
+        """Have the microphone hear a WAV file; ends with it.
+
+        The latency is longer than any recorder's: a shorter one would change how far a null sink works ahead, and so
+        shift the microphone's time by some 15 ms.
+        """
+        return subprocess.Popen(["paplay", "-d", "mic_in", "--latency-msec=200", str(path)], env=self.environment)
 
     def record_speaker(self, path: Path) -> subprocess.Popen[bytes]:
         """Write what is played into a WAV file until terminated."""
@@ -64,10 +84,41 @@ class VirtualSound:
             env=self.environment,
         )  # fmt: skip
 
+    def suspend_microphone(self, suspended: bool) -> None:
+        """Have the microphone deliver nothing, not even silence; or go on."""
+        self._control("suspend-source", self._source, str(int(suspended)))
+
+    def suspend_speaker(self, suspended: bool) -> None:
+        """Have the speaker take nothing; or go on."""
+        self._control("suspend-sink", "speaker", str(int(suspended)))
+
     def kill(self) -> None:
         """End the server at once, as a crash would."""
         self._server.kill()
         self._server.wait(5)
+
+    def restart(self) -> None:
+        """Start the server anew after a crash, where running programs look for it."""
+        self._start()
+
+    def _start(self) -> None:
+        rate = f"rate={self._rate} format=s16le norewinds=1"
+        log = os.open(self._log, os.O_WRONLY | os.O_CREAT | os.O_APPEND)
+        self._server = subprocess.Popen(
+            ["pulseaudio", "-n", "--daemonize=no", "--exit-idle-time=-1", "--disable-shm=yes", "--use-pid-file=no",
+             "--realtime=no", "--high-priority=no", "--log-target=stderr",
+             "-L", f"module-null-sink sink_name=speaker channels=2 {rate}",
+             "-L", f"module-null-sink sink_name=mic_in channels=1 channel_map=mono {rate}",
+             "-L", "module-remap-source source_name=mic master=mic_in.monitor",
+             "-L", f"module-native-protocol-unix socket={self._socket} auth-anonymous=1"],
+            env=self._server_environment(), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            stderr=log, start_new_session=True,
+        )  # fmt: skip
+        os.close(log)
+        self._wait_for_the_socket()
+
+    def _control(self, *words: str) -> None:
+        subprocess.run(["pactl", *words], env=self.environment, check=True, timeout=10)
 
     def _server_environment(self) -> dict[str, str]:
         here = str(self._folder)
@@ -81,9 +132,9 @@ class VirtualSound:
 
     def _wait_for_the_socket(self) -> None:
         deadline = time.monotonic() + START_SECONDS
-        while time.monotonic() < deadline:
+        while time.monotonic() < deadline and self._server.poll() is None:
             with socket.socket(socket.AF_UNIX) as connection:
                 if connection.connect_ex(str(self._socket)) == 0:
                     return
             time.sleep(0.01)
-        raise TimeoutError("the virtual sound server did not start")
+        raise TimeoutError(f"the virtual sound server did not start: {self._log.read_text()}")

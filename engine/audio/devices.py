@@ -100,4 +100,6 @@ def chosen_input(choice: InputChoice, devices: Sequence[Device]) -> Device:
 def _named(label: str, inputs: Sequence[Device]) -> list[Device]:
     """Give the device that is called so, the first of equals, else those whose label contains the words."""
     exact = [d for d in inputs if d.label == label] or [d for d in inputs if d.name == label]
-    return exact[:1] or [d for d in inputs if label.casefold() in d.label.casefold()]
+    found = [d for d in inputs if label.casefold() in d.label.casefold()]
+    usual = [d for d in found if d.host_api == inputs[0].host_api]  # Windows offers each under several systems
+    return exact[:1] or (usual if len(usual) == 1 else found)

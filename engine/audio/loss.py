@@ -2,8 +2,9 @@
 
 WATCHED = 1.0
 """Seconds of which the promptest block tells how far the count is behind."""
-LEAST = 0.003
-"""The least loss that is told from a clock's jitter, seconds; devices lose blocks, which are longer."""
+LEAST = 0.008
+"""The least loss that is told from the shifting phase of two buffers, seconds; devices lose whole blocks, of 10 ms
+and more."""
 SETTLING = 0.5
 """Seconds after the beginning in which cards deliver ahead of time or late, so that no loss can be told."""
 FOLLOWED = 0.3
@@ -15,7 +16,7 @@ class LossMeter:
 
     A block may come late, but never early: the promptest block of a second says how far the count lies behind the
     clock. When that moves up by more than a jitter, and is still there in the second after, samples are missing. What
-    moves slowly is the drift of two clocks.
+    moves slowly is the drift of two clocks. Samples that were taken for lost and come after all were only late.
 
     Parameters
     ----------
@@ -45,6 +46,10 @@ class LossMeter:
         if time <= self._settled:
             self.begun = offset
             return
+        if self.begun - offset > LEAST:
+            n_late = min(self.n_lost, round((self.begun - offset) * self._rate))
+            self.n_lost -= n_late
+            offset += n_late / self._rate
         self._promptest = min(self._promptest, offset)
         self.begun = min(self.begun, offset)
         if time >= self._ends:

@@ -150,6 +150,7 @@ class CardOutput:
         self._asked = -math.inf
         self._opened = time.monotonic()
         self._stream = CardStream("output", None, SAMPLE_RATE, n_channels, LATENCY, self._fill)
+        self._opened = time.monotonic()
         self.name = self._stream.name
 
     @property
@@ -180,8 +181,8 @@ class CardOutput:
 
     @property
     def alive(self) -> bool:
-        """Whether the card asks for sound."""
-        return not self._stream.ended and self._asked > self._opened
+        """Whether the card asks for sound, beyond what even one that stands still takes in advance."""
+        return not self._stream.ended and self._asked - self._opened > 2 * LATENCY
 
     def write(self, block: NDArray[np.float32]) -> None:
         """Append a block."""

@@ -149,9 +149,9 @@ def _number_of(device: Device, sounddevice: Any) -> int:
 def _sounddevice() -> Any:
     try:
         import sounddevice  # noqa: PLC0415 - raises where PortAudio is missing, so only who plays imports it
-    except (OSError, ImportError) as error:
+    except Exception as error:  # sounddevice initialises PortAudio, which may fail in its own ways
         raise DeviceError(
-            "sound cannot be played or recorded, since PortAudio is missing; install libportaudio2"
+            "sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"
         ) from error
     return sounddevice
 

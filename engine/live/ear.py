@@ -72,6 +72,11 @@ class Ear:
         """Where the next sample lies, counted like the frames: frame k begins at 10k ms."""
         return self.start * FRAME_PERIOD + self._n_heard / self.source.rate
 
+    @property
+    def lost_seconds(self) -> float:
+        """Sound that the device lost since it was opened, seconds; frames are counted without it."""
+        return self.source.n_lost / self.source.rate
+
     def heard_of(self, block: Block) -> Block:
         """Give the channels that are heard, shape (n, n_channels), of what the microphone gave."""
         return block[:, self._columns]

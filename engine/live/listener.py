@@ -153,7 +153,7 @@ class Listener:
     def seconds(self) -> float:
         """How long it has been listening, from the first sound to the newest, gaps included, seconds."""
         ear = self._ear
-        return ear.seconds if ear else self._next_frame * FRAME_PERIOD
+        return ear.seconds + ear.lost_seconds if ear else self._next_frame * FRAME_PERIOD
 
     @property
     def lost_seconds(self) -> float:
@@ -172,6 +172,11 @@ class Listener:
     def known_for(self) -> float:
         """Seconds since the newest frames became known."""
         return time.monotonic() - self._known_at
+
+    def time_of(self, frame: int) -> float:
+        """Say when a frame that is not long past began, counted from the first sound, gaps included, seconds."""
+        ear = self._ear
+        return frame * FRAME_PERIOD + (ear.lost_seconds if ear else 0.0)
 
     def age_of(self, frame: int) -> float:
         """Say how long ago the middle of a frame sounded, seconds."""
@@ -216,8 +221,10 @@ class Listener:
         except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
             self._error = error
         finally:
+            if self._ear is None:
+                self._lost_before = self.lost_seconds
+            self._gap_is_loss = False
             self._let_go("not listening")
-            self._lost_before, self._gap_is_loss = self.lost_seconds, False
 
     def _warm_up(self) -> None:
         """Analyse silence, so that the first sound need not wait for what is imported at the first use."""

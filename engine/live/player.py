@@ -25,6 +25,8 @@ MOST_WAITING = 1500
 """Blocks that wait for `take` at most; older ones are dropped and counted."""
 RETRY = 2.0
 """Seconds between two tries to find a sound card again."""
+PATIENCE = 1.0
+"""Seconds that a sound card may take to open or close before that goes on without whoever asked for it."""
 WAKING = 0.3
 """Seconds that a sound card is given to ask for sound."""
 
@@ -72,13 +74,13 @@ class Player:
         self.loop = False
         self.n_dropped = 0
         self._open_device = open_device
-        self._output: Output = open_device(reader.n_channels)
+        self._output: Output = ClockOutput()
+        self._opened = threading.Event()
         self._next_try = time.monotonic() + RETRY
         self._preset = preset
         self._analyser = Analyser(preset, pitch=True)
-        self._playing = False
-        self._running = False
-        self._at_end = False
+        self._playing = self._running = self._at_end = False
+        self._next_frame = 0
         self._closing = False
         self._target: int | None = None
         self._error: Exception | None = None
@@ -89,6 +91,7 @@ class Player:
         self._wake = threading.Event()
         self._thread = threading.Thread(target=self._run, name="analysis", daemon=True)
         self._thread.start()
+        self._opened.wait(PATIENCE)
 
     @property
     def playing(self) -> bool:
@@ -166,23 +169,38 @@ class Player:
         return due
 
     def close(self) -> None:
-        """Stop, and let file and device go."""
+        """Stop, and let file and device go; a device that hangs is left to itself."""
         self._closing = True
         self._wake.set()
-        self._thread.join(timeout=5)
-        self._output.close()
-        self.reader.close()
+        self._thread.join(timeout=PATIENCE)
 
     def _do(self, command: Callable[[], None]) -> None:
         self._commands.append(command)
         self._wake.set()
 
     def _run(self) -> None:
+        try:
+            self._open()
+            self._follow()
+        finally:
+            self._output.close()
+            self.reader.close()
+
+    def _open(self) -> None:
+        try:
+            output = self._open_device(self.reader.n_channels)
+            output.gain, self._output = self._output.gain, output
+        except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
+            self._error = error
+        finally:
+            self._opened.set()
+
+    def _follow(self) -> None:
         while not self._closing:
             try:
                 while self._commands:
                     self._commands.popleft()()
-                if self._playing and not self._output.is_card and time.monotonic() > self._next_try:
+                if self._misses_card and time.monotonic() > self._next_try:
                     self._look_for_card()
                 busy = self._playing and not self._at_end and self._output.room >= STEP
                 if busy:
@@ -229,6 +247,7 @@ class Player:
         self.reader.seek(start * HOP)
         self._analyser = Analyser(self._preset, pitch=True, start=start)
         self._segments = (*self._segments[-8:], (self._output.n_written, frame * HOP))
+        self._next_frame = frame
         if frame > start:
             self._queue(self._analyser.push(mono_of(self.reader.read((frame - start) * HOP), self.reader.channel)))
         self._at_end = False
@@ -239,7 +258,8 @@ class Player:
         analysis = analysis.part(slice(max(0, sample // HOP - analysis.start), None))
         if len(analysis) == 0:
             return
-        due = written + (analysis.start + len(analysis) - 1) * HOP + HOP // 2 - sample
+        self._next_frame = analysis.start + len(analysis)
+        due = written + (self._next_frame - 1) * HOP + HOP // 2 - sample
         with self._handover:
             self._waiting.append((min(due, self._output.n_written), analysis))
             while len(self._waiting) > MOST_WAITING:
@@ -254,13 +274,20 @@ class Player:
         if self._output.lost:
             self._change_output(ClockOutput())
 
+    @property
+    def _misses_card(self) -> bool:
+        return self._playing and not self._at_end and not self._output.is_card
+
     def _look_for_card(self) -> None:
         """Go on aloud if there is a card again; one that opens and stands still is none."""
         self._next_try = time.monotonic() + RETRY
         found = self._open_device(self.reader.n_channels)
         deadline = time.monotonic() + WAKING
         while found.is_card and not found.alive and time.monotonic() < deadline:
-            time.sleep(0.01)
+            if self._at_end or self._output.room < STEP:
+                time.sleep(0.01)
+            else:
+                self._advance()
         if found.is_card and found.alive:
             self._change_output(found)
         else:
@@ -271,12 +298,16 @@ class Player:
         old = self._output
         output.gain = old.gain
         with self._handover:
-            frame = self._waiting[0][1].start if self._waiting else _frame_at(self.position)
+            place, over = round(self.position * SAMPLE_RATE), self._at_end and not self._waiting
+            frame = self._waiting[0][1].start if self._waiting else self._next_frame
             self._waiting.clear()
             self._target = frame
             self._output = output
             self._running = False
-        self._begin(frame)
+        if over:
+            self._segments = ((output.n_written, place),)
+        else:
+            self._begin(frame)
         self._segments, self._target = self._segments[-1:], None
         old.close()
 

@@ -82,10 +82,13 @@ class Sound:
         self._player = Player(self._tap, preset, open_device)
         self._transform = Transform(AnalysisSettings(filters=frozenset()))
         self._newest: Analysis | None = None
+        self._stopped = False
         self._volume = 0.0
 
     def play(self, *, loop: bool = False) -> None:
         """Go on from the position; with `loop`, begin again at the end."""
+        if self._stopped:
+            self._stopped, self._newest = False, None
         self._player.loop = loop
         self._player.play()
 
@@ -97,8 +100,7 @@ class Sound:
         """Hold still, at the beginning."""
         self._player.pause()
         self._player.seek(0)
-        self._player.take()
-        self._newest = None
+        self._stopped = True
 
     def seek(self, seconds: float) -> None:
         """Go to a position, rounded down to 10 ms."""
@@ -141,7 +143,7 @@ class Sound:
         taken = self._player.take()
         if taken:
             self._newest = taken[-1]
-        return heard_of(None if self._player.finished else self._newest)
+        return heard_of(None if self._stopped or self._player.finished else self._newest)
 
     def spectrum(self, channel: Channel = Channel.LEFT) -> Block:
         """Give the amplitudes of what is heard now, 0..1, shape (512,): bin k lies at k x 21.53 Hz."""

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from engine.analyser import Analysis
 from engine.audio.recording import Recording
-from engine.audio.takes import journal_folder, recordings_folder
+from engine.audio.takes import free_path, journal_folder, recordings_folder
 from engine.errors import RecordingError
 from engine.recognition.runs import RUN_COLUMNS, Run, RunJoiner
 from engine.settings import FRAME_PERIOD
@@ -88,7 +88,7 @@ class Tape:
 
     def follow(self, analysis: Analysis) -> None:
         """Take what was found in what was written."""
-        if self._phonemes is not None:
+        if self._phonemes is not None and not self._closed:
             self._phonemes.push(analysis)
 
     def close(self) -> None:
@@ -113,7 +113,7 @@ class Tape:
         return self._recording
 
     def _table(self, path: Path, began: float) -> "PhonemeTable":
-        return PhonemeTable(path.with_suffix(".csv"), began, self._most)
+        return PhonemeTable(free_path(path.with_suffix(".csv")), began, self._most)
 
     def _finish(self, recording: Recording | None, phonemes: "PhonemeTable | None") -> None:
         if recording is not None:

@@ -1,4 +1,4 @@
-"""What the tests of the player share."""
+"""What the tests of the player and of the listener share."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -7,6 +7,7 @@ import pytest
 import soundfile
 
 from engine.settings import SAMPLE_RATE
+from tests.microphones import HandDrivenMicrophone, Hear, Hearing
 from tests.players import SPEECH, Rig
 
 
@@ -21,3 +22,17 @@ def rig(path: Path) -> Iterator[Rig]:
     rig = Rig(path)
     yield rig
     rig.player.close()
+
+
+@pytest.fixture
+def hear() -> Iterator[Hear]:
+    made: list[Hearing] = []
+
+    def make(*microphones: HandDrivenMicrophone | None, **options: object) -> Hearing:
+        made.append(Hearing(*microphones, **options))
+        return made[-1]
+
+    yield make
+    for hearing in made:
+        hearing.openers.may_answer.set()
+        hearing.listener.close()

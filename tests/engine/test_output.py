@@ -242,6 +242,37 @@ def test_a_card_that_is_closed_is_not_lost(card: CardOutput) -> None:
     assert not card.lost
 
 
+def test_a_card_that_asks_for_nothing_for_a_second_is_as_good_as_lost(
+    sounddevice: SimpleNamespace, clock: Clock
+) -> None:
+    card = CardOutput(2)
+    clock.now += 0.9
+    assert (card.lost, card.alive) == (False, False)
+    clock.now += 0.2
+    assert card.lost
+    card._stream._stream.ask(100)  # it asks again: a paused card does so all the time
+    assert (card.lost, card.alive) == (False, True)
+    clock.now += 0.9
+    assert not card.lost
+    clock.now += 0.2
+    assert card.lost
+    card.close()
+    assert (card.lost, card.alive) == (False, False)
+
+
+def test_a_card_is_alive_once_it_asks_for_more_than_it_takes_in_advance(
+    sounddevice: SimpleNamespace, clock: Clock
+) -> None:
+    card = CardOutput(2)
+    card._stream._stream.ask(100)
+    assert not card.alive
+    clock.now += 0.2
+    card._stream._stream.ask(100)
+    assert card.alive
+    card._stream._stream.finish()
+    assert (card.alive, card.lost) == (False, True)
+
+
 def test_without_a_card_the_clock_plays(sounddevice: SimpleNamespace) -> None:
     def refuse(**_: Any) -> None:
         raise PortAudioError("Error querying device -1\nand more")

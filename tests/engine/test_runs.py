@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.phonemes import Phoneme
-from engine.recognition.runs import Run, runs_of
+from engine.recognition.runs import Run, RunJoiner, runs_of
 from engine.settings import FRAME_PERIOD
 
 CODES = st.lists(st.integers(0, 10), min_size=1, max_size=80)
@@ -56,3 +56,20 @@ def test_a_run_has_the_mean_intensity_of_its_frames() -> None:
 
 def test_no_frames_give_no_runs() -> None:
     assert list(runs_of([], 0.0)) == []
+
+
+@given(codes=CODES, cuts=st.lists(st.integers(0, 80), max_size=8), rest=st.floats(0.001, 1))
+def test_runs_that_are_joined_as_the_frames_come_are_those_of_the_whole_sound(
+    codes: list[int], cuts: list[int], rest: float
+) -> None:
+    duration = (len(codes) - 1 + rest) * FRAME_PERIOD
+    phonemes = np.array(codes, np.uint8)
+    intensities = (np.arange(len(codes)) % 5 / 4).astype(np.float32)
+    joiner, found, n_frames = RunJoiner(), [], 0
+    places = np.sort(np.minimum(cuts, len(codes))).astype(int)
+    for part, loud in zip(np.split(phonemes, places), np.split(intensities, places), strict=True):
+        ended = joiner.push(part, loud)
+        n_frames += len(part)
+        assert all(run.end < n_frames * FRAME_PERIOD for run in ended)  # a run has ended when another began
+        found += ended
+    assert found + joiner.finish(duration) == runs(codes, [], duration)

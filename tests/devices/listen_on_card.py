@@ -1,0 +1,34 @@
+"""Listens to the microphone and records it until SIGTERM; prints how it goes, and at the end what it heard."""
+
+import json
+import signal
+import sys
+import time
+from pathlib import Path
+
+from engine.audio.devices import InputChoice
+from engine.live.listener import Listener
+from engine.live.tape import Tape
+from engine.presets.preset import DEFAULT_PRESET, load_preset
+
+ending: list[int] = []
+signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))
+tape = Tape(lambda: Path(sys.argv[1]))
+listener = Listener(load_preset(DEFAULT_PRESET), InputChoice(rate=int(sys.argv[2])), tape=tape)
+frames: list[tuple[int, list[int]]] = []
+while not ending:
+    status = listener.status
+    frames += [(block.start, block.phonemes.tolist()) for block in listener.take()]
+    print(
+        json.dumps({
+            "time": time.monotonic(), "listening": status.listening, "words": status.words, "rate": listener.rate,
+            "seconds": listener.seconds, "lost": listener.lost_seconds, "failure": tape.failure,
+        }),
+        flush=True,
+    )  # fmt: skip
+    time.sleep(0.02)
+lost = listener.lost_seconds
+listener.close()
+frames += [(block.start, block.phonemes.tolist()) for block in listener.take()]
+tape.close()
+print(json.dumps({"frames": frames, "dropped": listener.n_dropped, "lost": lost}), flush=True)

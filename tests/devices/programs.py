@@ -1,0 +1,108 @@
+"""Programs that tests run beside themselves on a virtual sound card, and the exact search in what was heard.
+
+PortAudio takes its sound server from the environment when a process begins, so each test needs processes of its own.
+"""
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import soundfile
+from numpy.typing import NDArray
+
+from tests.sounds import noise
+from tests.virtual_sound import VirtualSound
+
+HERE = Path(__file__).parent
+PATIENCE = 30.0
+"""Seconds that a busy machine is given for anything."""
+SIGNATURE = 64
+"""Samples of noise that occur only once."""
+
+Samples = NDArray[np.int64]
+
+
+class Program:
+    """A Python program on a virtual sound card; what it prints lies in two files."""
+
+    def __init__(self, folder: Path, sound: VirtualSound, *words: object) -> None:
+        name = f"{time.monotonic_ns()}"
+        self._out, self._errors = folder / f"{name}.out", folder / f"{name}.err"
+        with self._out.open("wb") as out, self._errors.open("wb") as errors:
+            self.process = subprocess.Popen(
+                [sys.executable, *map(str, words)], env=sound.environment, stdout=out, stderr=errors
+            )
+
+    @property
+    def out(self) -> list[str]:
+        """What it has printed, by lines; one that is being written is left out."""
+        return self._out.read_text().split("\n")[:-1]
+
+    @property
+    def errors(self) -> list[str]:
+        """What it has said on standard error, by lines."""
+        return self._errors.read_text().splitlines()
+
+    @property
+    def log(self) -> list[dict[str, Any]]:
+        """What it has printed, as JSON."""
+        return [json.loads(line) for line in self.out]
+
+    def wait_for(self, true: Callable[[], object]) -> None:
+        """Wait until something is so."""
+        deadline = time.monotonic() + PATIENCE
+        while not true():
+            assert self.process.poll() is None, self.errors
+            assert time.monotonic() < deadline, (self.out[-1:], self.errors)
+            time.sleep(0.02)
+
+    def end(self, number: int | None = signal.SIGTERM) -> int:
+        """Send a signal, unless it is None, and give the exit code."""
+        if number is not None:
+            self.process.send_signal(number)
+        return self.process.wait(PATIENCE)
+
+
+def listener(folder: Path, sound: VirtualSound, take: Path, rate: int = 0) -> Program:
+    """Listen and record in a process of its own; returns when sound comes in."""
+    program = Program(folder, sound, HERE / "listen_on_card.py", take, rate)
+    program.wait_for(lambda: any(line.get("listening") for line in program.log))
+    return program
+
+
+def recorder(folder: Path, sound: VirtualSound, *words: object) -> Program:
+    """Run `phonemeanalyser record`; returns when it has begun."""
+    program = Program(folder, sound, "-m", "phonemeanalyser", "record", *words)
+    program.wait_for(lambda: any("listening to" in line for line in program.errors))
+    return program
+
+
+def pcm_noise(path: Path, seconds: float, seed: int = 0) -> Samples:
+    """Write noise of 16 bits, and give its samples."""
+    pcm = np.clip(np.round(noise(seconds, 0.1, seed) * 32768), -32768, 32767).astype(np.int16)
+    pcm[0] = pcm[-1] = 1000  # so that its ends are seen
+    soundfile.write(path, pcm, 44_100, subtype="PCM_16")
+    return pcm.astype(np.int64)
+
+
+def samples_of(path: Path) -> Samples:
+    """The first channel of a recording, in steps of 16 bits; fails where a sample lies between two steps."""
+    samples, _ = soundfile.read(path, dtype="float64", always_2d=True)
+    steps = samples[:, 0] * 32768
+    assert np.array_equal(steps, np.round(steps))
+    return steps.astype(np.int64)
+
+
+def place_of(part: Samples, whole: Samples) -> int:
+    """Say where the beginning of a noise lies in a recording; the only place."""
+    signature = part[:SIGNATURE]
+    candidates = np.flatnonzero(whole[: len(whole) - SIGNATURE + 1] == signature[0])
+    places = [k for k in candidates if np.array_equal(whole[k : k + SIGNATURE], signature)]
+    assert len(places) == 1, f"found {len(places)} times"
+    return int(places[0])

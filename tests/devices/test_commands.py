@@ -1,0 +1,97 @@
+"""`phonemeanalyser listen` and `phonemeanalyser record` as a shell uses them."""
+
+import json
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import soundfile
+
+from phonemeanalyser.cli import DEMO
+from tests.devices.programs import Program, recorder, samples_of
+from tests.virtual_sound import VirtualSound
+
+SENTENCE = "phonemeanalyser: "
+
+
+def refusal_of(program: Program) -> str:
+    """The one sentence with which a program ends that could not do its work."""
+    assert program.end(None) == 1
+    assert program.out == []
+    (sentence,) = program.errors
+    assert sentence.startswith(SENTENCE)
+    assert ". " not in sentence
+    return sentence
+
+
+def commands(folder: Path) -> list[list[str]]:
+    return [["listen"], ["listen", "--list-devices"], ["record", str(folder / "take.wav")]]
+
+
+def test_without_any_device_each_command_ends_with_one_sentence(card: VirtualSound, takes: Path) -> None:
+    card.kill()
+    programs = [Program(takes, card, "-m", "phonemeanalyser", *words) for words in commands(takes)]
+    for program in programs:
+        assert "there is no microphone" in refusal_of(program)
+    assert not (takes / "take.wav").exists()
+
+
+def test_an_unknown_device_is_refused_with_those_that_are_there(card: VirtualSound, takes: Path) -> None:
+    words = [["listen"], ["record", str(takes / "take.wav")]]
+    programs = [Program(takes, card, "-m", "phonemeanalyser", *w, "--device", "Grammophon") for w in words]
+    for program in programs:
+        sentence = refusal_of(program)
+        assert "'Grammophon' is not there" in sentence
+        assert "default · ALSA" in sentence
+    assert not (takes / "take.wav").exists()
+
+
+def test_a_channel_that_a_device_lacks_is_refused(card: VirtualSound, takes: Path) -> None:
+    for words in (["listen"], ["record", str(takes / "take.wav")]):
+        program = Program(takes, card, "-m", "phonemeanalyser", *words, "--channel", "999")
+        assert program.end(None) in {1, 2}
+        assert "999" in program.errors[-1]
+        assert not any("Traceback" in line for line in program.errors)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_listening_and_recording_in_good_order(
+    number: signal.Signals, card: VirtualSound, takes: Path
+) -> None:
+    listen = Program(takes, card, "-m", "phonemeanalyser", "listen")
+    take = takes / "take.wav"
+    record = recorder(takes, card, take, "--phonemes")
+    listen.wait_for(lambda: listen.out)
+    record.wait_for(lambda: take.stat().st_size > 20_000)
+    assert listen.end(number) == record.end(number) == 0
+    assert len(samples_of(take)) > 4410
+    assert (takes / "take.csv").read_text().count("\n") >= 2
+    assert record.errors[-1].endswith("nothing lost")
+    assert all(line.startswith(SENTENCE) for line in listen.errors)
+    assert not list(card.journal.glob("*"))
+
+
+def test_a_reader_that_leaves_ends_listening_without_noise(card: VirtualSound, tmp_path: Path) -> None:
+    listen = subprocess.Popen(
+        [sys.executable, "-m", "phonemeanalyser", "listen", "--format", "json"], env=card.environment,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    assert listen.stdout is not None
+    assert listen.stderr is not None
+    with listen:
+        first = json.loads(listen.stdout.readline())
+        listen.stdout.close()
+        card.play_into_microphone(speech(tmp_path)).wait(30)
+        assert listen.wait(30) == 0
+        said = listen.stderr.read().splitlines()
+    assert set(first) == {"time_s", "phoneme", "intensity", "latency_ms"}
+    assert all(line.startswith(SENTENCE) for line in said)
+
+
+def speech(folder: Path) -> Path:
+    """A few seconds of the demo, as a file that the sound server plays."""
+    samples, rate = soundfile.read(DEMO, dtype="int16", stop=4 * 44_100)
+    soundfile.write(folder / "speech.wav", samples, rate)
+    return folder / "speech.wav"

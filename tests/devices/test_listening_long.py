@@ -1,0 +1,45 @@
+"""What listens and plays for long takes no more than at its beginning, and nobody waits for it."""
+
+from pathlib import Path
+
+import numpy as np
+
+from phonemeanalyser.cli import DEMO
+from tests.devices.programs import HERE, Program
+from tests.virtual_sound import VirtualSound
+
+N_STARTS = 200
+SETTLED = 50
+"""Starts after which everything that is loaded once is loaded."""
+
+
+def test_many_starts_and_stops_leave_nothing_behind_while_a_game_polls(card: VirtualSound, tmp_path: Path) -> None:
+    starts = Program(tmp_path, card, HERE / "start_and_stop.py", N_STARTS)
+    game = Program(tmp_path, card, HERE / "poll_sound.py", DEMO)
+    assert game.end(None) == 0, game.errors
+    check_the_game(game)
+    assert starts.process.wait(120) == 0, starts.errors
+    check_the_starts(starts)
+
+
+def check_the_starts(starts: Program) -> None:
+    log = starts.log
+    assert len(log) == N_STARTS
+    assert all(line["heard"] for line in log)
+    settled, last = log[SETTLED], log[-1]
+    print(f"after {SETTLED} starts: {settled}; after {N_STARTS}: {last}")
+    for what in ("threads", "python_threads", "files"):
+        assert last[what] <= settled[what]
+    assert last["memory_kb"] - settled["memory_kb"] < 4000
+
+
+def check_the_game(game: Program) -> None:
+    (seen,) = game.log
+    waits = 1000 * np.array(seen["waits"])
+    print(
+        f"polls: median {np.median(waits):.3f} ms, p99 {np.percentile(waits, 99):.3f} ms, most {waits.max():.2f} ms"
+    )
+    assert np.median(waits) < 0.5
+    assert np.mean(waits < 1) > 0.9
+    assert len(set(seen["phonemes"])) > 3
+    assert seen["position"] > 3
