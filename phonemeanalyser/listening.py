@@ -63,6 +63,8 @@ def listen(preset: Preset, choice: InputChoice, seconds: float | None, kind: str
             _attend(listener, seconds, lambda: None)
         finally:
             listener.close()
+            if listener.lost_seconds:
+                print(f"phonemeanalyser: {listener.lost_seconds:.2f} s were lost on the way", file=sys.stderr)
 
 
 def record(path: Path, preset: Preset, choice: InputChoice, seconds: float | None, *, with_phonemes: bool) -> None:

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 from engine.errors import DeviceError, SettingsError
 
+LOWEST_LATENCY, HIGHEST_LATENCY = 0.01, 1.0
+"""Latencies that may be asked for, seconds."""
 MOST_CHANNELS = 64
 """The highest number that a channel may have."""
 LOWEST_RATE, HIGHEST_RATE = 4_000, 384_000
@@ -47,6 +49,8 @@ class InputChoice:
     channel : which of its channels, counted from 1; 0 mixes the first two.
     rate : sample rate, Hz; 0 takes 44.1 kHz where the device has it, else what the device suggests.
     else_default : record from the system's default device while this one is not there.
+    latency : what is asked of the device, seconds. PortAudio makes four blocks of it: longer ones cost less processor
+        time, and a busy machine may come later without losing any.
 
     Raises
     ------
@@ -57,10 +61,15 @@ class InputChoice:
     channel: int = 1
     rate: int = 0
     else_default: bool = False
+    latency: float = 0.08
 
     def __post_init__(self) -> None:
         if not 0 <= self.channel <= MOST_CHANNELS:
             raise SettingsError(f"the channel must lie in 0..{MOST_CHANNELS}, got {self.channel}")
+        if not LOWEST_LATENCY <= self.latency <= HIGHEST_LATENCY:
+            raise SettingsError(
+                f"the latency must lie in {LOWEST_LATENCY}..{HIGHEST_LATENCY} s, got {self.latency:g}"
+            )
         if self.rate and not LOWEST_RATE <= self.rate <= HIGHEST_RATE:
             raise SettingsError(f"the sample rate must lie in {LOWEST_RATE}..{HIGHEST_RATE} Hz, got {self.rate}")
 

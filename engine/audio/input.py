@@ -15,8 +15,6 @@ from engine.settings import SAMPLE_RATE
 
 Block = NDArray[np.float32]
 
-LATENCY = 0.08
-"""What is asked of the card, seconds: PortAudio makes four blocks of it, so that a busy machine may come late."""
 STEADINESS = 0.99
 """How much of what is known of the card's delay stays with each block, since cards report it with much jitter."""
 
@@ -82,7 +80,7 @@ class CardInput:
         self._arrived: queue.SimpleQueue[tuple[float, float, bytes]] = queue.SimpleQueue()
         self._came = time.monotonic()
         self._age = self._length = 0.0
-        self.rate, self._stream = self._open(device, choice.rate)
+        self.rate, self._stream = self._open(device, choice)
         self._loss = LossMeter(self.rate)
 
     @property
@@ -126,17 +124,17 @@ class CardInput:
         """Let the card go at once."""
         self._stream.close()
 
-    def _open(self, device: Device, wanted: int) -> tuple[int, CardStream]:
-        rates = [wanted] if wanted else list(dict.fromkeys((SAMPLE_RATE, device.rate)))
+    def _open(self, device: Device, choice: InputChoice) -> tuple[int, CardStream]:
+        rates = [choice.rate] if choice.rate else list(dict.fromkeys((SAMPLE_RATE, device.rate)))
         for rate in rates[:-1]:
             try:
-                return rate, self._stream_at(device, rate)
+                return rate, self._stream_at(device, rate, choice.latency)
             except DeviceError:
                 continue
-        return rates[-1], self._stream_at(device, rates[-1])
+        return rates[-1], self._stream_at(device, rates[-1], choice.latency)
 
-    def _stream_at(self, device: Device, rate: int) -> CardStream:
-        return CardStream("input", device, rate, self.n_channels, LATENCY, self._take)
+    def _stream_at(self, device: Device, rate: int, latency: float) -> CardStream:
+        return CardStream("input", device, rate, self.n_channels, latency, self._take)
 
     def _take(self, block: Any, _n: int, times: Any, _status: Any) -> None:
         self._came = time.monotonic()

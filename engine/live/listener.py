@@ -29,7 +29,7 @@ RETRY = 2.0
 """Seconds between two tries to reach a device that gives nothing."""
 QUIET = 0.5
 """Seconds without a block after which nothing counts as coming: even silence comes every 10 ms."""
-MOST_WAITING = 3000
+MOST_WAITING = 500
 """Blocks that wait for `take` at most; older ones are dropped and counted."""
 LETTING_GO = 5.0
 """Seconds that `close` waits for the end of the thread at most, while a microphone is open."""
@@ -160,7 +160,7 @@ class Listener:
         """Sound that could not be heard since the beginning: lost by the device, or while there was none; seconds."""
         ear = self._ear
         away = time.monotonic() - self._heard_at if self._gap_is_loss else 0.0
-        return self._lost_before + (ear.source.n_lost / ear.source.rate if ear else away)
+        return self._lost_before + (ear.lost_seconds if ear else away)
 
     @property
     def latency(self) -> Latency:
@@ -290,6 +290,8 @@ class Listener:
     def _let_go(self, refusal: str) -> None:
         source, self._refusal = self._source, refusal
         if source is not None:
-            self._lost_before += source.n_lost / source.rate if self._ear else 0.0
+            if self._ear is not None:
+                self._lost_before += self._ear.lost_seconds
+                self._next_frame += round(self._ear.lost_seconds / FRAME_PERIOD)  # the numbers follow the clock
             self._source = self._ear = None
             source.close()

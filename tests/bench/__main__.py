@@ -3,13 +3,15 @@
 import argparse
 from collections.abc import Callable
 
-from tests.bench import memory, one_frame, playing, start, whole_file
+from tests.bench import memory, microphone, one_frame, playing, recording, start, whole_file
 from tests.bench.figures import Figure, table_of
 
 FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "whole-file": whole_file.figures,
     "one-frame": one_frame.figures,
     "playing": playing.figures,
+    "microphone": microphone.figures,
+    "recording": recording.figures,
     "start": start.figures,
     "memory": memory.figures,
 }

@@ -6,7 +6,7 @@ import statistics
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -81,16 +81,16 @@ def speech(seconds: float) -> Sound:
         return np.resize(np.concatenate(list(reader.blocks(SAMPLE_RATE))), round(seconds * SAMPLE_RATE))
 
 
-def child_environment() -> dict[str, str]:
+def child_environment(own: Mapping[str, str] = os.environ) -> dict[str, str]:
     """Give the environment of a process of its own: no display, and as many threads as it would have anyway."""
-    kept = {name: value for name, value in os.environ.items() if name not in PINS}
+    kept = {name: value for name, value in own.items() if name not in PINS}
     return kept | {"QT_QPA_PLATFORM": "offscreen"}
 
 
-def answer_of(module: str) -> dict[str, Any]:
+def answer_of(module: str, own: Mapping[str, str] = os.environ) -> dict[str, Any]:
     """Run a module of this package in a process of its own, and give what it prints, which is JSON."""
-    words = [sys.executable, "-m", f"tests.bench.{module}"]
-    done = subprocess.run(words, env=child_environment(), cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
+    words, environment = [sys.executable, "-m", f"tests.bench.{module}"], child_environment(own)
+    done = subprocess.run(words, env=environment, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
     answer: dict[str, Any] = json.loads(done.stdout)
     return answer
 

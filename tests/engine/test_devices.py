@@ -7,7 +7,7 @@ import pytest
 from engine.audio import stream
 from engine.audio.devices import Device, InputChoice, chosen_input, inputs_of
 from engine.audio.stream import CardStream, devices
-from engine.errors import DeviceError
+from engine.errors import DeviceError, SettingsError
 from tests.portaudio import FakePortAudio
 
 
@@ -175,3 +175,18 @@ def test_without_portaudio_it_says_what_to_install(monkeypatch: pytest.MonkeyPat
     monkeypatch.setitem(sys.modules, "sounddevice", None)
     with pytest.raises(DeviceError, match="install libportaudio2"):
         devices()
+
+
+@pytest.mark.parametrize(
+    ("numbers", "words"),
+    [
+        ({"channel": -1}, "the channel must lie in 0..64, got -1"),
+        ({"channel": 65}, "the channel must lie in 0..64, got 65"),
+        ({"rate": 5}, "the sample rate must lie in"),
+        ({"latency": 0.001}, "the latency must lie in 0.01..1.0 s, got 0.001"),
+        ({"latency": float("nan")}, "the latency must lie in"),
+    ],
+)
+def test_a_choice_that_no_device_can_have_is_refused(numbers: dict[str, float], words: str) -> None:
+    with pytest.raises(SettingsError, match=words):
+        InputChoice(**numbers)  # type: ignore[arg-type]

@@ -141,6 +141,22 @@ def test_what_the_device_loses_is_counted_over_all_devices(hear: Hear, clock: Cl
     assert hearing.listener.lost_seconds == pytest.approx(0.3)
 
 
+def test_what_a_device_lost_before_it_went_is_not_counted_again_with_its_absence(hear: Hear, clock: Clock) -> None:
+    first, second = HandDrivenMicrophone(), HandDrivenMicrophone()
+    hearing = hear(first, second)
+    first.give(SPEECH[:N], N)
+    hearing.wait(N_FRAMES)
+    first.n_lost = SAMPLE_RATE  # the card stood still for a second
+    clock.now += 1.0
+    first.lost = True
+    hearing.wait_words("waiting for the first sound")
+    clock.now += 2.0
+    second.give(SPEECH[:N], HOP)
+    hearing.wait(2 * N_FRAMES)
+    assert hearing.listener.lost_seconds == pytest.approx(3.0, abs=0.1)
+    assert frames_of(hearing.taken)[N_FRAMES] == pytest.approx(350, abs=3)
+
+
 def test_changing_the_microphone_loses_nothing_and_the_frames_number_on(hear: Hear, clock: Clock) -> None:
     first, second = HandDrivenMicrophone(), HandDrivenMicrophone(name="the other")
     hearing = hear(first, second)
