@@ -84,6 +84,11 @@ class VirtualSound:
             env=self.environment,
         )  # fmt: skip
 
+    def plug(self, name: str) -> None:
+        """Add a sound device of a name, which is the same server once more."""
+        with (self._folder / "asound.conf").open("a") as file:
+            file.write(f'pcm.{name} {{ type pulse hint {{ show on description "{name}" }} }}\n')
+
     def suspend_microphone(self, suspended: bool) -> None:
         """Have the microphone deliver nothing, not even silence; or go on."""
         self._control("suspend-source", self._source, str(int(suspended)))

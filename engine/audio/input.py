@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from engine.audio.devices import Device, InputChoice, chosen_input
 from engine.audio.loss import LossMeter
-from engine.audio.stream import CardStream, devices
+from engine.audio.stream import CardStream, devices_to_open
 from engine.errors import DeviceError
 from engine.settings import SAMPLE_RATE
 
@@ -70,7 +70,7 @@ class CardInput:
     """
 
     def __init__(self, choice: InputChoice) -> None:
-        device = chosen_input(choice, devices())
+        device = chosen_input(choice, devices_to_open())
         if choice.channel > device.n_inputs:
             raise DeviceError(
                 f"{device.name} has {device.n_inputs} channels and so no channel {choice.channel}; choose another"

@@ -4,9 +4,13 @@ PortAudio belongs to the whole process and its list of devices stays as it was w
 is made anew whenever no stream is open. A lock keeps threads from doing two of these things at once.
 """
 
+import json
+import subprocess
+import sys
 import threading
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import asdict
 from typing import Any, Literal
 
 from engine.audio.devices import Device
@@ -18,12 +22,35 @@ Callback = Callable[[Any, int, Any, Any], None]
 A block to fill is an array, float32, shape (n, n_channels); one that came is raw memory of the same layout.
 """
 
+PATIENCE = 10.0
+"""Seconds that another process may take to list the devices."""
+
 _door = threading.RLock()
 _open: "set[CardStream]" = set()
 
 
 def devices() -> list[Device]:
-    """List the sound devices that are there now; while a stream is open, those that were there when it was opened.
+    """List the sound devices that are there now.
+
+    While a stream is open, another process looks, since a new list would end the stream.
+
+    Raises
+    ------
+    DeviceError : PortAudio is missing.
+    """
+    with _door:
+        if not _open:
+            return devices_to_open()
+    command = [sys.executable, "-c", f"from {__name__} import print_devices; print_devices()"]
+    try:
+        seen = subprocess.run(command, capture_output=True, timeout=PATIENCE, check=True)  # noqa: S603 - our own words
+        return [Device(**values) for values in json.loads(seen.stdout)]
+    except (OSError, subprocess.SubprocessError, ValueError):  # then at least those that were there
+        return devices_to_open()
+
+
+def devices_to_open() -> list[Device]:
+    """List the devices that can be opened: those there now, or while a stream is open, those at its opening.
 
     Raises
     ------
@@ -45,6 +72,11 @@ def devices() -> list[Device]:
             )
             for k, d in enumerate(sounddevice.query_devices())
         ]
+
+
+def print_devices() -> None:
+    """Print the devices that are there as JSON, for another process."""
+    sys.stdout.write(json.dumps([asdict(device) for device in devices()]))
 
 
 class CardStream:

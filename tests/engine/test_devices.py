@@ -6,7 +6,7 @@ import pytest
 
 from engine.audio import stream
 from engine.audio.devices import Device, InputChoice, chosen_input, inputs_of
-from engine.audio.stream import CardStream, devices
+from engine.audio.stream import CardStream, devices, devices_to_open
 from engine.errors import DeviceError, SettingsError
 from tests.portaudio import FakePortAudio
 
@@ -124,14 +124,14 @@ def test_the_list_is_made_anew_only_while_no_stream_is_open(portaudio: FakePortA
     running = open_stream()
     before = portaudio.n_initialised
     portaudio.plug("Built-in")
-    assert [d.name for d in devices()] == ["Yeti"]
+    assert [d.name for d in devices_to_open()] == ["Yeti"]
     second = open_stream()
     running.close()
     running.close()
-    assert [d.name for d in devices()] == ["Yeti"]
+    assert [d.name for d in devices_to_open()] == ["Yeti"]
     assert portaudio.n_initialised == before
     second.close()
-    assert [d.name for d in devices()] == ["Yeti", "Built-in"]
+    assert [d.name for d in devices_to_open()] == ["Yeti", "Built-in"]
 
 
 def test_a_device_is_opened_by_the_number_that_it_has_now(portaudio: FakePortAudio) -> None:

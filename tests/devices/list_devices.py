@@ -1,0 +1,16 @@
+"""Lists the devices while it listens, as often as it reads a line; says also how much it has heard."""
+
+import json
+import sys
+
+from engine.audio.devices import InputChoice
+from engine.audio.input import CardInput
+from engine.audio.stream import devices
+
+microphone = CardInput(InputChoice())
+n_heard = 0
+for _ in sys.stdin:
+    names = [device.name for device in devices()]
+    n_heard += len(microphone.read(0.5))
+    print(json.dumps({"names": names, "heard": n_heard, "lost": microphone.lost}), flush=True)
+microphone.close()
