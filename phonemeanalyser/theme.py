@@ -27,6 +27,11 @@ class Theme:
     good: str
     bad: str
 
+    @property
+    def on_colour(self) -> str:
+        """The colour of text that stands on `bad` or `accent`."""
+        return "#ffffff" if self.name == "light" else self.base
+
 
 LIGHT = Theme(
     name="light", window="#f3f4f6", base="#ffffff", field="#ffffff",

@@ -9,24 +9,25 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from engine.analyser import Analysis
-from engine.audio.devices import Device, InputChoice, inputs_of
+from engine.audio.devices import Device, InputChoice
 from engine.audio.journal import Unfinished, unfinished
 from engine.audio.level import Level
 from engine.audio.stream import devices
 from engine.audio.takes import journal_folder, new_take, recordings_folder
-from engine.errors import EngineError
 from engine.live.ear import Latency
 from engine.live.listener import Listener
-from engine.live.loopback import Loopback, measure_loopback
 from engine.live.tape import Tape
 from engine.presets.preset import Preset
+from phonemeanalyser.models.background import begun
+from phonemeanalyser.models.click_test import ClickTest
+from phonemeanalyser.models.input_list import InputList
 
 RATES = (0, 16_000, 22_050, 32_000, 44_100, 48_000, 96_000)
 """Sample rates to choose from, Hz; 0 leaves it to the device."""
 SUFFIXES = (".wav", ".flac")
 """What a recording can be."""
-PATIENCE = 0.7
-"""Seconds in which a microphone may open before that counts as trouble."""
+PATIENCE = 0.5
+"""Seconds for which nothing may come, as when a microphone is opened, before that counts as trouble."""
 MOST_CHANNELS = 8
 """Channels to choose from at most; some devices claim any number."""
 
@@ -55,26 +56,31 @@ class Microphone(QObject):
     ) -> None:  # fmt: skip
         super().__init__()
         self.choice = InputChoice()
-        self.devices: list[Device] = []
+        self.inputs = InputList(list_devices)
+        self.clicks = ClickTest()
         self.folder = self._rescue = folder or recordings_folder()
         self.suffix = ".wav"
         self.with_phonemes = False
-        self.loopback: Loopback | None = None
         self._journal = journal or journal_folder()
         self._make_listener = make_listener
-        self._list_devices = list_devices
         self._listener: Listener | None = None
         self._tape: Tape | None = None
         self._ending: list[tuple[threading.Thread, Tape]] = []
         self._leaving: list[threading.Thread] = []
-        self._found: list[Device] | None = None
-        self._looking: threading.Thread | None = None
-        self._troubled = ""
-        self._began = 0.0
-        self._measuring: threading.Thread | None = None
-        self._measured: Loopback | EngineError | None = None
+        self._preset = Preset()
+        self._goes_on = False
+        self._troubled = self._words = ""
+        self._since = 0.0
+        self.inputs.changed.connect(self.devices_changed)
+        self.clicks.told.connect(self.told)
+        self.clicks.failed.connect(self.failed)
 
     # -- how it is ----------------------------------------------------------------------------------------
+
+    @property
+    def devices(self) -> list[Device]:
+        """The microphones that there are, the default first."""
+        return self.inputs.devices
 
     @property
     def active(self) -> bool:
@@ -95,7 +101,7 @@ class Microphone(QObject):
     def words(self) -> str:
         """What is going on, in words."""
         if self._listener is None:
-            return "not listening"
+            return "measuring its latency" if self.clicks.running else "not listening"
         status = self._listener.status
         rate = f"{self._listener.rate:,} Hz".replace(",", " ")
         return f"{status.words}, {rate}" if status.listening else status.words
@@ -134,7 +140,8 @@ class Microphone(QObject):
         if self._listener is None or not self.listening:
             return None
         latency = self._listener.latency
-        return replace(latency, capture=self.loopback.capture) if self.loopback else latency
+        measured = self.clicks.result
+        return replace(latency, capture=measured.capture) if measured else latency
 
     @property
     def known_for(self) -> float:
@@ -144,22 +151,26 @@ class Microphone(QObject):
     # -- what it shall do ---------------------------------------------------------------------------------
 
     def listen(self, preset: Preset) -> None:
-        """Begin to listen."""
-        if self._listener is None:
+        """Begin to listen; while the latency is measured, as soon as that is done."""
+        self._preset = preset
+        if self.clicks.running:
+            self._goes_on = True
+        elif self._listener is None:
             self._listener = self._make_listener(preset, self.choice, pitch=True)
-            self._began = time.monotonic()
             self.changed.emit()
 
     def stop(self) -> None:
         """Let the microphone go, and end the recording."""
         self.end_recording()
+        self._goes_on = False
         listener, self._listener = self._listener, None
         if listener is not None:
-            self._leaving.append(_begun(listener.close))  # a sound server that hangs must not hang the window
+            self._leaving.append(begun(listener.close))  # a sound server that hangs must not hang the window
             self.changed.emit()
 
     def use(self, preset: Preset) -> None:
         """Recognise with another preset."""
+        self._preset = preset
         if self._listener is not None:
             self._listener.use(preset)
 
@@ -167,7 +178,7 @@ class Microphone(QObject):
         """Listen to another microphone, channel or rate."""
         if choice != self.choice:
             self.choice = choice
-            self.loopback = None
+            self.clicks.result = None
             if self._listener is not None:
                 self._listener.choose(choice)
             self.changed.emit()
@@ -178,23 +189,21 @@ class Microphone(QObject):
 
     def refresh_devices(self) -> None:
         """Look which microphones there are; `devices_changed` tells when that is known."""
-        if self._looking is None:
-            self._looking = _begun(self._look)
+        self.inputs.look()
 
     def measure(self) -> None:
-        """Play clicks and listen for them; `told` or `failed` tells what came of it."""
-        if self._measuring is None:
+        """Play clicks and listen for them; `told` or `failed` tells what came of it. Listening goes on afterwards."""
+        if not self.clicks.running:
+            goes_on = self.active
             self.stop()
-            self._measuring = _begun(self._measure)
+            self._goes_on = goes_on
+            self.clicks.begin(self.choice, self._leaving)
             self.changed.emit()
-
-    @property
-    def measuring(self) -> bool:
-        """Whether clicks are being played."""
-        return self._measuring is not None
 
     def begin_recording(self) -> None:
         """Record what is heard from now on into a new file in the folder."""
+        if self.clicks.running:
+            self.failed.emit("Nothing is recorded, since the latency is being measured; try again in a few seconds.")
         if self._listener is None or self._tape is not None:
             return
         folder, suffix = self.folder, self.suffix
@@ -213,7 +222,7 @@ class Microphone(QObject):
         if tape is not None:
             if self._listener is not None:
                 self._listener.record(None)
-            self._ending.append((_begun(tape.close), tape))
+            self._ending.append((begun(tape.close), tape))
             self.changed.emit()
 
     def unfinished(self) -> list[Unfinished]:
@@ -222,8 +231,10 @@ class Microphone(QObject):
 
     def take(self) -> list[Analysis]:
         """Give what was found since the last call, and see to recordings; raises what ended the listening."""
-        self._see_to_devices()
-        self._see_to_measurement()
+        self._leaving = [thread for thread in self._leaving if thread.is_alive()]
+        self.inputs.see()
+        if self.clicks.see():
+            self._go_on()
         self._see_to_recordings()
         self._see_to_trouble()
         return self._listener.take() if self._listener else []
@@ -231,47 +242,16 @@ class Microphone(QObject):
     def close(self) -> None:
         """Let everything go; waits until recordings are complete."""
         self.stop()
-        measuring = [self._measuring] if self._measuring else []
+        measuring = [self.clicks.measuring] if self.clicks.measuring else []
         for thread in [*self._leaving, *measuring, *(thread for thread, _ in self._ending)]:
             thread.join(timeout=6)
 
-    def _look(self) -> None:
-        try:
-            self._found = inputs_of(self._list_devices())
-        except EngineError:
-            self._found = []
-
-    def _measure(self) -> None:
-        for thread in self._leaving:  # some cards serve one stream at a time
-            thread.join()
-        try:
-            self._measured = measure_loopback(self.choice)
-        except EngineError as error:
-            self._measured = error
-
-    def _see_to_measurement(self) -> None:
-        if self._measuring is None or self._measuring.is_alive():
-            return
-        self._measuring = None
-        found = self._measured
-        if isinstance(found, Loopback):
-            self.loopback = found
-            self.told.emit(
-                f"A click comes back after {1000 * found.round_trip:.0f} ms ({found.n_heard} of {found.n_played} "
-                f"heard, within {1000 * found.spread:.0f} ms of each other); {1000 * found.capture:.0f} ms of it "
-                "are the microphone's, and the status line now counts with them."
-            )
-        else:
-            self.failed.emit(str(found))
+    def _go_on(self) -> None:
+        """Listen again, if it was listened to before the latency was measured."""
+        if self._goes_on:
+            self._goes_on = False
+            self.listen(self._preset)
         self.changed.emit()
-
-    def _see_to_devices(self) -> None:
-        self._leaving = [thread for thread in self._leaving if thread.is_alive()]
-        if self._looking is not None and not self._looking.is_alive():
-            self._looking = None
-            if self._found is not None and self._found != self.devices:
-                self.devices = self._found
-                self.devices_changed.emit()
 
     def _see_to_trouble(self) -> None:
         """Say once when nothing comes any more, and once when it does again."""
@@ -279,10 +259,12 @@ class Microphone(QObject):
             if self._troubled and self._listener is not None:
                 lost = f"{self.lost_seconds:.1f} s could not be heard"
                 self.told.emit(f"The microphone is there: {self._listener.status.words}; {lost}.")
-            self._troubled = ""
+            self._troubled = self._words = ""
             return
-        words = self._listener.status.words.split(" since ")[0]
-        if words != self._troubled and time.monotonic() > self._began + PATIENCE:
+        words, now = self._listener.status.words.split(" since ")[0], time.monotonic()
+        if words != self._words:
+            self._words, self._since = words, now
+        if words != self._troubled and now - self._since >= PATIENCE:
             self._troubled = words
             waits = "; the recording waits for it" if self.recording else ""
             self.failed.emit(f"{words[0].upper()}{words[1:]}{waits}.")
@@ -299,9 +281,3 @@ class Microphone(QObject):
                 self.recorded.emit(str(tape.path), tape.seconds)
             else:
                 self.failed.emit("Nothing was recorded, since no sound came; check the microphone.")
-
-
-def _begun(act: Callable[[], object]) -> threading.Thread:
-    thread = threading.Thread(target=act, daemon=True)
-    thread.start()
-    return thread

@@ -26,8 +26,10 @@ class LevelMeter(QWidget):
         self._theme = theme
         self.setMinimumSize(200, 28)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setAccessibleName("level of the microphone")
         self.setToolTip(
-            "Peak level in dB below full scale, with the highest of the last 1.5 s; speak up to -12 dB or so"
+            "Peak level in dB below full scale, with the highest of the last 1.5 s; speak up to -12 dB or so. "
+            "The light tells for a minute that the microphone was too loud"
         )
 
     def paintEvent(self, _event: Any) -> None:
@@ -64,7 +66,8 @@ class LevelMeter(QWidget):
         box = QRectF(self.width() - LIGHT_WIDTH, 3, LIGHT_WIDTH - 2, 22)
         fresh = recent and ago is not None and ago < 1.0
         painter.fillRect(box, QColor(self._theme.bad if fresh else self._theme.raised))
-        painter.setPen(QColor("white" if fresh else self._theme.bad if recent else self._theme.faint))
+        faded = self._theme.bad if recent else self._theme.faint
+        painter.setPen(QColor(self._theme.on_colour if fresh else faded))
         font = painter.font()
         font.setPixelSize(10)
         painter.setFont(font)

@@ -34,10 +34,9 @@ class MicrophoneBar(QWidget):
     def _lay_out(self) -> None:
         self.device.setMinimumWidth(150)
         self.device.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.device.setToolTip("The microphone, by name and sound system")
         self.device.setAccessibleName("microphone")
         self.again.setText("⟳")
-        self.again.setToolTip("Look again which microphones there are")
+        self.again.setToolTip("Look again which microphones there are (F5)")
         self.again.setAccessibleName("look for microphones again")
         self.again.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.channel.setToolTip(
@@ -66,7 +65,7 @@ class MicrophoneBar(QWidget):
     def _choose(self) -> None:
         label = self.device.currentData()
         same = label == self._microphone.choice.label
-        channel = min(self.channel.currentData(), 1) if not same else self.channel.currentData()
+        channel = self.channel.currentData() if same else 1
         choice = replace(self._microphone.choice, label=label, channel=channel, rate=self.rate.currentData())
         self._microphone.choose(choice)
 
@@ -76,10 +75,12 @@ class MicrophoneBar(QWidget):
         labels = {"": DEFAULT} | {device.label: device.label for device in devices}
         labels.setdefault(choice.label, f"{choice.label} (not there)")
         _offer(self.device, labels, choice.label)
+        self.device.view().setMinimumWidth(self.device.view().sizeHintForColumn(0))
+        self.device.setToolTip(f"The microphone, by name and sound system: {self.device.currentText()}")
         chosen = next((d for d in devices if d.label == choice.label), devices[0] if devices else None)
         most = min(chosen.n_inputs, MOST_CHANNELS) if chosen else 1
         channels = {k: f"channel {k}" for k in range(1, max(most, choice.channel) + 1)}
-        _offer(self.channel, channels | ({0: "1 + 2"} if most > 1 else {}), choice.channel)
+        _offer(self.channel, channels | ({0: "1 + 2"} if most > 1 or choice.channel == 0 else {}), choice.channel)
         self.rate.setCurrentIndex(max(0, self.rate.findData(choice.rate)))
 
 

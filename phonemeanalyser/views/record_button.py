@@ -25,6 +25,7 @@ class RecordButton(QToolButton):
         self._microphone = session.microphone
         self._theme = theme
         self.setIconSize(QSize(20, 20))
+        self.setStyleSheet(f"QToolButton[checkable=true]:checked {{ background: {theme.bad} }}")
         self.setCheckable(True)
         self.setFixedWidth(46)
         self.setAccessibleName("record")
@@ -87,7 +88,7 @@ def _dot(theme: Theme, recording: bool) -> QIcon:
     painter = QPainter(pixmap)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(QColor(theme.bad))
+    painter.setBrush(QColor(theme.on_colour if recording else theme.bad))
     if recording:
         painter.drawRoundedRect(4, 4, 12, 12, 2, 2)
     else:

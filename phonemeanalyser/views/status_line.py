@@ -1,5 +1,7 @@
 """The line at the bottom: what is in hand, what it is heard on, and how late the picture of a voice is."""
 
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel
 
 from phonemeanalyser.models.preset import PresetModel
@@ -13,11 +15,28 @@ STEADINESS = 0.02
 """Share of a new measurement in what is shown."""
 
 
+class ElidedLabel(QLabel):
+    """A label that shows as much of its text as there is room for, and makes no window wider."""
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for no width."""
+        return QSize(0, super().minimumSizeHint().height())
+
+    def sizeHint(self) -> QSize:
+        """Ask for no width."""
+        return QSize(0, super().sizeHint().height())
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Write the text, with an ellipsis where it does not fit."""
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.width())
+        QPainter(self).drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, text)
+
+
 class StatusLine:
     """Two labels for a status bar."""
 
     def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
-        self.left, self.right = QLabel(), QLabel()
+        self.left, self.right = ElidedLabel(), QLabel()
         self.latency_ms: float | None = None
         self._display = 0.0
         self._session = session
@@ -34,6 +53,7 @@ class StatusLine:
         changed = " (changed)" if self._preset.has_unsaved_changes else ""
         preset = f"preset {self._preset.preset.name}{changed}"
         _write(self.left, f" {session.name}: {session.description}   ·   {preset}")
+        self.left.setToolTip(self.left.text().strip())
         parts = ["views frozen"] if frozen else []
         parts += [f"{session.n_dropped} frames not shown"] if session.n_dropped else []
         if session.source is Source.MICROPHONE:

@@ -31,7 +31,7 @@ NUMBERS: dict[str, Number] = {
     "F1": Number("F1 ", 0, 10, "First formant"),
     "F2": Number("F2 ", 0, 20, "Second formant"),
     "F3": Number("F3 ", 0, 20, "Third formant"),
-    "level": Number("", 0, 1, "Level: the highest peak below full scale"),
+    "level": Number("level ", 0, 1, "Level: the highest peak below full scale"),
 }
 FORMANTS = ("F1", "F2", "F3")
 OF_VOWEL = ("f0", *FORMANTS)

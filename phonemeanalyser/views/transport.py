@@ -22,6 +22,20 @@ from phonemeanalyser.views.time_line import TimeLine, clock_of
 from phonemeanalyser.views.tone_bar import ToneBar
 
 
+class Pages(QStackedWidget):
+    """Widgets of which one is seen, and needs room."""
+
+    def sizeHint(self) -> QSize:
+        """Ask for what the widget that is seen would like."""
+        seen = self.currentWidget()
+        return seen.sizeHint() if seen else super().sizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for what the widget that is seen needs, and for the height of all."""
+        seen, most = self.currentWidget(), super().minimumSizeHint()
+        return QSize(seen.minimumSizeHint().expandedTo(seen.minimumSize()).width(), most.height()) if seen else most
+
+
 class Transport(QWidget):
     """The bar above the views: where the sound comes from, what it does, and what belongs to its source.
 
@@ -48,7 +62,8 @@ class Transport(QWidget):
         self.time_line = TimeLine(session, theme)
         self.microphone = MicrophoneBar(session.microphone, theme)
         self.tone = ToneBar(theme)
-        self.pages = QStackedWidget()
+        self.tone.show_tone(session.tone)
+        self.pages = Pages()
         self.time = QLabel()
         self.volume_label, self.channel_label = QLabel("volume"), QLabel("channel")
         self.volume = QSlider(Qt.Orientation.Horizontal)
@@ -66,11 +81,13 @@ class Transport(QWidget):
         text = clock_of(session.position, True)
         if session.source is Source.FILE:
             text += f" / {clock_of(session.duration, True)}"
-        if session.microphone.recording:
+        recording = session.microphone.recording
+        if recording:
             sign = "●" if session.microphone.listening else "waiting"
             text = f"{sign} {clock_of(session.microphone.recorded_seconds, True)}"
         if text != self.time.text():
             self.time.setText(text)
+            self.time.setStyleSheet(f"color: {self._theme.bad}; font-weight: bold" if recording else "")
 
     def _button(self, icon: QStyle.StandardPixmap, tip: str) -> QToolButton:
         button = QToolButton()
@@ -85,9 +102,11 @@ class Transport(QWidget):
         self.loop.setCheckable(True)
         self.volume.setRange(int(QUIETEST_DB), 0)
         self.volume.setFixedWidth(80)
+        self.volume.setAccessibleName("volume")
         for channel in Channel:
             self.channel.addItem(channel.value, channel)
         self.channel.setToolTip("Which channel of a stereo file is analysed")
+        self.channel.setAccessibleName("channel of the file")
         for source in Source:
             self.source.addItem(source.value, source)
         self.source.setToolTip("Where the sound comes from")
@@ -146,6 +165,7 @@ class Transport(QWidget):
             Source.FILE: self.time_line, Source.MICROPHONE: self.microphone, Source.TONE: self.tone
         }  # fmt: skip
         self.pages.setCurrentWidget(pages[source])
+        self.pages.updateGeometry()
         of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
         for widget in of_file:
             widget.setVisible(source is Source.FILE)

@@ -19,10 +19,15 @@ from pytestqt.qtbot import QtBot
 
 from engine.audio.output import ClockOutput
 from engine.features.variables import Variable
+from engine.live import listener
 from engine.presets.preset import Preset, save_preset
 from phonemeanalyser.app import Desktop
+from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
+from tests.desktop.hands import shown
+from tests.desktop.studio import DESK, Booth, Studio
+from tests.microphones import HandDrivenMicrophone
 from tests.outputs import Outputs
 
 SPEECH = np.concatenate(
@@ -89,9 +94,15 @@ def outputs() -> Outputs:
 
 
 @pytest.fixture
-def session(model: PresetModel, outputs: Outputs) -> Iterator[Session]:
+def no_microphone(qapp: QApplication, tmp_path: Path) -> Microphone:
+    """A microphone that is not there, with folders of its own: tests neither listen nor record by accident."""
+    return Studio(tmp_path).model
+
+
+@pytest.fixture
+def session(model: PresetModel, outputs: Outputs, no_microphone: Microphone) -> Iterator[Session]:
     """A session on outputs that the test moves."""
-    session = Session(model, outputs)
+    session = Session(model, outputs, no_microphone)
     yield session
     session.close()
 
@@ -116,9 +127,63 @@ def ended(session: Session) -> bool:
 
 
 @pytest.fixture
-def desktop(qapp: QApplication, settings: QSettings) -> Iterator[Desktop]:
+def desktop(qapp: QApplication, settings: QSettings, no_microphone: Microphone) -> Iterator[Desktop]:
     """The program with its window, without a sound card."""
-    desktop = Desktop(qapp, settings, lambda _n: ClockOutput())
+    desktop = Desktop(qapp, settings, lambda _n: ClockOutput(), no_microphone)
     yield desktop
     desktop.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # processEvents leaves these
+
+
+@pytest.fixture
+def retry(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Try again sooner."""
+    monkeypatch.setattr(listener, "RETRY", 0.05)
+
+
+@pytest.fixture
+def mic() -> HandDrivenMicrophone:
+    """The first microphone that is opened."""
+    return HandDrivenMicrophone(name=DESK.label)
+
+
+@pytest.fixture
+def open_studio(qapp: QApplication, retry: None, tmp_path: Path) -> Iterator[Callable[..., Studio]]:
+    """Makes studios of microphones that are opened in turn."""
+    studios: list[Studio] = []
+
+    def make(*microphones: HandDrivenMicrophone | None) -> Studio:
+        studios.append(Studio(tmp_path, *microphones))
+        return studios[-1]
+
+    yield make
+    for studio in studios:
+        studio.openers.may_answer.set()
+        studio.model.close()
+
+
+@pytest.fixture
+def open_booth(
+    qapp: QApplication, settings: QSettings, qtbot: QtBot, open_studio: Callable[..., Studio]
+) -> Iterator[Callable[..., Booth]]:
+    """Makes windows before microphones that are opened in turn; a file is in hand."""
+    booths: list[Booth] = []
+
+    def make(*microphones: HandDrivenMicrophone | None) -> Booth:
+        booths.append(Booth(qapp, settings, open_studio(*microphones), qtbot))
+        shown(booths[-1].desktop, qtbot)
+        return booths[-1]
+
+    yield make
+    for booth in booths:
+        booth.studio.openers.may_answer.set()
+        booth.desktop.close()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def booth(open_booth: Callable[..., Booth], mic: HandDrivenMicrophone) -> Booth:
+    """A window that listens to one microphone."""
+    booth = open_booth(mic)
+    booth.listen()
+    return booth

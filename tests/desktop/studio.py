@@ -1,0 +1,149 @@
+"""The program before microphones that a test moves, with folders of its own."""
+
+from collections import Counter
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox
+from pytestqt.qtbot import QtBot
+
+from engine.analyser import Analysis
+from engine.audio.devices import Device
+from engine.audio.output import ClockOutput
+from engine.live.listener import Listener
+from phonemeanalyser.app import Desktop
+from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.models.microphone import Microphone
+from tests.desktop.hands import press
+from tests.microphones import HandDrivenMicrophone, Microphones, frames_in
+from tests.players import wait_for
+from tests.sounds import silence
+
+DESK = Device("Desk", "ALSA", 2, 0, 48_000, is_default=True)
+HEADSET = Device("Headset", "ALSA", 1, 2, 44_100, is_default=False)
+
+
+class Studio:
+    """A microphone's model on hand-driven microphones; they are opened in turn."""
+
+    def __init__(self, folder: Path, *microphones: HandDrivenMicrophone | None) -> None:
+        self.takes, self.journal = folder / "takes", folder / "unfinished"
+        self.openers = Microphones(*microphones)
+        self.devices = [HEADSET, DESK]
+        self.given: Counter[HandDrivenMicrophone] = Counter()
+        self.model = Microphone(
+            partial(Listener, open_input=self.openers),
+            lambda: list(self.devices),
+            journal=self.journal,
+            folder=self.takes,
+        )
+        self.taken: list[Analysis] = []
+        self.told: list[str] = []
+        self.failed: list[str] = []
+        self.recorded: list[tuple[str, float]] = []
+        self.model.told.connect(self.told.append)
+        self.model.failed.connect(self.failed.append)
+        self.model.recorded.connect(lambda path, seconds: self.recorded.append((path, seconds)))
+
+    def until(self, true: Callable[[], object], what: str = "the microphone") -> None:
+        """Wait, taking what is found, until something is so."""
+
+        def look() -> bool:
+            self.taken += self.model.take()
+            return bool(true())
+
+        wait_for(look, what)
+
+    def hear(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
+        """Have a microphone hear whole hops, and wait until all frames that they complete were taken."""
+        n = sum(map(len, self.taken))
+        before = self.given[microphone]
+        self.given[microphone] += len(samples)
+        microphone.give(samples)
+        n += frames_in(self.given[microphone]) - frames_in(before)
+        self.until(lambda: sum(map(len, self.taken)) == n, f"{n} frames")
+
+    @property
+    def files(self) -> list[str]:
+        """Names of what lies in the folder of recordings."""
+        return sorted(path.name for path in self.takes.iterdir()) if self.takes.exists() else []
+
+    @property
+    def take(self) -> Path:
+        """The only recording."""
+        (path,) = (path for path in self.takes.iterdir() if path.suffix != ".csv")
+        return path
+
+
+class Booth:
+    """The window of a studio, and a hand on the microphone."""
+
+    def __init__(self, app: QApplication, settings: QSettings, studio: Studio, qtbot: QtBot) -> None:
+        self.studio, self.settings, self.qtbot = studio, settings, qtbot
+        self.app = app
+        self._given = studio.given
+        self.desktop = Desktop(app, settings, lambda _n: ClockOutput(), studio.model)
+
+    @property
+    def window(self) -> MainWindow:
+        return self.desktop.window
+
+    @property
+    def banner(self) -> str:
+        """What the banner says; nothing where it is not seen."""
+        return self.window.banner.label.text() if self.window._banner_bar.isVisible() else ""
+
+    @property
+    def status(self) -> str:
+        """What the status line says."""
+        return f"{self.window.status.left.text()} | {self.window.status.right.text()}"
+
+    @property
+    def frames(self) -> list[int]:
+        """The numbers of all frames that were gathered."""
+        history = self.desktop.session.history
+        return history.frames[history.indices(0, history.n)].tolist() if history.n else []
+
+    def until(self, true: Callable[[], object], giving: HandDrivenMicrophone | None = None) -> None:
+        """Wait, with the window alive, until something is so; a microphone may give silence meanwhile."""
+
+        def look() -> bool:
+            if giving is not None:
+                self.give(giving, silence(0.01))
+            return bool(true())
+
+        self.qtbot.waitUntil(look, timeout=20_000)
+
+    def give(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
+        """Have a microphone hear samples."""
+        self._given[microphone] += len(samples)
+        microphone.give(samples)
+
+    def hear(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
+        """Have a microphone hear samples, and wait until the views know all of them."""
+        known, before = len(self.frames), frames_in(self._given[microphone])
+        self.give(microphone, samples)
+        n = known + frames_in(self._given[microphone]) - before
+        self.until(lambda: len(self.frames) == n)
+
+    def listen(self) -> None:
+        """Choose the microphone in the source box."""
+        choose(self.window.transport.source, "microphone")
+
+    def record(self) -> None:
+        """Press R."""
+        press(self.window, Qt.Key.Key_R)
+
+
+def choose(box: QComboBox, text: str) -> None:
+    """Choose with the keyboard, as a person does."""
+    box.setFocus()
+    while box.currentText() != text:
+        before = box.currentIndex()
+        QTest.keyClick(box, Qt.Key.Key_Down if box.findText(text) > before else Qt.Key.Key_Up)
+        assert box.currentIndex() != before, f"{text} cannot be chosen"

@@ -1,0 +1,108 @@
+"""The controls of microphone and tone: found by mouse, keyboard and screen reader, and never clipped."""
+
+from collections.abc import Callable
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QApplication, QComboBox, QLabel, QSlider, QWidget
+
+from engine.audio.devices import Device
+from engine.tones import ToneKind
+from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.views.shortcuts import ShortcutsDialog
+from tests.desktop.hands import press
+from tests.desktop.studio import Booth, choose
+from tests.desktop.test_window_sizes import name_of, room_and_need
+from tests.microphones import HandDrivenMicrophone
+from tests.sounds import tone
+
+SIZES = [(1280, 800), (1920, 1080)]
+PAGES = ["microphone", *ToneKind]
+LONG = Device("A Very Long Name of a Microphone With Eight Channels", "Windows WASAPI", 8, 0, 96_000, is_default=True)
+
+Open = Callable[..., Booth]
+
+
+def turned_to(booth: Booth, page: str) -> MainWindow:
+    """Choose the microphone, or a kind of tone."""
+    choose(booth.window.transport.source, "microphone" if page == "microphone" else "tone")
+    if page != "microphone":
+        choose(booth.window.transport.tone.kind, page.replace("_", " "))
+    return booth.window
+
+
+def controls(window: MainWindow) -> list[QWidget]:
+    kinds = QAbstractButton | QComboBox | QAbstractSpinBox | QSlider
+    return [w for w in window.transport.findChildren(QWidget) if isinstance(w, kinds) and w.isVisible()]
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_control_has_a_tip_and_a_name(booth: Booth, page: str):
+    window = turned_to(booth, page)
+    assert len(controls(window)) >= 8
+    assert [w for w in controls(window) if not (w.toolTip() and w.accessibleName())] == []
+    assert window.transport.microphone.meter.toolTip()
+    assert window.transport.microphone.meter.accessibleName()
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_control_is_reached_with_tab(booth: Booth, page: str):
+    window = turned_to(booth, page)
+    window.transport.source.setFocus()
+    reached: list[QWidget] = [window.transport.source]
+    for _ in range(60):
+        QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Tab)
+        reached.append(QApplication.focusWidget())
+    wanted = [w for w in controls(window) if w.isEnabled()]
+    assert [name_of(w) if hasattr(w, "text") else w.accessibleName() for w in wanted if w not in reached] == []
+
+
+def test_f1_lists_the_keys_of_microphone_and_recording(booth: Booth):
+    press(booth.window, Qt.Key.Key_F1)
+    text = booth.window.findChild(ShortcutsDialog).list.text()
+    for name, key in {"Record": "R", "Look for Microphones": "F5", "Measure the Latency by Clicks": "Ctrl+M"}.items():
+        assert f"<td>{name}&nbsp;&nbsp;&nbsp;</td><td>{key}</td>" in text
+    booth.window.findChild(ShortcutsDialog).close()
+
+
+def test_the_invitation_fits_the_source(booth: Booth):
+    invitations = {}
+    for source in ("tone", "microphone", "file"):
+        choose(booth.window.transport.source, source)
+        invitations[source] = booth.window.time_view._hint.toPlainText()
+    assert "R to record" in invitations["microphone"]
+    assert "tone" in invitations["tone"]
+    assert invitations["file"] == "Press Space to play"
+
+
+@pytest.mark.parametrize("size", SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
+@pytest.mark.parametrize("page", PAGES)
+def test_every_text_has_room_while_it_records_and_says_the_most(open_booth: Open, page: str, size: tuple[int, int]):
+    mic = HandDrivenMicrophone(name=LONG.label)
+    booth = open_booth(mic)
+    booth.studio.devices.append(LONG)
+    window = booth.window
+    window.resize(*size)
+    booth.record()
+    booth.until(lambda: window.transport.microphone.device.count() == 4)
+    booth.hear(mic, tone(1000, 0.3, 1.0))
+    booth.until(lambda: "ms late" in booth.status, mic)
+    if page != "microphone":
+        turned_to(booth, page)
+        booth.until(lambda: booth.banner.startswith("Recorded "))
+    QTest.qWait(30)
+    assert (window.width(), window.height()) == size
+    kinds = QLabel | QAbstractButton | QComboBox | QAbstractSpinBox
+    texts = [w for w in window.findChildren(QWidget) if isinstance(w, kinds) and w.isVisible()]
+    texts.remove(window.transport.microphone.device) if page == "microphone" else None  # its tip tells the rest
+    assert {name_of(w): room_and_need(w) for w in texts if room_and_need(w)[0] < room_and_need(w)[1]} == {}
+    assert [name_of(w) for w in texts if not w.parentWidget().rect().contains(w.geometry())] == []
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_no_page_makes_the_window_wider_than_1280_pixels(booth: Booth, mic: HandDrivenMicrophone, page: str):
+    booth.until(lambda: "ms late" in booth.status, mic)
+    window = turned_to(booth, page)
+    assert window.minimumSizeHint().width() <= 1280
+    assert window.transport.minimumSizeHint().width() <= 1280

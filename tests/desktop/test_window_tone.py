@@ -1,0 +1,184 @@
+"""The tone generator in place of a sound, by mouse and keyboard."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from engine.phonemes import Phoneme
+from engine.settings import BIN_WIDTH
+from engine.tones import VOWELS, ToneKind
+from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.models.session import Source
+from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, type_number
+from tests.desktop.studio import choose
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def window(desktop, qtbot) -> MainWindow:
+    window = shown(desktop, qtbot)
+    choose(window.transport.source, "tone")
+    return window
+
+
+@pytest.fixture
+def heard(desktop, window, qtbot):
+    """Wait until some more frames were heard, and give the spectra of the newest ones."""
+
+    def wait(n: int = 30) -> np.ndarray:
+        until = desktop.session.history.n + n + 10  # what was written before a change is still to be heard
+        qtbot.waitUntil(lambda: desktop.session.history.n >= until, timeout=10_000)
+        window.refresh_all()
+        return desktop.session.history.newest.spectra
+
+    return wait
+
+
+def peak(window: MainWindow) -> float:
+    """The frequency at which the drawn spectrum is highest, Hz."""
+    x, y = window.spectrum.item.curves[0].getData()
+    return float(x[np.argmax(y)])
+
+
+def settled(desktop, window, qtbot, frequency: float) -> None:
+    """Wait until the drawn spectrum has its peak at a frequency."""
+    qtbot.waitUntil(lambda: peak(window) == pytest.approx(frequency, abs=BIN_WIDTH), timeout=5000)
+
+
+def test_choosing_the_tone_plays_a_sine_that_is_seen_at_its_frequency(desktop, window, heard, qtbot):
+    heard()
+    assert desktop.session.playing
+    assert desktop.session.source is Source.TONE
+    assert peak(window) == pytest.approx(1000, abs=BIN_WIDTH)
+    assert TimeEyes(window).brightest(-0.1) == pytest.approx(1000, abs=2 * BIN_WIDTH)
+    assert window.windowTitle().startswith("tone - ")
+    qtbot.waitUntil(lambda: window.status.left.text().strip().startswith("tone: sine"))
+
+
+def test_slider_and_number_move_what_is_seen(desktop, window, heard, qtbot):
+    heard()
+    slider = window.transport.tone.slider
+    handle = slider.width() * slider.value() / slider.maximum()
+    drag(slider, handle, handle + slider.width() * 0.15)
+    assert 2000 < window.transport.tone.tone.frequency < 4000
+    settled(desktop, window, qtbot, window.transport.tone.tone.frequency)
+    type_number(window.transport.tone.numbers["frequency"], "440")
+    settled(desktop, window, qtbot, 440)
+    assert desktop.session.playing
+
+
+def test_every_kind_is_heard_when_it_is_chosen_and_shows_its_own_numbers(desktop, window, heard):
+    bar = window.transport.tone
+    for kind in [*ToneKind, ToneKind.SINE]:
+        choose(bar.kind, kind.value.replace("_", " "))
+        heard()
+        assert desktop.session.tone.kind is kind
+        assert bar.slider.isVisible() == (kind is ToneKind.SINE)
+        assert bar.vowel.isVisible() == bar.unit.isVisible() == (kind is ToneKind.VOWEL)
+        assert desktop.session.playing
+        newest = desktop.session.history.newest
+        assert newest.features.frame(len(newest) - 1)["volume"] > 0.02
+
+
+def test_white_noise_is_flat_and_pink_noise_falls(desktop, window, heard):
+    window.filters.bypass_asked.emit(True)
+    slopes = {}
+    for kind in ("white noise", "pink noise"):
+        choose(window.transport.tone.kind, kind)
+        heard()
+        desktop.session.averages.clear()
+        heard(60)
+        mean = desktop.session.averages.current().amplitudes
+        low, high = (np.mean(mean[round(at / BIN_WIDTH) : round(2 * at / BIN_WIDTH)]) for at in (300, 1200))
+        slopes[kind] = 20 * np.log10(high / low) / 2
+    assert slopes["white noise"] == pytest.approx(0, abs=1)
+    assert slopes["pink noise"] == pytest.approx(-3, abs=1)
+
+
+def test_a_vowel_has_its_harmonics_and_is_recognised(desktop, window, heard):
+    choose(window.transport.tone.kind, "vowel")
+    heard()
+    assert window.phoneme.phoneme is Phoneme.A
+    assert float(window.phoneme.meters["f(g)"].removesuffix(" Hz")) == pytest.approx(120, abs=2)
+
+
+def test_a_vowel_of_the_list_brings_its_formants_to_the_ear(desktop, window, heard):
+    choose(window.transport.tone.kind, "vowel")
+    choose(window.transport.tone.vowel, "u")
+    assert desktop.session.tone.formants == VOWELS["u"]
+    heard()
+    x, y = window.spectrum.item.curves[0].getData()
+    below, above = y[(x > 200) & (x < 900)].max(), y[(x > 1100) & (x < 1500)].max()
+    assert below > 10 * above
+
+
+def test_a_sweep_rises(desktop, window, heard):
+    choose(window.transport.tone.kind, "sweep")
+    type_number(window.transport.tone.numbers["low"], "500")
+    type_number(window.transport.tone.numbers["high"], "4000")
+    type_number(window.transport.tone.numbers["sweep_seconds"], "120")
+    heard()
+    first = peak(window)
+    heard(250)
+    assert 480 <= first < peak(window) < 800
+
+
+def test_the_level_is_what_is_measured_and_the_volume_only_what_is_heard(desktop, window, heard):
+    type_number(window.transport.tone.numbers["level"], "-20")
+    heard()
+    assert float(window.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
+    press(window, Qt.Key.Key_Down, CONTROL)
+    heard()
+    assert desktop.session.volume == -3
+    assert float(window.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
+
+
+def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
+    heard()
+    window.spectrum.setFocus()
+    press(window, Qt.Key.Key_Space)
+    assert not desktop.session.playing
+    qtbot.wait(100)  # what was heard until then is still taken
+    n = desktop.session.history.n
+    qtbot.wait(100)
+    assert desktop.session.history.n == n
+    click(window.transport.play)
+    heard()
+    assert desktop.session.playing
+
+
+def test_a_file_has_what_a_tone_has_not(desktop, window):
+    transport = window.transport
+    assert not any(widget.isVisible() for widget in (transport.loop, transport.channel, transport.time_line))
+    assert transport.volume.isVisible()
+    assert transport.tone.isVisible()
+    assert " / " not in transport.time.text()
+    press(window, Qt.Key.Key_Right, CONTROL)
+    assert desktop.session.position < 1
+
+
+def test_the_file_is_not_lost_by_a_tone(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    desktop.session.seek(1.25)
+    choose(window.transport.source, "tone")
+    qtbot.waitUntil(lambda: desktop.session.position > 0.2, timeout=5000)
+    assert desktop.session.path == CARDS
+    choose(window.transport.source, "file")
+    assert desktop.session.path == CARDS
+    assert desktop.session.position == pytest.approx(1.25, abs=0.01)
+    assert window.transport.time.text().startswith("0:01.2")
+    press(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: desktop.session.position > 1.4, timeout=5000)
+
+
+def test_another_theme_keeps_the_tone(desktop, window, heard, qtbot):
+    choose(window.transport.tone.kind, "vowel")
+    choose(window.transport.tone.vowel, "o")
+    desktop.set_theme("dark" if window.theme.name == "light" else "light")
+    assert desktop.session.playing
+    bar = desktop.window.transport.tone
+    assert (bar.kind.currentText(), bar.vowel.currentText()) == ("vowel", "o")
+    assert bar.isVisible()
+    assert bar.vowel.isVisible()
+    assert bar.tone == desktop.session.tone

@@ -1,0 +1,171 @@
+"""A microphone that is missing, vanishes, hangs or is late: what the window says."""
+
+import time
+from collections.abc import Callable
+
+import pytest
+from PySide6.QtCore import Qt
+
+from engine.audio import stream
+from engine.errors import EngineError
+from engine.live.ear import Ear
+from phonemeanalyser.models import click_test
+from phonemeanalyser.models.session import Source
+from tests.desktop.hands import press
+from tests.desktop.studio import DESK, Booth, choose
+from tests.desktop.test_microphone_trouble import MEASURED
+from tests.microphones import HandDrivenMicrophone
+from tests.portaudio import FakePortAudio
+from tests.sounds import noise
+
+Open = Callable[..., Booth]
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+def test_a_missing_microphone_is_said_in_banner_and_status_line_and_its_coming_too(
+    open_booth: Open, mic: HandDrivenMicrophone
+):
+    booth = open_booth()
+    booth.listen()
+    booth.until(lambda: booth.banner == "The microphone is not there; plug it in; trying again every 2 s.")
+    booth.until(lambda: "microphone: the microphone is not there" in booth.status)
+    booth.until(lambda: "ms late" not in booth.status)
+    booth.studio.openers.waiting.append(mic)
+    booth.until(lambda: booth.banner.startswith("The microphone is there: Desk · ALSA; 0.0 s"), mic)
+    booth.until(lambda: "microphone: Desk · ALSA, 44 100 Hz" in booth.status, mic)
+
+
+def test_a_microphone_that_vanishes_in_mid_recording_is_waited_for_and_the_loss_is_counted(
+    booth: Booth, mic: HandDrivenMicrophone
+):
+    back = HandDrivenMicrophone(name=DESK.label)
+    booth.record()
+    booth.hear(mic, noise(0.3))
+    booth.until(lambda: "0.00 s lost" in booth.status, mic)
+    mic.lost = True
+    booth.until(lambda: booth.banner.endswith("; the recording waits for it."))
+    booth.until(lambda: booth.window.transport.time.text().startswith("waiting "))
+    assert booth.window.transport.record.isChecked()
+    booth.until(lambda: booth.studio.model.lost_seconds > 0.5)
+    booth.until(lambda: "0.00 s lost" not in booth.status)
+    booth.studio.openers.waiting.append(back)
+    booth.until(lambda: booth.banner.startswith("The microphone is there"), back)
+    booth.until(lambda: booth.window.transport.time.text().startswith("● "), back)
+    lost = booth.studio.model.lost_seconds
+    assert lost > 0.1
+    booth.until(lambda: f"{lost:.2f} s lost" in booth.status, back)
+    booth.record()
+    booth.until(lambda: booth.banner.startswith("Recorded "), back)
+    assert len(booth.studio.files) == 1
+
+
+def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_chosen(
+    open_booth: Open, mic: HandDrivenMicrophone
+):
+    booth = open_booth(mic)
+    booth.studio.openers.may_answer.clear()
+    booth.listen()
+    ticks = booth.window._ticks
+    booth.until(lambda: booth.banner == "Opening the microphone.")
+    booth.until(lambda: booth.window._ticks > ticks + 30)
+    choose(booth.window.transport.source, "file")
+    assert booth.desktop.session.source is Source.FILE
+    press(booth.window, Qt.Key.Key_Space)
+    booth.until(lambda: booth.desktop.session.history.n > 10)
+    began = time.monotonic()
+    assert booth.window.close()
+    booth.desktop.session.close()
+    assert time.monotonic() - began < 9
+    booth.studio.openers.may_answer.set()
+    booth.until(mic.closed.is_set)
+
+
+def test_a_recogniser_that_fails_while_it_listens_lets_the_microphone_go_with_a_sentence(
+    booth: Booth, mic: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
+):
+    booth.hear(mic, noise(0.2))
+
+    def refuse(_ear: Ear, _block: object) -> None:
+        raise EngineError("it cannot be recognised; choose another recogniser")
+
+    monkeypatch.setattr(Ear, "follow", refuse)
+    booth.give(mic, noise(0.1))
+    booth.until(lambda: booth.banner == "it cannot be recognised; choose another recogniser")
+    assert not booth.desktop.session.playing
+    booth.until(mic.closed.is_set)
+
+
+# -- latency ------------------------------------------------------------------------------------------
+
+
+def shares(booth: Booth) -> dict[str, int]:
+    """The parts of the latency as the status line gives them, ms."""
+    text = booth.window.status.right.text()
+    words = text[text.rindex("(") + 1 : text.rindex(")")].split(" + ")
+    return {name: int(number) for name, number in (word.split(" ") for word in words)}
+
+
+def test_the_latency_is_the_sum_of_its_parts(booth: Booth, mic: HandDrivenMicrophone):
+    mic.delay = 0.033
+    booth.until(lambda: "capture 33" in booth.status, mic)
+    parts = shares(booth)
+    assert list(parts) == ["capture", "window", "hop", "analysis", "display"]
+    assert (parts["window"], parts["hop"]) == (23, 5)
+    assert booth.window.status.latency_ms == pytest.approx(sum(parts.values()), abs=2.6)
+    assert f"<b>{booth.window.status.latency_ms:.0f} ms late" in booth.status
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words", "colour"),
+    [
+        (0.045, "nobody notices", "good"),
+        (0.0451, "noticeable", "text"),
+        (0.09, "noticeable", "text"),
+        (0.0901, "too late", "bad"),
+    ],
+)
+def test_a_latency_is_judged_at_45_and_90_ms(booth: Booth, seconds: float, words: str, colour: str):
+    status = booth.window.status
+    assert status.judged(seconds) == (words, getattr(booth.window.theme, colour))
+
+
+def test_a_slow_card_is_too_late_and_the_reason_is_a_tool_tip(booth: Booth, mic: HandDrivenMicrophone):
+    mic.delay = 0.1
+    booth.until(lambda: "ms late, too late" in booth.status, mic)
+    assert booth.window.theme.bad in booth.window.status.right.text()
+    assert "ITU-R BT.1359" in booth.window.status.right.toolTip()
+
+
+def test_no_latency_is_claimed_while_nothing_comes(booth: Booth, mic: HandDrivenMicrophone):
+    booth.until(lambda: "ms late" in booth.status, mic)
+    booth.until(lambda: "ms late" not in booth.status)
+    assert booth.window.status.latency_ms is None
+    assert booth.window.status.right.toolTip() == ""
+    choose(booth.window.transport.source, "file")
+    booth.until(lambda: "late" not in booth.status)
+    assert "lost" not in booth.status
+
+
+def test_without_a_device_a_measurement_by_clicks_says_so_in_one_sentence(
+    open_booth: Open, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(stream, "_sounddevice", FakePortAudio)
+    booth = open_booth()
+    press(booth.window, Qt.Key.Key_M, CONTROL)
+    assert booth.banner.startswith("Listening for clicks from the loudspeaker")
+    booth.until(lambda: booth.banner.startswith("The latency was not measured: there is no microphone; plug one in"))
+    assert booth.banner.count(". ") == 0
+
+
+def test_a_measurement_by_clicks_is_told_and_counts_from_then_on(
+    open_booth: Open, mic: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(click_test, "measure_loopback", lambda _choice: MEASURED)
+    back = HandDrivenMicrophone(name=DESK.label)
+    booth = open_booth(mic, back)
+    booth.listen()
+    booth.until(lambda: "capture 20" in booth.status, mic)
+    booth.window.menus.actions["Measure the Latency by Clicks"].trigger()
+    booth.until(lambda: booth.banner.startswith("A click comes back after 120 ms"))
+    booth.until(lambda: "capture 31" in booth.status, back)

@@ -1,0 +1,73 @@
+"""The window on a real sound server that dies while it records, and comes back."""
+
+import time
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from phonemeanalyser.cli import DEMO
+from tests.devices.programs import HERE, Program, samples_of
+from tests.devices.test_server_trouble import check_whole, play
+from tests.virtual_sound import VirtualSound
+
+
+def said(program: Program, since: float, true: Callable[[dict[str, Any]], bool]) -> list[dict[str, Any]]:
+    """What the window said since a moment and what was so."""
+    return [line for line in program.log if line["time"] > since and true(line)]
+
+
+def wait_for(program: Program, true: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+    """Wait until the window says something, from now on."""
+    since = time.monotonic()
+    program.wait_for(lambda: said(program, since, true))
+    return said(program, since, true)[0]
+
+
+@pytest.fixture
+def window(card: VirtualSound, takes: Path, monkeypatch: pytest.MonkeyPatch) -> Program:
+    """A window that records."""
+    monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
+    program = Program(takes.parent, card, HERE / "window_on_card.py", takes, DEMO)
+    wait_for(program, lambda line: line["label"].startswith("● ") and line["late_ms"] is not None)
+    return program
+
+
+def test_the_window_says_what_it_hears_and_how_late_it_is(window: Program, card: VirtualSound, takes: Path) -> None:
+    line = wait_for(window, lambda line: bool(line["devices"]) and "ms late" in line["right"])
+    assert line["left"].strip().startswith("microphone: ")
+    assert "44 100 Hz" in line["left"]
+    assert "0.00 s lost" in line["right"]
+    assert line["banner"] == ""
+    pcm = play(card, takes.parent, 1)
+    assert window.end() == 0, window.errors
+    assert window.log[-1]["banner"].startswith("Recorded ")
+    (take,) = takes.iterdir()
+    check_whole(pcm, samples_of(take))
+
+
+def test_a_server_that_dies_is_said_and_recording_goes_on_by_itself(
+    window: Program, card: VirtualSound, takes: Path
+) -> None:
+    before = play(card, takes.parent, 1)
+    card.kill()
+    killed = time.monotonic()
+    trouble = wait_for(window, lambda line: line["label"].startswith("waiting ") and bool(line["banner"]))
+    assert trouble["banner"].endswith("; the recording waits for it.")
+    assert trouble["late_ms"] is None
+    time.sleep(1)
+    card.restart()
+    well = wait_for(window, lambda line: line["label"].startswith("● ") and "is there" in line["banner"])
+    gap = well["time"] - killed
+    after = play(card, takes.parent, 2)
+    assert window.end() == 0, window.errors
+    lines = said(window, killed, lambda line: line["time"] < well["time"])
+    pauses = [b["time"] - a["time"] for a, b in pairwise(lines)]
+    print(f"gap {gap:.2f} s, lost {well['lost']:.2f} s, longest pause of the window {max(pauses):.2f} s")
+    assert max(pauses) < 1.0
+    assert well["lost"] == pytest.approx(gap, abs=0.7)
+    (take,) = takes.iterdir()
+    recorded = samples_of(take)
+    assert check_whole(before, recorded) < check_whole(after, recorded)

@@ -1,0 +1,59 @@
+"""Records in the window until SIGTERM, then chooses the file again; prints what the window says all the time."""
+
+import json
+import signal
+import sys
+import time
+from pathlib import Path
+
+from PySide6.QtCore import QSettings
+
+from phonemeanalyser.app import Desktop, make_application
+from phonemeanalyser.models.microphone import Microphone
+from phonemeanalyser.models.session import Source
+
+ending: list[int] = []
+signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))
+takes, demo = Path(sys.argv[1]), Path(sys.argv[2])
+app = make_application()
+settings = QSettings(str(takes.parent / "settings.ini"), QSettings.Format.IniFormat)
+microphone = Microphone(journal=takes.parent / "unfinished", folder=takes)
+desktop = Desktop(app, settings, microphone=microphone)
+window = desktop.window
+window.show()
+window.dialogs.open_sound(demo)
+window.menus.actions["Record"].trigger()
+
+
+def say() -> str:
+    """Print what the window says, and give what the banner says."""
+    banner = window.banner.label.text() if window.banner.isVisible() else ""
+    print(
+        json.dumps({
+            "time": time.monotonic(), "banner": banner, "left": window.status.left.text(),
+            "right": window.status.right.text(), "label": window.transport.time.text(), "ticks": window._ticks,
+            "lost": microphone.lost_seconds, "late_ms": window.status.latency_ms,
+            "frames": desktop.session.history.n, "devices": [device.label for device in microphone.devices],
+        }),
+        flush=True,
+    )  # fmt: skip
+    return str(banner)
+
+
+def live(seconds: float) -> None:
+    """Let the window live for a while."""
+    until = time.monotonic() + seconds
+    while time.monotonic() < until:
+        app.processEvents()
+        time.sleep(0.002)
+
+
+while not ending:
+    live(0.05)
+    say()
+window.transport.source.activated.emit(window.transport.source.findData(Source.FILE))
+until = time.monotonic() + 20
+while not say().startswith("Recorded") and time.monotonic() < until:
+    live(0.05)
+window.close()
+desktop.close()
