@@ -259,6 +259,7 @@ class MainWindow(QMainWindow):
             known_at = time.monotonic() - self._session.microphone.known_for
         self._ticks += 1
         slow = self._ticks % SLOW == 0
+        self._stale |= self._session.deaf != self.phoneme.deaf
         if slow and (self._session.playing or self._session.microphone.recording):
             self.transport.refresh()
             self._show_output()

@@ -279,5 +279,16 @@ class Microphone(QObject):
                 self.failed.emit(tape.failure)
             elif tape.path is not None and tape.seconds:
                 self.recorded.emit(str(tape.path), tape.seconds)
+                for remark in _remarks(tape):
+                    self.told.emit(remark)
             else:
                 self.failed.emit("Nothing was recorded, since no sound came; check the microphone.")
+
+
+def _remarks(tape: Tape) -> list[str]:
+    """Say what else there is to know of a recording that went well."""
+    earlier = [path.name for path in tape.paths[:-1]]
+    if not earlier:
+        return list(tape.notes)
+    files = " and ".join(earlier)
+    return [*tape.notes, f"The microphone changed its form on the way, so what came before that is in {files}."]

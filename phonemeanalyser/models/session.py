@@ -104,6 +104,11 @@ class Session(QObject):
         return self._player is not None and self._player.playing
 
     @property
+    def deaf(self) -> bool:
+        """Whether the microphone should be heard, and nothing comes from it: what was heard last is no news then."""
+        return self.source is Source.MICROPHONE and self.microphone.active and not self.microphone.listening
+
+    @property
     def name(self) -> str:
         """What is in hand: the file's name, the microphone or the tone."""
         if self.source is Source.FILE:

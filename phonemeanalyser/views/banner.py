@@ -26,7 +26,7 @@ class Banner(QWidget):
         self.label = QLabel()
         self.label.setWordWrap(True)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        dismiss = QToolButton()
+        self.dismiss = dismiss = QToolButton()
         dismiss.setText("✕")
         dismiss.setAutoRaise(True)
         dismiss.setToolTip("Dismiss")

@@ -31,6 +31,7 @@ class PhonemeView(QWidget):
         self.trace: Trace | None = None
         self.phoneme = self.recognised = Phoneme.SILENCE
         self.intensity = 0.0
+        self.deaf = False
         self.meters: dict[str, str] = {}
         self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
@@ -47,7 +48,8 @@ class PhonemeView(QWidget):
 
     def refresh(self) -> None:
         """Show the newest frame."""
-        newest = self._session.history.newest
+        self.deaf = self._session.deaf
+        newest = None if self.deaf else self._session.history.newest
         if newest is None:
             self.phoneme = self.recognised = Phoneme.SILENCE
             self.intensity, self.meters = 0.0, {}
@@ -58,8 +60,8 @@ class PhonemeView(QWidget):
             self.meters = {name: form.format(values[variable]) for name, variable, form in METERS}
             if values["f0"] == 0:
                 self.meters["f(g)"] = "–"
-        self.trace = self._session.explain()
-        self.setAccessibleName(self.phoneme.label)
+        self.trace = None if self.deaf else self._session.explain()
+        self.setAccessibleName("nothing comes" if self.deaf else self.phoneme.label)
         self.update()
 
     def paintEvent(self, _event: Any) -> None:
@@ -76,7 +78,7 @@ class PhonemeView(QWidget):
         colour = QColor(PHONEME_COLOURS[self.phoneme])
         painter.fillRect(box, QColor(colour.red(), colour.green(), colour.blue(), 50))
         painter.fillRect(QRectF(box.left(), box.top(), 5, box.height()), colour)
-        name = self.phoneme.label
+        name = "nothing comes" if self.deaf else self.phoneme.label
         self._write(painter, box, name, self._theme.text, 42 if len(name) < 4 else 30, Qt.AlignmentFlag.AlignCenter)
 
     def _paint_intensity(self, painter: QPainter, box: QRectF) -> None:

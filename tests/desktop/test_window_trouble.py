@@ -46,12 +46,16 @@ def test_a_microphone_that_vanishes_in_mid_recording_is_waited_for_and_the_loss_
     mic.lost = True
     booth.until(lambda: booth.banner.endswith("; the recording waits for it."))
     booth.until(lambda: booth.window.transport.time.text().startswith("waiting "))
+    booth.until(lambda: booth.window.phoneme.accessibleName() == "nothing comes")
+    assert booth.window.phoneme.trace is None
+    assert booth.window.phoneme.intensity == 0
     assert booth.window.transport.record.isChecked()
     booth.until(lambda: booth.studio.model.lost_seconds > 0.5)
     booth.until(lambda: "0.00 s lost" not in booth.status)
     booth.studio.openers.waiting.append(back)
     booth.until(lambda: booth.banner.startswith("The microphone is there"), back)
     booth.until(lambda: booth.window.transport.time.text().startswith("● "), back)
+    booth.until(lambda: booth.window.phoneme.accessibleName() != "nothing comes", back)
     lost = booth.studio.model.lost_seconds
     assert lost > 0.1
     booth.until(lambda: f"{lost:.2f} s lost" in booth.status, back)
