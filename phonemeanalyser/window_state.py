@@ -54,6 +54,7 @@ class WindowState:
         keep("microphone", microphone.choice.label)
         keep("microphone_channel", microphone.choice.channel)
         keep("microphone_rate", microphone.choice.rate)
+        keep("microphone_latency", microphone.choice.latency)
         keep("microphone_else_default", int(microphone.choice.else_default))
         keep("recordings", str(microphone.folder))
         keep("recording_kind", microphone.suffix)
@@ -86,9 +87,10 @@ class WindowState:
         label = self._kept("microphone", choice.label)
         channel = round(self._kept_number("microphone_channel", choice.channel))
         rate = round(self._kept_number("microphone_rate", choice.rate))
+        latency = self._kept_number("microphone_latency", choice.latency)
         else_default = self._kept("microphone_else_default", int(choice.else_default)) == "1"
         with suppress(SettingsError):  # somebody edited the file
-            microphone.choose(InputChoice(label, channel, rate, else_default))
+            microphone.choose(InputChoice(label, channel, rate, else_default, latency))
         microphone.folder = Path(self._kept("recordings", str(microphone.folder)))
         suffix = self._kept("recording_kind", microphone.suffix)
         microphone.suffix = suffix if suffix in SUFFIXES else microphone.suffix

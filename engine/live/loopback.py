@@ -29,7 +29,8 @@ class Loopback:
     Attributes
     ----------
     round_trip : from handing a click to the sound card until the program has it back.
-    capture : the part of it from leaving the loudspeaker, as the card reports that, until the program has it.
+    capture : the part of it from leaving the loudspeaker until the program has it; 0 where the card reports the
+        leaving so late that nothing is left to tell.
     spread : from the shortest round trip to the longest.
     n_heard, n_played : clicks.
     """
@@ -64,7 +65,7 @@ def measure_loopback(choice: InputChoice) -> Loopback:
             f"only {len(heard)} of {N_CLICKS} clicks were heard; turn the loudspeaker up, or move the microphone"
         )
     trips = [trip for trip, _ in heard]
-    capture = statistics.median(capture for _, capture in heard)
+    capture = max(0.0, statistics.median(capture for _, capture in heard))
     return Loopback(statistics.median(trips), capture, max(trips) - min(trips), len(heard), N_CLICKS)
 
 

@@ -47,10 +47,14 @@ class ClickTest(QObject):
         found = self._found
         if isinstance(found, Loopback):
             self.result = found
+            share = (
+                f"{1000 * found.capture:.0f} ms of it are the microphone's, and the status line now counts with them"
+            )
+            if not found.capture:
+                share = "the card does not tell which part of it is the microphone's"
             self.told.emit(
                 f"A click comes back after {1000 * found.round_trip:.0f} ms ({found.n_heard} of {found.n_played} "
-                f"heard, within {1000 * found.spread:.0f} ms of each other); {1000 * found.capture:.0f} ms of it "
-                "are the microphone's, and the status line now counts with them."
+                f"heard, within {1000 * found.spread:.0f} ms of each other); {share}."
             )
         else:
             words = str(found)

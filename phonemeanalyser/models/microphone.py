@@ -141,7 +141,7 @@ class Microphone(QObject):
             return None
         latency = self._listener.latency
         measured = self.clicks.result
-        return replace(latency, capture=measured.capture) if measured else latency
+        return replace(latency, capture=measured.capture) if measured and measured.capture else latency
 
     @property
     def known_for(self) -> float:
@@ -186,6 +186,10 @@ class Microphone(QObject):
     def set_else_default(self, on: bool) -> None:
         """Go on with the system's default microphone while the chosen one is not there, or wait for it."""
         self.choose(replace(self.choice, else_default=on))
+
+    def set_latency(self, seconds: float) -> None:
+        """Ask for longer or shorter blocks."""
+        self.choose(replace(self.choice, latency=seconds))
 
     def refresh_devices(self) -> None:
         """Look which microphones there are; `devices_changed` tells when that is known."""

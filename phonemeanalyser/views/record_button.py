@@ -1,5 +1,8 @@
 """The button that records, and how it does so."""
 
+from collections.abc import Callable, Mapping
+from typing import TypeVar
+
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QMenu, QToolButton
@@ -7,7 +10,15 @@ from PySide6.QtWidgets import QMenu, QToolButton
 from phonemeanalyser.models.session import Session
 from phonemeanalyser.theme import Theme
 
+Key = TypeVar("Key")
+
 KINDS = {".wav": "WAV, RF64 beyond 4 GB", ".flac": "FLAC, half the size"}
+BUFFERS = {
+    0.04: "Short Buffer: Blocks of 10 ms, the Least Latency",
+    0.08: "Medium Buffer: Blocks of 20 ms",
+    0.2: "Long Buffer: Blocks of 50 ms, for a Busy Machine",
+}
+"""What is asked of the microphone, seconds, and how that is called."""
 
 
 class RecordButton(QToolButton):
@@ -36,7 +47,9 @@ class RecordButton(QToolButton):
         self.folder.triggered.connect(self.folder_asked)
         menu.addAction(self.folder)
         menu.addSeparator()
-        self.kinds = self._add_kinds(menu)
+        self.kinds = self._add_choices(menu, KINDS, self._set_kind)
+        menu.addSeparator()
+        self.buffers = self._add_choices(menu, BUFFERS, self._microphone.set_latency)
         menu.addSeparator()
         self.phonemes = self._add_switch(menu, "Write the Phonemes Beside It (.csv)")
         self.phonemes.toggled.connect(self._set_phonemes)
@@ -57,15 +70,20 @@ class RecordButton(QToolButton):
         self.folder.setText(f"Recordings Go to {microphone.folder}…")
         for suffix, action in self.kinds.items():
             action.setChecked(suffix == microphone.suffix)
+        for latency, action in self.buffers.items():
+            action.setChecked(latency == microphone.choice.latency)
         with QSignalBlocker(self.phonemes), QSignalBlocker(self.else_default):
             self.phonemes.setChecked(microphone.with_phonemes)
             self.else_default.setChecked(microphone.choice.else_default)
 
-    def _add_kinds(self, menu: QMenu) -> dict[str, QAction]:
+    def _add_choices(
+        self, menu: QMenu, choices: Mapping[Key, str], act: Callable[[Key], object]
+    ) -> dict[Key, QAction]:
+        """Add entries of which one at a time is chosen; `act` is given what was chosen."""
         group, actions = QActionGroup(self), {}
-        for suffix, words in KINDS.items():
-            action = actions[suffix] = QAction(words, self, checkable=True)
-            action.triggered.connect(lambda _checked, suffix=suffix: self._set_kind(suffix))
+        for key, words in choices.items():
+            action = actions[key] = QAction(words, self, checkable=True)
+            action.triggered.connect(lambda _checked, key=key: act(key))
             group.addAction(action)
             menu.addAction(action)
         return actions

@@ -17,7 +17,7 @@ from tests.desktop.hands import CARDS, DEMO, ON_BIN, TimeEyes, click, drag, pres
 from tests.desktop.studio import DESK, HEADSET, Booth, Studio, choose
 from tests.microphones import HandDrivenMicrophone, offline
 from tests.players import SPEECH
-from tests.sounds import silence, tone, vowel
+from tests.sounds import noise, silence, tone, vowel
 
 HEARD = SPEECH[: len(SPEECH) // HOP * HOP]
 A = vowel((700, 1200, 2500), 0.4)
@@ -218,6 +218,18 @@ def test_the_second_channel_is_heard(open_booth: Open):
     assert booth.desktop.session.history.newest.features.frame(0)["volume"] > 0.9
 
 
+def test_another_buffer_is_asked_of_the_microphone_at_once(open_booth: Open):
+    first, second = HandDrivenMicrophone(), HandDrivenMicrophone(name="the same again")
+    booth = open_booth(first, second)
+    booth.listen()
+    booth.hear(first, noise(0.2))
+    booth.window.transport.record.buffers[0.04].trigger()
+    booth.until(lambda: len(booth.studio.openers.asked) == 2)
+    booth.hear(second, noise(0.2))
+    assert [choice.latency for choice in booth.studio.openers.asked] == [0.08, 0.04]
+    assert booth.studio.model.lost_seconds == 0
+
+
 def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth: Booth, qtbot, qapp, tmp_path):
     bar = booth.window.transport.microphone
     booth.until(lambda: bar.device.count() == 3)
@@ -225,6 +237,7 @@ def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth:
         choose(box, text)
     booth.window.transport.record.else_default.trigger()
     booth.window.transport.record.kinds[".flac"].trigger()
+    booth.window.transport.record.buffers[0.2].trigger()
     booth.window.transport.record.phonemes.trigger()
     assert booth.window.close()
     booth.settings.sync()
@@ -235,6 +248,7 @@ def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth:
     assert studio.openers.asked == []
     assert again.session.source is Source.FILE
     assert studio.model.choice == booth.studio.model.choice
+    assert studio.model.choice.latency == 0.2
     assert (studio.model.suffix, studio.model.with_phonemes) == (".flac", True)
     bar = again.window.transport.microphone
     assert bar.device.currentText() == f"{DESK.label} (not there)"
