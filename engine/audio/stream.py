@@ -181,6 +181,10 @@ def _number_of(device: Device, sounddevice: Any) -> int:
 def _sounddevice() -> Any:
     try:
         import sounddevice  # noqa: PLC0415 - raises where PortAudio is missing, so only who plays imports it
+    except ImportError as error:
+        raise DeviceError(
+            "sound cannot be played or recorded, since the package sounddevice is missing; pip install sounddevice"
+        ) from error
     except Exception as error:  # sounddevice initialises PortAudio, which may fail in its own ways
         raise DeviceError(
             "sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"

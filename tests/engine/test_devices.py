@@ -1,6 +1,7 @@
 """Microphones by name: chosen by words, listed anew, and told apart."""
 
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -171,9 +172,20 @@ def test_a_sound_system_that_does_not_answer_is_said_and_asked_again_later(porta
     assert [d.name for d in devices()] == ["Yeti"]
 
 
-def test_without_portaudio_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "sounddevice", None)
-    with pytest.raises(DeviceError, match="install libportaudio2"):
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ("raise OSError('PortAudio library not found')", "install libportaudio2"),
+        ("raise ImportError('no such package')", "pip install sounddevice"),
+    ],
+)
+def test_what_is_missing_is_named_with_what_to_install(
+    body: str, words: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    (tmp_path / "sounddevice.py").write_text(body)
+    monkeypatch.delitem(sys.modules, "sounddevice", raising=False)
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(DeviceError, match=words):
         devices()
 
 

@@ -285,7 +285,7 @@ def test_without_a_card_the_clock_plays(sounddevice: SimpleNamespace) -> None:
 
 def test_without_portaudio_the_clock_plays(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "sounddevice", None)
-    with pytest.raises(DeviceError, match="install libportaudio2"):
+    with pytest.raises(DeviceError, match="pip install sounddevice"):
         CardOutput(1)
     assert isinstance(open_output(1), ClockOutput)
 
