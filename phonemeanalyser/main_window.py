@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.commands import analysis_commands, file_commands, play_commands, record_commands
 from phonemeanalyser.dialogs import Dialogs
 from phonemeanalyser.menus import Command, Menus
 from phonemeanalyser.models.history import shown_spectra
@@ -156,49 +157,19 @@ class MainWindow(QMainWindow):
         self.addDockWidget(area, dock)
 
     def _make_menus(self) -> None:
-        session, preset, dialogs = self._session, self._preset, self.dialogs
-        file = self.menus.add(
-            "&File",
-            Command("Open Sound…", "Ctrl+O", dialogs.ask_sound),
-            Command("Load Preset…", "Ctrl+Shift+O", dialogs.ask_preset),
-            Command("Save Preset", "Ctrl+S", dialogs.save),
-            Command("Save Preset As…", "Ctrl+Shift+S", dialogs.save_as),
-            Command("Preset Notes…", "Ctrl+N", dialogs.ask_notes),
-            Command("Load Curve…", "Ctrl+L", dialogs.ask_curves),
-            Command("Save Curve…", "Ctrl+Shift+L", dialogs.ask_save_curve),
-            Command("Quit", "Ctrl+Q", self.close),
-        )
+        session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
+        file = add("&File", *file_commands(dialogs), Command("Quit", "Ctrl+Q", self.close))
         self._recent = QMenu("Open Recent", self)
         file.insertMenu(self.menus.actions["Load Preset…"], self._recent)
         self.menus.add_edit(preset.undo_stack)
-        self.menus.add(
-            "&Play",
-            Command("Play or Pause", "Space", session.toggle),
-            Command("Stop", "Escape", session.stop),
-            Command("Loop", "L", session.set_loop, checkable=True),
-            Command("Back 1 s", "Ctrl+Left", lambda: session.seek(session.position - 1)),
-            Command("Forward 1 s", "Ctrl+Right", lambda: session.seek(session.position + 1)),
-            Command("To the Beginning", "Home", lambda: session.seek(0)),
-            Command("Louder", "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
-            Command("Quieter", "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
-        )
-        self.menus.add(
-            "&Record",
-            Command("Record", "R", session.toggle_recording),
-            Command("Recordings Folder…", "", dialogs.ask_recordings_folder),
-            Command("Look for Microphones", "F5", session.microphone.refresh_devices),
-            Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency),
-        )
-        self.menus.add(
-            "&Analysis",
-            Command("Bypass All Filters", "B", preset.set_bypassed, checkable=True),
-            Command("Freeze Views", "F", self.set_frozen, checkable=True),
-            Command("Clear", "C", session.clear),
-            Command("New Variable…", "V", self.averaged.measure.toggle),
-            Command("Remove Variable…", "", dialogs.ask_remove_variable),
-        )
+        add("&Play", *play_commands(session))
+        measure = Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency)
+        add("&Record", *record_commands(session, dialogs), measure)
+        freeze = Command("Freeze Views", "F", self.set_frozen, checkable=True)
+        mark = Command("New Variable…", "V", self.averaged.measure.toggle)
+        add("&Analysis", freeze, *analysis_commands(session, preset, dialogs), mark)
         self._make_view_menu()
-        self.menus.add(
+        add(
             "&Help",
             Command("Keyboard Shortcuts", "F1", self.show_shortcuts),
             Command("About PhonemeAnalyser", "", self.show_about),

@@ -1,0 +1,53 @@
+"""The commands of the menus, as tables: text, key, and what is done."""
+
+from phonemeanalyser.dialogs import Dialogs
+from phonemeanalyser.menus import Command
+from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.models.session import Session
+
+Commands = tuple[Command, ...]
+
+
+def file_commands(dialogs: Dialogs) -> Commands:
+    """Give what opens and saves files."""
+    return (
+        Command("Open Sound…", "Ctrl+O", dialogs.ask_sound),
+        Command("Load Preset…", "Ctrl+Shift+O", dialogs.ask_preset),
+        Command("Save Preset", "Ctrl+S", dialogs.save),
+        Command("Save Preset As…", "Ctrl+Shift+S", dialogs.save_as),
+        Command("Preset Notes…", "Ctrl+N", dialogs.ask_notes),
+        Command("Load Curve…", "Ctrl+L", dialogs.ask_curves),
+        Command("Save Curve…", "Ctrl+Shift+L", dialogs.ask_save_curve),
+    )
+
+
+def play_commands(session: Session) -> Commands:
+    """Give what moves the sound in hand."""
+    return (
+        Command("Play or Pause", "Space", session.toggle),
+        Command("Stop", "Escape", session.stop),
+        Command("Loop", "L", session.set_loop, checkable=True),
+        Command("Back 1 s", "Ctrl+Left", lambda: session.seek(session.position - 1)),
+        Command("Forward 1 s", "Ctrl+Right", lambda: session.seek(session.position + 1)),
+        Command("To the Beginning", "Home", lambda: session.seek(0)),
+        Command("Louder", "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
+        Command("Quieter", "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
+    )
+
+
+def record_commands(session: Session, dialogs: Dialogs) -> Commands:
+    """Give what belongs to the microphone."""
+    return (
+        Command("Record", "R", session.toggle_recording),
+        Command("Recordings Folder…", "", dialogs.ask_recordings_folder),
+        Command("Look for Microphones", "F5", session.microphone.refresh_devices),
+    )
+
+
+def analysis_commands(session: Session, preset: PresetModel, dialogs: Dialogs) -> Commands:
+    """Give what belongs to filters and findings."""
+    return (
+        Command("Bypass All Filters", "B", preset.set_bypassed, checkable=True),
+        Command("Clear", "C", session.clear),
+        Command("Remove Variable…", "", dialogs.ask_remove_variable),
+    )
