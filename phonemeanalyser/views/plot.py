@@ -15,12 +15,21 @@ READOUTS_PER_SECOND = 30
 class LiveCurve(pg.PlotCurveItem):
     """A curve that is drawn anew up to 60 times a second within fixed axes.
 
-    Its bounds are those of the axes, so its points need not be measured at every picture.
+    Its bounds are those of the axes, so its points need not be measured at every picture. They are kept, and
+    changed only after Qt was told so, since it would paint a new range within the old bounds otherwise.
     """
+
+    _bounds = QRectF()
 
     def boundingRect(self) -> QRectF:
         """Give the visible part of the plot."""
-        return QRectF(self.viewRect())
+        return self._bounds
+
+    def viewTransformChanged(self) -> None:
+        """Take over the new visible part (that of the view box, since viewRect() keeps the old one)."""
+        super().viewTransformChanged()
+        view = self.getViewBox()
+        self._bounds = view.viewRect() if view is not None else QRectF()
 
     def dataBounds(self, *_asked: Any, **_options: Any) -> tuple[None, None]:
         """Ask for no range, since the axes are fixed."""

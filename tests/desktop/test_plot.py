@@ -1,0 +1,26 @@
+"""The curve that is drawn anew many times a second: its bounds follow the axes."""
+
+import numpy as np
+import pyqtgraph as pg
+import pytest
+
+from phonemeanalyser.views.plot import LiveCurve
+
+
+def test_what_is_drawn_beyond_the_old_range_is_painted(qtbot):
+    plot = pg.PlotWidget()
+    qtbot.addWidget(plot)
+    plot.setYRange(0, 1, padding=0)
+    plot.setXRange(0, 1, padding=0)
+    curve = LiveCurve()
+    plot.addItem(curve)
+    plot.show()
+    plot.grab()
+    curve.setData(np.array([0.0, 1.0]), np.array([0.0, 5.0]))
+    plot.setYRange(0, 5, padding=0)
+    plot.grab()
+    # What Qt paints of an item is what lies in its bounds as the scene knows them.
+    bounds = curve.sceneBoundingRect()
+    box = plot.getPlotItem().vb.sceneBoundingRect()
+    assert (bounds.top(), bounds.bottom()) == pytest.approx((box.top(), box.bottom()), abs=1)
+    assert curve in plot.scene().items(plot.getPlotItem().vb.mapViewToScene(pg.Point(0.5, 4.5)))
