@@ -12,6 +12,9 @@ N_STARTS = 200
 SETTLED = 50
 """Starts after which everything that is loaded once is loaded."""
 
+N_LAST = 20
+"""A thread of the sound server's library may take a moment to end; what leaks is there after each of the last."""
+
 
 def test_many_starts_and_stops_leave_nothing_behind_while_a_game_polls(card: VirtualSound, tmp_path: Path) -> None:
     starts = Program(tmp_path, card, HERE / "start_and_stop.py", N_STARTS)
@@ -29,7 +32,7 @@ def check_the_starts(starts: Program) -> None:
     settled, last = log[SETTLED], log[-1]
     print(f"after {SETTLED} starts: {settled}; after {N_STARTS}: {last}")
     for what in ("threads", "python_threads", "files"):
-        assert last[what] <= settled[what]
+        assert min(line[what] for line in log[-N_LAST:]) <= settled[what]
     assert last["memory_kb"] - settled["memory_kb"] < 4000
 
 
