@@ -36,7 +36,8 @@ from engine.live.heard import Heard
 from engine.live.listener import Listener
 from engine.live.sound import Sound
 from engine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
-from engine.presets.preset import Preset, load_preset, save_preset
+from engine.presets.files import load_preset, save_preset
+from engine.presets.preset import Preset
 from engine.settings import BIN_WIDTH, Channel
 
 __all__ = [

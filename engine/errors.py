@@ -6,12 +6,17 @@ EngineError
 │   ├── DeviceError     a sound card that cannot be used
 │   └── RecordingError  a sound that cannot be written
 ├── PresetError     a preset or PhonemeData file that says something impossible
+├── ModelError      a trained model that cannot be used
 ├── RecogniserError a recogniser of another package that fails
 ├── CurveError      an averaged-spectrum file that cannot be read
 └── CorpusError     labelled recordings that cannot be read
+    ├── UnknownPhonemes names of sounds that stand for no phoneme
+    └── TakeError       takes that cannot be kept or used
 
 Every message is one sentence for the person at the screen: what is wrong, the limit, and what came.
 """
+
+from collections.abc import Mapping
 
 
 class EngineError(Exception):
@@ -38,6 +43,10 @@ class PresetError(EngineError, ValueError):
     """A preset or PhonemeData file cannot be used."""
 
 
+class ModelError(EngineError, ValueError):
+    """A trained model's file cannot be used."""
+
+
 class RecogniserError(EngineError):
     """A recogniser from another package cannot be used."""
 
@@ -48,3 +57,28 @@ class CurveError(EngineError, ValueError):
 
 class CorpusError(EngineError, ValueError):
     """A folder of labelled recordings cannot be used."""
+
+
+class UnknownPhonemes(CorpusError):  # noqa: N818 - it says what it holds
+    """Label files hold names that stand for no phoneme.
+
+    Attributes
+    ----------
+    counts : how often each unknown name occurs, the most frequent first.
+    """
+
+    SHOWN = 8
+
+    def __init__(self, file: str, counts: Mapping[str, int]) -> None:
+        self.counts = dict(sorted(counts.items(), key=lambda entry: -entry[1]))
+        names = [f"{name[:20]!r} ({count} x)" for name, count in self.counts.items()]
+        hidden = len(names) - self.SHOWN
+        more = f" and {hidden} others" if hidden > 0 else ""
+        super().__init__(
+            f"{file}: it is unknown what stands for a phoneme in {', '.join(names[: self.SHOWN])}{more}; map each of "
+            "these names to a phoneme, in the window or with --map FILE"
+        )
+
+
+class TakeError(CorpusError):
+    """Takes cannot be kept or used."""

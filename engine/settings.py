@@ -86,6 +86,9 @@ LIMITS: dict[str, tuple[float, float, str]] = {
     "denoise_threshold": (0.0, 1.0, ""),
     "mel_bands": (4, 80, "bands"),
     "minimum_hold": (0.0, 1.0, "s"),
+    "hysteresis": (0.0, 1.0, ""),
+    "look_ahead": (0.0, 0.05, "s"),
+    "live_look_ahead": (0.0, 0.05, "s"),
     "intensity_low": (-120.0, 0.0, "dB"),
     "intensity_high": (-120.0, 0.0, "dB"),
 }
@@ -111,6 +114,9 @@ class AnalysisSettings:
     mel_bands : number of triangular filters of the mel bank, 4..80.
     statistics : whether flicker is held and unidentified frames are replaced.
     minimum_hold : least time that a phoneme stays, seconds.
+    hysteresis : by how much another phoneme must be the better one to follow, 0..1; 0 lets the best one follow.
+    look_ahead : how long a recogniser may wait for what comes after a frame, seconds; those of rules never wait.
+    live_look_ahead : the same for a microphone, where waiting makes the mouth late; no longer than `look_ahead`.
     intensity_low, intensity_high : peak levels at which the intensity is 0 and 1, dB below full scale.
 
     Raises
@@ -133,6 +139,9 @@ class AnalysisSettings:
     mel_bands: int = 40
     statistics: bool = True
     minimum_hold: float = 0.02
+    hysteresis: float = 0.0
+    look_ahead: float = 0.05
+    live_look_ahead: float = 0.02
     intensity_low: float = -45.0
     intensity_high: float = -3.0
 

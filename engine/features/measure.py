@@ -1,7 +1,8 @@
 """Measure all variables on a block of frames."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ Block = NDArray[np.float32]
 FLOAT = np.dtype(np.float32)
 ZERO = np.zeros((), FLOAT)
 ONES = np.ones(WINDOW - 1, FLOAT)
+NO_WINDOWS = np.zeros((0, WINDOW), FLOAT)
 
 
 @dataclass(frozen=True)
@@ -23,10 +25,13 @@ class Features:
     ----------
     names : the variables, one a column.
     values : float32, shape (n_frames, n_variables).
+    windows : the samples that were measured, float32, shape (n_frames, 2048), for recognisers that measure for
+        themselves; empty where only the variables were kept.
     """
 
     names: tuple[str, ...]
     values: Block
+    windows: Block = field(default_factory=lambda: NO_WINDOWS)
 
     def __getitem__(self, name: str) -> Block:
         """Give one variable's values, shape (n_frames,); KeyError for an unknown name."""
@@ -34,6 +39,14 @@ class Features:
             return self.values[:, self.names.index(name)]
         except ValueError:
             raise KeyError(name) from None
+
+    def part(self, frames: slice) -> "Features":
+        """Give some of the frames of the block, as a block."""
+        return Features(self.names, self.values[frames], self.windows[frames])
+
+    def with_columns(self, names: tuple[str, ...], values: Block) -> "Features":
+        """Give the same with more columns, shape (n_frames, n_more)."""
+        return Features(_longer(self.names, names), np.concatenate((self.values, values), axis=1), self.windows)
 
     def frame(self, k: int) -> dict[str, float]:
         """Give the values of frame `k` by name."""
@@ -51,6 +64,12 @@ def peak_levels_of(frames: Block) -> Block:
     """Give the largest absolute sample of each frame, shape (n_frames,)."""
     levels: Block = np.maximum.reduce(np.abs(frames), axis=1)
     return levels
+
+
+@lru_cache(maxsize=64)
+def _longer(names: tuple[str, ...], more: tuple[str, ...]) -> tuple[str, ...]:
+    """Join names; the same names give the same object, by which whoever looks them up knows them again."""
+    return names + more
 
 
 class BandMeter:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from engine.errors import SettingsError
+from engine.phonemes import Phoneme
 from engine.settings import BIN_WIDTH, SAMPLE_RATE
 
 
@@ -40,12 +41,15 @@ _NAME = re.compile(r"[a-z][a-z0-9_]*")
 class Variable:
     """One measured number: the sum, maximum or mean of a spectrum's amplitudes over a frequency range.
 
+    Divided by another variable, it says how much stronger one range is than another, however loud the sound.
+
     Parameters
     ----------
     name : lower-case letters, digits and underscores.
     low, high : the range in Hz, both ends included.
     kind : sum, max or mean.
     source : which spectrum.
+    per : name of the variable that it is divided by (0 / 0 is 0); empty where it is not divided.
 
     Raises
     ------
@@ -57,6 +61,7 @@ class Variable:
     high: float
     kind: Kind = Kind.SUM
     source: Spectrum = Spectrum.NORMALISED
+    per: str = ""
 
     def __post_init__(self) -> None:
         if not _NAME.fullmatch(self.name):
@@ -100,13 +105,28 @@ WHOLE_FRAME_VARIABLES = ("zero_crossings", "volume", "energy", "max_energy", "f0
 TABLE_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
 """What stands beside the variables in a table of frames."""
 
+SCORES = tuple(f"p_{phoneme.label}" for phoneme in Phoneme)
+"""How likely each phoneme is, in the order of `Phoneme`: further columns, of recognisers that measure it."""
+
 BUILT_IN_NAMES = (*WHOLE_FRAME_VARIABLES, *(v.name for v in BAND_VARIABLES))
 
 
 def check_user_variables(variables: tuple[Variable, ...]) -> None:
-    """Refuse names that are built in, head another column of a table, or stand twice (`SettingsError`)."""
-    seen = {*BUILT_IN_NAMES, *TABLE_COLUMNS}
+    """Refuse names that are built in, head another column of a table, or stand twice, and unknown divisors.
+
+    Raises
+    ------
+    SettingsError : a name is taken, or a variable is divided by one that is not measured or divided itself.
+    """
+    seen = {*BUILT_IN_NAMES, *TABLE_COLUMNS, *SCORES}
     for variable in variables:
         if variable.name in seen:
             raise SettingsError(f"a variable named {variable.name} exists already; choose another name")
         seen.add(variable.name)
+    divisors = {*BUILT_IN_NAMES, *(v.name for v in variables if not v.per)}
+    for variable in variables:
+        if variable.per and variable.per not in divisors:
+            raise SettingsError(
+                f"{variable.name} is divided by {variable.per!r}, which is not measured or is divided itself; name a "
+                "variable that stands by itself"
+            )

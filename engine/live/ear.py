@@ -1,7 +1,7 @@
 """One opened microphone, from its samples to what was found in them."""
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,18 +27,26 @@ class Latency:
     capture : the device's buffers, and the resampler's where there is one.
     window : from the middle of a frame to the end of its window.
     hop : waiting for the hop to be complete, half a hop on the average.
+    look_ahead : what the recogniser waits for after a frame.
     analysis : from a block's arrival to its phonemes.
     """
 
     capture: float = 0.0
     window: float = WINDOW / 2 / SAMPLE_RATE
     hop: float = HOP / 2 / SAMPLE_RATE
+    look_ahead: float = 0.0
     analysis: float = 0.0
 
     @property
     def total(self) -> float:
         """All of it, seconds."""
-        return self.capture + self.window + self.hop + self.analysis
+        return self.capture + self.window + self.hop + self.look_ahead + self.analysis
+
+
+def live(preset: Preset) -> Preset:
+    """Give the preset that looks ahead only as far as it may where somebody waits for the answer."""
+    settings = preset.settings
+    return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, settings.live_look_ahead)))
 
 
 class Ear:
@@ -59,7 +67,7 @@ class Ear:
         self.latency = Latency()
         self._n_heard = 0
         self._columns = slice(channel - 1, channel) if channel else slice(None)
-        self.analyser = Analyser(preset, pitch=pitch, start=start)
+        self.analyser = Analyser(live(preset), pitch=pitch, start=start)
         self._resampler = Resampler(source.rate, 1, steady=True) if source.rate != SAMPLE_RATE else None
 
     @property
@@ -81,6 +89,10 @@ class Ear:
         """Give the channels that are heard, shape (n, n_channels), of what the microphone gave."""
         return block[:, self._columns]
 
+    def use(self, preset: Preset) -> None:
+        """Recognise with another preset from the next block on."""
+        self.analyser.use(live(preset))
+
     def follow(self, block: Block) -> Analysis:
         """Analyse what is heard, shape (n, n_channels)."""
         began = time.monotonic()
@@ -101,4 +113,5 @@ class Ear:
         before = self.latency.analysis or spent
         held_back = self._resampler.delay if self._resampler is not None else 0.0
         analysis = STEADINESS * before + (1 - STEADINESS) * spent
-        self.latency = Latency(capture=self.source.delay + held_back, analysis=analysis)
+        look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD
+        self.latency = Latency(self.source.delay + held_back, look_ahead=look_ahead, analysis=analysis)

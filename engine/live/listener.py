@@ -60,12 +60,14 @@ class Listener:
     pitch : measure `f0` too, which no rule needs.
     tape : records from the first sample on; see `record`.
     on_heard : called in the listening thread with each block, as soon as it is known; it must not wait.
+    on_sound : called there with each block of sound, shape (n, n_channels), and its rate; it must not wait either.
     open_input : opens the microphone.
     """
 
     def __init__(
         self, preset: Preset, choice: InputChoice | None = None, *, pitch: bool = False,
         tape: Tape | None = None, on_heard: Callable[[Analysis], object] = lambda _analysis: None,
+        on_sound: Callable[[NDArray[np.float32], int], object] = lambda _block, _rate: None,
         open_input: Callable[[InputChoice], Input] = CardInput,
     ) -> None:  # fmt: skip
         self.choice = choice or InputChoice()
@@ -73,6 +75,7 @@ class Listener:
         self._preset = preset
         self._pitch = pitch
         self._on_heard = on_heard
+        self._on_sound = on_sound
         self._open_input = open_input
         self._source: Input | None = None
         self._ear: Ear | None = None
@@ -188,7 +191,7 @@ class Listener:
     def use(self, preset: Preset) -> None:
         """Recognise with another preset from the next block on."""
         self._preset = preset
-        self._commands.append(lambda: self._ear.analyser.use(preset) if self._ear else None)
+        self._commands.append(lambda: self._ear.use(preset) if self._ear else None)
 
     def choose(self, choice: InputChoice) -> None:
         """Listen to another microphone."""
@@ -254,6 +257,7 @@ class Listener:
         ear = self._ear
         block = ear.heard_of(block)
         self._meter.push(block, self._heard_at)
+        self._on_sound(block, source.rate)
         tape, began = self._tape, ear.seconds
         if tape is not None:
             tape.write(block, source.rate, began)

@@ -14,12 +14,12 @@ from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.errors import RecogniserError
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.recognition.phoneme_data import Thresholds
+from engine.recognition.recognition import Recognition
 from engine.recognition.trace import Comparison, Trace
 
 GROUP = "phonemeanalyser.recognisers"
@@ -30,6 +30,8 @@ LONGEST = 160
 
 class PlugIn:
     """A recogniser from another package; whatever it does wrong is one sentence.
+
+    Its `recognise` gives bare codes, it never looks ahead, and it has no scores.
 
     It is made when it is first asked for anything, by the thread that asks: making it may take a while.
 
@@ -42,6 +44,9 @@ class PlugIn:
     ------
     RecogniserError : it cannot be imported.
     """
+
+    look_ahead = 0
+    scores: tuple[str, ...] = ()
 
     def __init__(self, entry: EntryPoint, thresholds: Thresholds) -> None:
         self._name = f"the recogniser {entry.name!r} of the package {package_of(entry)}"
@@ -57,8 +62,8 @@ class PlugIn:
         )
         return used & {field.name for field in fields(Thresholds)}
 
-    def recognise(self, features: Features) -> NDArray[np.uint8]:
-        """Recognise a block; returns codes of `Phoneme`, shape (n_frames,).
+    def recognise(self, features: Features) -> Recognition:
+        """Recognise a block.
 
         Raises
         ------
@@ -71,7 +76,10 @@ class PlugIn:
             raise self._refusal(f"gave {_described(codes)} where codes of uint8, shape {wanted}, are wanted")
         if codes.size and codes.max() >= len(Phoneme):
             raise self._refusal(f"gave the code {codes.max()}, and phonemes are 0..{len(Phoneme) - 1}")
-        return codes.copy()
+        return Recognition(codes.copy())
+
+    def shortfalls(self, _features: Features) -> None:
+        """Tell nothing: only its codes are known."""
 
     def explain(self, features: Features, k: int) -> Trace:
         """Say why frame `k` of a block is recognised as it is.
@@ -125,7 +133,9 @@ def _read_only(features: Features) -> Features:
     """Give the same features, but not to be written to: they are shown and saved, too."""
     values = features.values.view()
     values.flags.writeable = False
-    return Features(features.names, values)
+    windows = features.windows.view()
+    windows.flags.writeable = False
+    return Features(features.names, values, windows)
 
 
 def _described(codes: object) -> str:

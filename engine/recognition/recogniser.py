@@ -1,6 +1,7 @@
 """What a recogniser is, and which ones there are."""
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
@@ -8,27 +9,63 @@ from numpy.typing import NDArray
 
 from engine.errors import PresetError, RecogniserError
 from engine.features.measure import Features
+from engine.recognition.learned import LearnedRecogniser
+from engine.recognition.model import Model
 from engine.recognition.phoneme_data import Thresholds
 from engine.recognition.plug_ins import PlugIn, package_of, plug_ins
-from engine.recognition.rules import ThesisRules
+from engine.recognition.recognition import Recognition
+from engine.recognition.rules import Rule, RuleRecogniser, ThesisRules
+from engine.recognition.templates import TemplateRecogniser, Templates
 from engine.recognition.trace import Trace
 
 
+@dataclass(frozen=True)
+class Tuning:
+    """All that a recogniser may be made from.
+
+    Attributes
+    ----------
+    thresholds : what the thesis rules compare with.
+    rules : the preset's own rules.
+    model : what the learned recogniser knows.
+    templates : what the recogniser by templates compares with.
+    look_ahead : seconds after a frame that it may wait for.
+    """
+
+    thresholds: Thresholds = field(default_factory=Thresholds)
+    rules: tuple[Rule, ...] = ()
+    model: Model | None = None
+    templates: Templates | None = None
+    look_ahead: float = 0.0
+
+
 class Recogniser(Protocol):
-    """Gives every frame of a block a phoneme, and can say why.
+    """Gives every frame of a sound a phoneme, and can say why.
 
     Blocks come in the order of the sound, cut anywhere, so a recogniser may remember; after a seek a new one is made,
-    which hears 0.4 s of the sound unseen. `explain` is asked of another one, which has recognised nothing: it tells
-    what can be told from the block alone, and remembers nothing. A plug-in may leave `used_thresholds` out.
+    which hears a second of the sound unseen. `explain` and `shortfalls` look only at the block that they are given.
     """
+
+    look_ahead: int
+    """Frames after a frame that it waits for; so many frames the answers are behind."""
+
+    scores: tuple[str, ...]
+    """Names of what it measures itself, such as how likely each phoneme is; they become columns of the features."""
 
     @property
     def used_thresholds(self) -> frozenset[str]:
         """The fields of `Thresholds` that it compares with."""
         ...
 
-    def recognise(self, features: Features) -> NDArray[np.uint8]:
-        """Recognise a block; returns codes of `Phoneme`, shape (n_frames,)."""
+    def recognise(self, features: Features) -> Recognition:
+        """Recognise the next frames: what is given belongs to the frames `look_ahead` before those that came.
+
+        The first `look_ahead` frames of a sound give nothing; as many frames of silence after its end give the last.
+        """
+        ...
+
+    def shortfalls(self, features: Features) -> NDArray[np.float32] | None:
+        """Say by how much each phoneme falls short of being named, shape (n_frames, n_phonemes), or None."""
         ...
 
     def explain(self, features: Features, k: int) -> Trace:
@@ -36,8 +73,30 @@ class Recogniser(Protocol):
         ...
 
 
-RECOGNISERS: dict[str, Callable[[Thresholds], Recogniser]] = {"thesis": ThesisRules}
+RECOGNISERS: dict[str, Callable[[Tuning], Recogniser]] = {
+    "thesis": lambda tuning: ThesisRules(tuning.thresholds),
+    "learned": lambda tuning: LearnedRecogniser(_model_of(tuning), tuning.look_ahead),
+    "rules": lambda tuning: RuleRecogniser(tuning.rules, tuning.thresholds),
+    "templates": lambda tuning: TemplateRecogniser(_templates_of(tuning)),
+}
 """The recognisers that come with the program; no other package can take their names."""
+
+
+def _model_of(tuning: Tuning) -> Model:
+    if tuning.model is None:
+        raise PresetError(
+            "the recogniser 'learned' needs a model, and this preset names none; begin with the preset learned.toml"
+        )
+    return tuning.model
+
+
+def _templates_of(tuning: Tuning) -> Templates:
+    if tuning.templates is None:
+        raise PresetError(
+            "the recogniser 'templates' needs templates, and this preset has none; begin with the preset "
+            "templates.toml"
+        )
+    return tuning.templates
 
 
 def recogniser_names() -> tuple[str, ...]:
@@ -66,7 +125,7 @@ def check_recogniser(name: str) -> None:
         raise RecogniserError(f"the recogniser {name!r} is offered twice, by {packages}; uninstall one of them")
 
 
-def recogniser_of(name: str, thresholds: Thresholds) -> Recogniser:
+def recogniser_of(name: str, tuning: Tuning) -> Recogniser:
     """Give the recogniser that a preset names; one of another package is made when it is first asked.
 
     Raises
@@ -76,6 +135,6 @@ def recogniser_of(name: str, thresholds: Thresholds) -> Recogniser:
     """
     check_recogniser(name)
     if name in RECOGNISERS:
-        return RECOGNISERS[name](thresholds)
+        return RECOGNISERS[name](tuning)
     (entry,) = plug_ins()[name]
-    return PlugIn(entry, thresholds)
+    return PlugIn(entry, tuning.thresholds)

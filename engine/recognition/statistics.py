@@ -31,6 +31,9 @@ which the largest share is found there. The rules say nothing mostly where the b
 strong (a, e) nor weak (u, o, i, m), hence the many o. The entry of unidentified is what is likeliest after anything.
 """
 
+UNREPLACED: Mapping[Phoneme, Phoneme] = MappingProxyType(dict.fromkeys(Phoneme, Phoneme.UNIDENTIFIED))
+"""The table that leaves unidentified frames alone, for recognisers who know what is another sound."""
+
 
 class Statistics:
     """Calms a stream of phonemes; looks only back.
@@ -39,16 +42,38 @@ class Statistics:
     ----------
     minimum_hold : seconds that a phoneme stays at least before another may follow.
     successors : what replaces an unidentified frame, by the phoneme that was identified last.
+    hysteresis : a phoneme stays while it falls short of being named by no more than this.
     """
 
-    def __init__(self, minimum_hold: float, successors: Mapping[Phoneme, Phoneme] = SUCCESSORS) -> None:
+    def __init__(
+        self, minimum_hold: float, successors: Mapping[Phoneme, Phoneme] = SUCCESSORS, hysteresis: float = 0.0
+    ) -> None:
+        self.hysteresis = hysteresis
         self._least = max(1, round(minimum_hold / FRAME_PERIOD))
         self._successors = [int(successors.get(p, p)) for p in Phoneme]
         self._current = self._identified = int(Phoneme.SILENCE)
+        self._steady = int(Phoneme.SILENCE)
         self._held = self._least
 
-    def push(self, phonemes: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """Take the next phonemes, shape (n_frames,), and give the calmed ones."""
+    def push(self, phonemes: NDArray[np.uint8], shortfalls: NDArray[np.float32] | None = None) -> NDArray[np.uint8]:
+        """Take the next phonemes, shape (n_frames,), and give the calmed ones.
+
+        `shortfalls` says by how much each phoneme falls short of being named, shape (n_frames, n_phonemes); without
+        them there is no hysteresis.
+        """
+        if shortfalls is not None:
+            phonemes = self._steadied(phonemes, shortfalls <= self.hysteresis)
+        return self._held_on(phonemes)
+
+    def _steadied(self, phonemes: NDArray[np.uint8], may_stay: NDArray[np.bool_]) -> NDArray[np.uint8]:
+        steady, out = self._steady, []
+        for raw, stays in zip(phonemes.tolist(), may_stay, strict=True):
+            steady = steady if stays[steady] else raw
+            out.append(steady)
+        self._steady = steady
+        return np.array(out, np.uint8)
+
+    def _held_on(self, phonemes: NDArray[np.uint8]) -> NDArray[np.uint8]:
         current, held, identified = self._current, self._held, self._identified
         unidentified = int(Phoneme.UNIDENTIFIED)
         out = []

@@ -1,0 +1,63 @@
+"""The learned recogniser: a network that was trained on many speakers, and may be adapted to one."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.dsp.log_mel import FLOOR, N_BANDS, log_mels_of
+from engine.features.measure import Features
+from engine.recognition.model import Model
+from engine.recognition.network import Network
+from engine.recognition.recognition import Recognition
+from engine.recognition.scores import SCORES, shortfalls_of_scores, trace_of_scores
+from engine.recognition.trace import Trace
+from engine.settings import FRAME_PERIOD
+
+Block = NDArray[np.float32]
+
+
+def network_of(model: Model) -> Network:
+    """Set a model's network to work on a sound that begins after silence."""
+    return Network(model.layers, np.full(N_BANDS, np.log10(FLOOR), np.float32))
+
+
+class LearnedRecogniser:
+    """Names the likeliest phoneme; its scores are probabilities.
+
+    Parameters
+    ----------
+    model : what it knows.
+    look_ahead : seconds that it may wait for what comes after a frame; rounded down to what the model has.
+    """
+
+    scores = SCORES
+    used_thresholds: frozenset[str] = frozenset()
+
+    def __init__(self, model: Model, look_ahead: float) -> None:
+        self.look_ahead = min(int(look_ahead / FRAME_PERIOD + 1e-6), len(model.heads) - 1)
+        self._head = model.heads[self.look_ahead]
+        self._network = network_of(model)
+        self._n_early = self.look_ahead
+
+    def recognise(self, features: Features) -> Recognition:
+        """Recognise the next frames; the answers are about those `look_ahead` frames before."""
+        if not len(features.windows):
+            return Recognition(np.zeros(0, np.uint8), np.zeros((0, len(SCORES)), np.float32))
+        found = self._network.push(log_mels_of(features.windows))
+        if self._n_early:
+            n_early = min(self._n_early, len(found))
+            found, self._n_early = found[n_early:], self._n_early - n_early
+        scores = found.dot(self._head.weights)
+        scores += self._head.bias
+        phonemes = scores.argmax(axis=1).astype(np.uint8)
+        scores -= scores.max(axis=1, keepdims=True)
+        np.exp(scores, out=scores)
+        scores /= scores.sum(axis=1, keepdims=True)
+        return Recognition(phonemes, scores)
+
+    def shortfalls(self, features: Features) -> Block | None:
+        """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
+        return shortfalls_of_scores(features)
+
+    def explain(self, features: Features, k: int) -> Trace:
+        """Say how likely the likeliest phonemes of frame `k` are."""
+        return trace_of_scores(features, k)

@@ -1,0 +1,197 @@
+"""A trained model and its file: arrays in an ``.npz``, never anything that is executed."""
+
+import json
+import zipfile
+import zlib
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.dsp.log_mel import N_BANDS
+from engine.errors import ModelError
+from engine.phonemes import Phoneme
+from engine.recognition.network import TAPS, Layer
+
+FORMAT = 1
+"""The version of the file's layout; a newer one is refused."""
+LARGEST_FILE = 8 << 20
+MOST_LAYERS, MOST_CHANNELS, MOST_DILATION = 32, 1024, 256
+MOST_FRAMES_AHEAD = 5
+"""Frames of 10 ms that the longest look-ahead has."""
+
+Block = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class Head:
+    """Turns what the network found into a score for each phoneme.
+
+    Attributes
+    ----------
+    weights : float32, shape (n_channels, n_phonemes).
+    bias : float32, shape (n_phonemes,).
+    """
+
+    weights: Block
+    bias: Block
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """What a learned recogniser knows; two models are equal if their arrays are.
+
+    Attributes
+    ----------
+    layers : the network.
+    heads : one for each look-ahead, 0, 1, ... frames.
+    anchors : what the network found in some frames of the speech that it was trained on, shape (n, n_channels), so
+        that an adaptation to one voice does not forget them; may be empty.
+    about : what it was trained with, in words, for people: name, speakers, seed, figures.
+    """
+
+    layers: tuple[Layer, ...]
+    heads: tuple[Head, ...]
+    anchors: Block = field(default_factory=lambda: np.zeros((0, 0), np.float32))
+    about: dict[str, Any] = field(default_factory=dict)
+
+    @cached_property
+    def digest(self) -> str:
+        """A fingerprint of the arrays."""
+        hashed = sha256()
+        for name, array in sorted(_arrays_of(self).items()):
+            hashed.update(name.encode() + array.tobytes())
+        return hashed.hexdigest()
+
+    def rounded(self) -> "Model":
+        """Give the model with the precision of its file, so that saving it changes nothing."""
+        layers = tuple(Layer(_halved(layer.weights), layer.bias, layer.dilation) for layer in self.layers)
+        heads = tuple(Head(_halved(h.weights), h.bias) for h in self.heads)
+        return replace(self, layers=layers, heads=heads, anchors=_halved(self.anchors))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Model) and self.digest == other.digest
+
+    def __hash__(self) -> int:
+        return hash(self.digest)
+
+
+def save_model(model: Model, path: Path) -> None:
+    """Write a model's file: weights as float16, which loses nothing that can be heard.
+
+    The old file stays until the new one is complete.
+
+    Raises
+    ------
+    ModelError : it cannot be written.
+    """
+    about = np.frombuffer(json.dumps(model.about, sort_keys=True).encode(), np.uint8)
+    part = path.with_name(path.name + ".part")
+    try:
+        with part.open("wb") as file:
+            np.savez_compressed(file, allow_pickle=False, about=about, **_arrays_of(model))
+        part.replace(path)
+    except OSError as error:
+        with suppress(OSError):
+            part.unlink()
+        raise ModelError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
+
+
+def load_model(path: Path) -> Model:
+    """Read a model's file.
+
+    Raises
+    ------
+    ModelError : the file cannot be read, is damaged, is of a newer version, or holds what no model has.
+    """
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise ModelError(
+                f"{path.name}: a model is smaller than 8 MB, this has {path.stat().st_size / 1e6:.0f} MB; "
+                "choose another"
+            )
+        return _model_of(_read(path))
+    except OSError as error:
+        raise ModelError(
+            f"{path.name}: the model cannot be read ({error.strerror}); put it beside its preset"
+        ) from error
+    except ModelError as error:
+        raise ModelError(f"{path.name}: {str(error).removeprefix(path.name + ': ')}") from error
+    except (ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error, NotImplementedError) as error:
+        raise ModelError(f"{path.name}: the model's file is damaged; get it anew, or train it again") from error
+
+
+def _read(path: Path) -> dict[str, NDArray[Any]]:
+    """Read the arrays, after looking at how large they say they are."""
+    with zipfile.ZipFile(path) as archive:
+        if sum(entry.file_size for entry in archive.infolist()) > LARGEST_FILE:
+            raise ModelError("its arrays are larger than any model's; get it anew")
+    with np.load(path, allow_pickle=False) as file:
+        return {name: file[name] for name in file.files}
+
+
+def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
+    arrays: dict[str, NDArray[Any]] = {
+        "format": np.array(FORMAT),
+        "dilations": np.array([layer.dilation for layer in model.layers]),
+        "n_heads": np.array(len(model.heads)),
+        "anchors": model.anchors.astype(np.float16),
+    }
+    for k, layer in enumerate(model.layers):
+        arrays[f"layer_{k}_weights"] = layer.weights.astype(np.float16)
+        arrays[f"layer_{k}_bias"] = layer.bias.astype(np.float32)
+    for k, head in enumerate(model.heads):
+        arrays[f"head_{k}_weights"] = head.weights.astype(np.float16)
+        arrays[f"head_{k}_bias"] = head.bias.astype(np.float32)
+    return arrays
+
+
+def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
+    if int(arrays["format"]) != FORMAT:
+        raise ModelError(
+            f"the model is of version {int(arrays['format'])}, and this program reads version {FORMAT}; "
+            "update the program, or train the model again"
+        )
+    dilations, n_heads = arrays["dilations"], int(arrays["n_heads"])
+    if not (0 < len(dilations) <= MOST_LAYERS and 0 < n_heads <= MOST_FRAMES_AHEAD + 1):
+        raise ModelError(f"a model has 1..{MOST_LAYERS} layers and 1..{MOST_FRAMES_AHEAD + 1} heads; get it anew")
+    if not np.all((dilations >= 1) & (dilations <= MOST_DILATION)):
+        raise ModelError(f"its dilations must lie in 1..{MOST_DILATION} frames; get it anew")
+    width, layers = N_BANDS, []
+    for k, dilation in enumerate(dilations):
+        bias = _checked(arrays[f"layer_{k}_bias"], (None,))
+        layers.append(Layer(_checked(arrays[f"layer_{k}_weights"], (TAPS * width, len(bias))), bias, int(dilation)))
+        if k and len(bias) != width:
+            raise ModelError("its layers do not fit together; get it anew")
+        width = len(bias)
+    heads = tuple(
+        Head(
+            _checked(arrays[f"head_{k}_weights"], (width, len(Phoneme))),
+            _checked(arrays[f"head_{k}_bias"], (len(Phoneme),)),
+        )
+        for k in range(n_heads)
+    )
+    anchors = _checked(arrays["anchors"], (None, width if len(arrays["anchors"]) else None))
+    return Model(tuple(layers), heads, anchors, _about_of(arrays["about"]))
+
+
+def _halved(array: Block) -> Block:
+    return array.astype(np.float16).astype(np.float32)
+
+
+def _checked(array: NDArray[Any], shape: tuple[int | None, ...]) -> Block:
+    """Give an array as float32, after looking at its shape and its numbers."""
+    fits = array.ndim == len(shape) and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True))
+    if not fits or array.dtype.kind != "f" or array.size > MOST_CHANNELS**2 * TAPS or not np.all(np.isfinite(array)):
+        raise ModelError("its arrays do not fit together; get it anew, or train it again")
+    return array.astype(np.float32)
+
+
+def _about_of(array: NDArray[Any]) -> dict[str, Any]:
+    about = json.loads(array.astype(np.uint8).tobytes())
+    return about if isinstance(about, dict) else {}

@@ -1,0 +1,82 @@
+"""A causal convolutional network over time, evaluated with NumPy alone, as the sound comes.
+
+The architecture is that of S. Bai, J. Kolter and V. Koltun, "An Empirical Evaluation of Generic Convolutional and
+Recurrent Networks for Sequence Modeling" (arXiv:1803.01271), reduced: each layer looks at three frames, the newest
+one and those one and two dilations back, and adds what it finds to what came in.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Block = NDArray[np.float32]
+
+TAPS = 3
+"""Frames that a layer looks at."""
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """One layer: a rectified weighted sum of three frames.
+
+    Attributes
+    ----------
+    weights : float32, shape (3 x n_in, n_out): of the oldest frame first.
+    bias : float32, shape (n_out,).
+    dilation : frames from one tap to the next.
+    """
+
+    weights: Block
+    bias: Block
+    dilation: int
+
+    @property
+    def reach(self) -> int:
+        """Frames before the newest one that it looks back to."""
+        return (TAPS - 1) * self.dilation
+
+
+class Delayed:
+    """One layer at work: remembers the frames that it looks back to.
+
+    Parameters
+    ----------
+    layer : the layer.
+    before : what lay before the sound, shape (n_in,).
+    """
+
+    def __init__(self, layer: Layer, before: Block) -> None:
+        self._layer = layer
+        self._past = np.repeat(before[np.newaxis], layer.reach, axis=0)
+
+    def push(self, block: Block) -> Block:
+        """Take the next frames, shape (n, n_in), and give what it finds in them, shape (n, n_out)."""
+        layer, n = self._layer, len(block)
+        seen = np.concatenate((self._past, block))
+        self._past = seen[n:]
+        taps = np.concatenate([seen[k * layer.dilation : k * layer.dilation + n] for k in range(TAPS)], axis=1)
+        found: Block = taps.dot(layer.weights)
+        found += layer.bias
+        return np.maximum(found, 0, out=found)
+
+
+class Network:
+    """A stack of layers at work; every layer but the first adds what it finds to what came in.
+
+    Parameters
+    ----------
+    layers : the layers, the first one on the input.
+    before : the input before the sound began, shape (n_in,).
+    """
+
+    def __init__(self, layers: tuple[Layer, ...], before: Block) -> None:
+        nothing = np.zeros(layers[0].bias.shape, np.float32)
+        self._stack = [Delayed(layer, nothing if k else before) for k, layer in enumerate(layers)]
+
+    def push(self, block: Block) -> Block:
+        """Take the next frames, shape (n, n_in), and give what the last layer makes of them, shape (n, n_out)."""
+        hidden = self._stack[0].push(block)
+        for layer in self._stack[1:]:
+            hidden = hidden + layer.push(hidden)
+        return hidden
