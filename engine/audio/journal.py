@@ -1,4 +1,4 @@
-"""A note for every running recording, so that one which its process did not survive is found. Door to filelock.
+"""A note for every running recording, so that one which its process did not survive is found.
 
 A note is a file ``<number>.json`` beside a locked ``<number>.lock``. The note appears after the lock is held and goes
 before it is released, and the system releases the lock of a process that dies: a note without a holder is a dead one.
@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from engine.audio.files import SoundReader
+from engine.audio.locking import lock_at
 from engine.errors import AudioError
 
 
@@ -111,9 +112,7 @@ def _forget(note: Path) -> None:
 
 
 def _lock_of(note: Path) -> Any:
-    from filelock import FileLock  # noqa: PLC0415 - takes 40 ms, which only who records should wait for
-
-    return FileLock(_lock_path(note), thread_local=False)
+    return lock_at(_lock_path(note))
 
 
 def _lock_path(note: Path) -> Path:

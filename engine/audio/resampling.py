@@ -67,3 +67,8 @@ def _shift(from_rate: int) -> float:
     turns = 2 * np.pi * frequency / SAMPLE_RATE * middle
     (sine, cosine), *_ = np.linalg.lstsq(np.stack([np.sin(turns), np.cos(turns)], axis=1), out[middle])
     return float(-np.arctan2(cosine, sine) / (2 * np.pi * frequency) * SAMPLE_RATE)
+
+
+def faster(samples: Block, factor: float) -> Block:
+    """Give a sound, shape (n,), that is so many times faster and higher at the same sample rate."""
+    return np.asarray(soxr.resample(samples, SAMPLE_RATE * factor, SAMPLE_RATE, quality="MQ"), np.float32)

@@ -1,43 +1,45 @@
-"""Labelled recordings: a folder with a manifest, sounds and label files.
+"""Labelled recordings: sounds with label files, in a folder with a manifest or side by side.
 
 ``manifest.csv`` has a row per utterance with at least the columns corpus, speaker, wav and labels (paths relative
-to the folder). A label file has the columns start_s, end_s, phone, class and certainty; its rows leave no gaps.
+to the folder). A label file of the corpus format has the columns start_s, end_s, phone, class and certainty.
 """
 
-import csv
-import math
+import os
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.errors import CorpusError
+from engine.audio.files import SUFFIXES, SoundReader
+from engine.audio.opening import shown_name
+from engine.calibration.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_marks
+from engine.calibration.labels.label import CORE, Label, Mark
+from engine.calibration.labels.names import Mapping, labels_named
+from engine.calibration.labels.table import rows_of
+from engine.calibration.labels.textfile import read_text
+from engine.errors import AudioError, CorpusError
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 
-PHONEMES = {phoneme.label: phoneme for phoneme in Phoneme}
+__all__ = [
+    "FrameLabels",
+    "Label",
+    "Utterance",
+    "frame_labels_of",
+    "read_corpus",
+    "read_labels",
+    "read_recordings",
+]
+
+PassedOver = Callable[[AudioError], None]
+"""What is told of a sound that cannot be read."""
+
+MANIFEST = "manifest.csv"
 MANIFEST_COLUMNS = ("corpus", "speaker", "wav", "labels")
-LABEL_COLUMNS = ("start_s", "end_s", "phone", "class", "certainty")
-
-
-@dataclass(frozen=True)
-class Label:
-    """What was said in one stretch of a recording.
-
-    Attributes
-    ----------
-    start, end : seconds.
-    phone : the sound in the alphabet of its language.
-    phoneme : the class that it counts as.
-    certainty : ``core``, or why the class is not certain, such as ``ambiguous`` or ``diphthong``.
-    """
-
-    start: float
-    end: float
-    phone: str
-    phoneme: Phoneme
-    certainty: str = "core"
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,7 @@ class Utterance:
     Attributes
     ----------
     path : the sound file.
-    labels : what was said, in order of time and without gaps.
+    labels : what was said, in order of time.
     speaker, corpus : who said it, and the part of the corpus it belongs to.
     """
 
@@ -71,30 +73,69 @@ class FrameLabels:
     certain: NDArray[np.bool_]
 
 
-def read_corpus(folder: Path) -> tuple[Utterance, ...]:
-    """Read the manifest and all label files of a folder; the sounds stay on the disk.
+@dataclass(frozen=True)
+class _Pair:
+    """A sound, its label file, and whose they are."""
+
+    sound: Path
+    labels: Path
+    speaker: str
+    corpus: str
+
+
+def read_corpus(
+    folder: Path, mapping: Mapping | None = None, *, passed_over: PassedOver | None = None
+) -> tuple[Utterance, ...]:
+    """Read the manifest and all label files of a folder; of the sounds only their lengths.
+
+    `passed_over` is told of each sound that cannot be read, which is then left out; None refuses it.
 
     Raises
     ------
+    UnknownPhonemes : names in the label files stand for no phoneme; it holds those of all files.
     CorpusError : a file is missing or says something impossible; names the file, the line and what was found.
+    AudioError : a sound is missing or cannot be read.
     """
-    manifest = folder / "manifest.csv"
-    return tuple(
-        Utterance(
-            path=folder / row["wav"],
-            labels=read_labels(folder / row["labels"]),
-            speaker=row["speaker"],
-            corpus=row["corpus"],
+    rows = rows_of(read_text(folder / MANIFEST), MANIFEST_COLUMNS, MANIFEST)
+    pairs = (_Pair(folder / row["wav"], folder / row["labels"], row["speaker"], row["corpus"]) for _, row in rows)
+    return _utterances_of(pairs, mapping or Mapping(), folder.name or str(folder), passed_over=passed_over)
+
+
+def read_recordings(
+    source: Path,
+    mapping: Mapping | None = None,
+    *,
+    speaker: str | None = None,
+    tier: str | None = None,
+    passed_over: PassedOver | None = None,
+) -> tuple[Utterance, ...]:
+    """Read labelled recordings wherever they are.
+
+    Parameters
+    ----------
+    source : a folder with a manifest, or one in which, however deep, sounds lie beside label files of the same name
+        (.TextGrid, .csv, .txt), or one sound with its label file.
+    mapping : what names stand for that nobody knows.
+    speaker : who speaks, unless a manifest says it; where it is None, the folder of the sound tells.
+    tier : of TextGrids; the first one whose names are phonemes, where it is None.
+    passed_over : told of each sound that cannot be read, which is then left out; None refuses it.
+
+    Raises
+    ------
+    UnknownPhonemes : names in the label files stand for no phoneme; it holds those of all files.
+    CorpusError : a label file says something impossible, or there is none.
+    AudioError : a sound is missing or cannot be read.
+    """
+    mapping = mapping or Mapping()
+    if (source / MANIFEST).is_file():
+        return read_corpus(source, mapping, passed_over=passed_over)
+    pairs = list(_pairs_beside(source, speaker))
+    if not pairs:
+        fault = "there is no label file beside this sound" if source.is_file() else "no labelled sound was found here"
+        raise CorpusError(
+            f"{shown_name(source)}: {fault}; put a .TextGrid, .csv or .txt file of the same name beside each sound"
         )
-        for row in _rows(manifest, MANIFEST_COLUMNS)
-    )
-
-
-def read_labels(path: Path) -> tuple[Label, ...]:
-    """Read one label file (`CorpusError` where it is none)."""
-    return tuple(
-        _label_of(row, f"{path.name}, line {line}") for line, row in enumerate(_rows(path, LABEL_COLUMNS), 2)
-    )
+    return _utterances_of(pairs, mapping, shown_name(source), tier, passed_over)
 
 
 def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
@@ -106,37 +147,57 @@ def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
     phonemes = np.full(len(times), Phoneme.SILENCE, np.uint8)
     certain = np.zeros(len(times), bool)
     for label in labels:
-        inside = (times >= label.start) & (times < label.end)
-        phonemes[inside] = label.phoneme
-        certain[inside] = label.certainty == "core"
+        first, last = np.searchsorted(times, (label.start, label.end))
+        phonemes[first:last] = label.phoneme
+        certain[first:last] = label.certainty == CORE
     return FrameLabels(phonemes, certain)
 
 
-def _rows(path: Path, columns: tuple[str, ...]) -> list[dict[str, str]]:
-    try:
-        with path.open(newline="", encoding="utf-8-sig") as file:
-            reader = csv.DictReader(file)
-            header = reader.fieldnames or ()
-            rows = list(reader)
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise CorpusError(f"{path.name}: it cannot be read ({error}); check the file") from error
-    missing = [name for name in columns if name not in header]
-    if missing:
-        raise CorpusError(f"{path.name}: it lacks the column {missing[0]}; it needs {', '.join(columns)}")
-    if not rows:
-        raise CorpusError(f"{path.name}: there is no row under the header; it needs at least one")
-    return rows
+def _utterances_of(
+    pairs: Iterable[_Pair],
+    mapping: Mapping,
+    source: str,
+    tier: str | None = None,
+    passed_over: PassedOver | None = None,
+) -> tuple[Utterance, ...]:
+    """Read all label files before any name is given a meaning, so that all unknown ones are told at once."""
+    read = []
+    for pair in pairs:
+        try:
+            read.append((pair, _marks_of(pair, mapping, tier)))
+        except AudioError as error:
+            if passed_over is None:
+                raise
+            passed_over(error)
+    names = sum((names_in(marks) for _, marks in read), Counter())
+    senses = mapping.senses_of(names, source)
+    return tuple(
+        Utterance(path=pair.sound, labels=labels_named(marks, senses), speaker=pair.speaker, corpus=pair.corpus)
+        for pair, marks in read
+    )
 
 
-def _label_of(row: dict[str, str], place: str) -> Label:
-    if row["class"] not in PHONEMES:
-        raise CorpusError(f"{place}: the class must be one of {', '.join(PHONEMES)}, found {row['class']!r}")
-    try:
-        start, end = float(row["start_s"]), float(row["end_s"])
-    except (TypeError, ValueError):
-        raise CorpusError(
-            f"{place}: start_s and end_s must be seconds, found {row['start_s']!r} and {row['end_s']!r}"
-        ) from None
-    if not (math.isfinite(end) and 0 <= start <= end):
-        raise CorpusError(f"{place}: a label must not end before it starts, found {start:g}..{end:g} s")
-    return Label(start, end, row["phone"], PHONEMES[row["class"]], row["certainty"] or "core")
+def _marks_of(pair: _Pair, mapping: Mapping, tier: str | None) -> tuple[Mark, ...]:
+    with SoundReader(pair.sound) as reader:
+        duration = reader.duration
+    return read_marks(pair.labels, mapping, duration=duration, tier=tier)
+
+
+def _pairs_beside(source: Path, speaker: str | None) -> Iterator[_Pair]:
+    deep = source.is_dir()
+    top = source if deep else source.parent
+    for sound, labels in _labelled_sounds_in(os.walk(top) if deep else islice(os.walk(top), 1)):
+        if deep or sound == source:
+            yield _Pair(sound, labels, speaker or sound.parent.absolute().name, top.absolute().name)
+
+
+def _labelled_sounds_in(walk: Iterable[tuple[str, list[str], list[str]]]) -> Iterator[tuple[Path, Path]]:
+    """Give each sound that has a label file of the same name beside it, with that; hidden folders are passed over."""
+    for folder, folders, files in walk:
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        paths = [Path(folder, name) for name in sorted(files)]
+        labels = {(path.stem, path.suffix.lower()): path for path in paths}
+        for sound in paths:
+            if sound.suffix.lower() in SUFFIXES:
+                beside = [labels[sound.stem, suffix] for suffix in LABEL_SUFFIXES if (sound.stem, suffix) in labels]
+                yield from ((sound, found) for found in beside[:1])

@@ -1,0 +1,1 @@
+"""Label files, and the names of sounds in them."""
