@@ -1,0 +1,1 @@
+"""Training the learned recogniser, with NumPy alone."""

@@ -1,0 +1,60 @@
+"""Where the speech comes from that a model is trained on, as the manifests of its corpora tell."""
+
+import csv
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+UNKNOWN = "not told"
+
+HUMAN, FORMANT = "human", "synthetic-formant"
+WEIGHTS = {HUMAN: 3.0, FORMANT: 0.35}
+"""How often the speech of a kind is gone through: recordings of people are rare and matter most, and the voices of a
+formant synthesizer are variations of few. All other kinds count once."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """A speaker.
+
+    Attributes
+    ----------
+    name : corpus/speaker.
+    language, kind, licence, package : as the manifest says.
+    minutes : of speech.
+    n_recordings : how many.
+    """
+
+    name: str
+    language: str
+    kind: str
+    licence: str
+    package: str
+    minutes: float
+    n_recordings: int
+
+    @property
+    def weight(self) -> float:
+        """How often its speech is gone through in an epoch."""
+        return WEIGHTS.get(self.kind, 1.0)
+
+
+def sources_of(corpora: Iterable[Path]) -> list[Source]:
+    """Give the speakers of all corpora, sorted by name; a speaker of several corpora is one."""
+    rows: dict[str, list[dict[str, str]]] = {}
+    for corpus in corpora:
+        with (corpus / "manifest.csv").open(newline="", encoding="utf-8-sig") as file:
+            for row in csv.DictReader(file):
+                rows.setdefault(f"{row['corpus']}/{row['speaker']}", []).append(row)
+    return [
+        Source(
+            name,
+            language=told[0].get("language") or UNKNOWN,
+            kind=told[0].get("kind") or UNKNOWN,
+            licence=told[0].get("licence") or UNKNOWN,
+            package=told[0].get("source_package") or UNKNOWN,
+            minutes=sum(float(row.get("duration_s") or 0) for row in told) / 60,
+            n_recordings=len(told),
+        )
+        for name, told in sorted(rows.items())
+    ]

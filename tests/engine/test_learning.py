@@ -1,0 +1,214 @@
+"""Training and adapting: gradients against differences, lessons against physics, made-up voices against the truth."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from engine.calibration.adaptation import adapt
+from engine.calibration.labels.label import Label
+from engine.calibration.learning.disturbed import disturbed
+from engine.calibration.learning.lesson_book import Voice
+from engine.calibration.learning.lessons import Lesson, lesson_of
+from engine.calibration.learning.optimiser import Average, Optimiser
+from engine.calibration.learning.trained_layer import TrainedLayer
+from engine.calibration.learning.trained_network import TrainedNetwork, silence
+from engine.calibration.learning.training import Course, train
+from engine.calibration.learning.validation import anchors_of, answers_of, folds_of
+from engine.calibration.learning.varied import Variation, varied
+from engine.calibration.scoring import scores_of
+from engine.dsp.log_mel import N_BANDS
+from engine.errors import CorpusError
+from engine.phonemes import Phoneme
+from engine.settings import SAMPLE_RATE
+from tests.models import tone_model
+from tests.sounds import noise, tone, vowel
+
+FORMANTS = {Phoneme.A: (750, 1300), Phoneme.I: (280, 2300), Phoneme.U: (310, 800)}
+COURSE = Course(width=24, dilations=(1, 2), n_epochs=12, n_together=4, n_frames=100, rate=5e-3)
+
+
+def said(phonemes: list[Phoneme], f0: float, tract: float, seconds: float = 0.3) -> Lesson:
+    """A made-up voice says vowels, with pauses of faint noise between them."""
+    parts, labels, at = [], [], 0.0
+    for phoneme in phonemes:
+        pause = noise(0.15, 1e-4, seed=len(parts))
+        sound = vowel(tuple(f * tract for f in FORMANTS[phoneme]), seconds, f0)
+        for part, name in ((pause, Phoneme.SILENCE), (sound, phoneme)):
+            parts.append(part)
+            labels.append(Label(at, at + len(part) / SAMPLE_RATE, name.label, name))
+            at += len(part) / SAMPLE_RATE
+    return lesson_of(np.concatenate(parts), tuple(labels))
+
+
+def voice(name: str, f0: float, tract: float) -> Voice:
+    generator = np.random.default_rng(len(name))
+    orders = [generator.permutation(list(FORMANTS) * 2) for _ in range(3)]
+    return Voice(name, tuple((said([Phoneme(int(p)) for p in order], f0, tract),) for order in orders))
+
+
+@pytest.fixture(scope="module")
+def model():
+    voices = [voice(f"{f0}", f0, tract) for f0, tract in ((110, 0.95), (150, 1.0), (200, 1.1))]
+    trained = train(voices, COURSE)
+    return trained, voices
+
+
+def test_the_gradients_are_those_of_small_differences():
+    generator = np.random.default_rng(1)
+    network = TrainedNetwork(6, (1, 2), 0.0, generator)
+    sound = generator.normal(-6, 2, (2, 16, N_BANDS)).astype(np.float32)
+    truth = generator.integers(0, len(Phoneme), (2, 16)).astype(np.uint8)
+    weights = generator.random((2, 16)).astype(np.float32)
+    network.learn(sound, truth, weights)
+    gradients = [g.copy() for g in network.gradients]
+    for value, gradient in zip(network.values, gradients, strict=True):
+        direction = generator.standard_normal(value.shape).astype(np.float32)
+        direction *= np.float32(0.005) / np.linalg.norm(direction)
+        losses = []
+        for sign in (1, -2, 1):
+            np.add(value, np.float32(sign) * direction, out=value)
+            losses.append(network.learn(sound, truth, weights))
+        expected = (losses[0] - losses[1]) / 2  # the step is short, since a rectifier bends
+        assert float(np.vdot(gradient, direction)) == pytest.approx(expected, rel=0.05, abs=2e-5)
+
+
+def test_a_finished_layer_gives_what_the_trained_one_gave():
+    generator = np.random.default_rng(2)
+    layer = TrainedLayer(5, 4, 2, adds=False, dropout=0.0, generator=generator)
+    block = generator.standard_normal((1, 300, 5)).astype(np.float32)
+    for _ in range(1500):
+        given = layer.forward(block)
+    done = layer.finished()
+    padded = np.concatenate((np.zeros((4, 5), np.float32), block[0]))
+    taps = np.concatenate([padded[k : k + 300] for k in (0, 2, 4)], axis=1)
+    np.testing.assert_allclose(np.maximum(taps @ done.weights + done.bias, 0), given[0], atol=1e-3)
+
+
+def test_the_optimiser_finds_the_bottom_of_a_bowl_and_the_average_follows():
+    place = np.array([[3.0, -2.0]], np.float32)
+    optimiser, average = Optimiser([place], 400, 0.1), Average([place])
+    for _ in range(400):
+        optimiser.step([2 * (place - np.float32(1))])
+        average.follow()
+    np.testing.assert_allclose(place, 1, atol=0.02)
+    np.testing.assert_allclose(average.means[0], 1, atol=0.3)
+
+
+def test_a_network_learns_the_vowels_of_made_up_voices_and_names_those_of_another(model):
+    trained, voices = model
+    for group in (voices, [voice("another", 130, 1.05)]):
+        answers = answers_of(trained, group, hold=0.0)
+        assert scores_of((labels, codes) for _, labels, codes in answers).ten_acc > 0.9
+
+
+def test_the_same_seed_trains_the_same_model():
+    voices = [voice("one", 120, 1.0)]
+    short = Course(width=8, dilations=(1,), n_epochs=1, n_together=2, n_frames=50)
+    assert train(voices, short) == train(voices, short)
+    assert train(voices, short) != train(voices, Course(**{**short.__dict__, "seed": 2}))
+
+
+# -- lessons ----------------------------------------------------------------------------------------------
+
+
+def test_a_faster_voice_is_shorter_and_higher():
+    once = tone(1000, 1.0, 0.5)
+    fast = varied(once, Variation(rate=1.2), np.random.default_rng(0))
+    assert len(fast) == pytest.approx(len(once) / 1.2, abs=2)
+    spectrum = np.abs(np.fft.rfft(fast))
+    assert np.fft.rfftfreq(len(fast), 1 / SAMPLE_RATE)[spectrum.argmax()] == pytest.approx(1200, abs=3)
+
+
+def test_a_room_goes_on_sounding_after_the_sound():
+    click = np.zeros(SAMPLE_RATE, np.float32)
+    click[1000] = 1
+    heard = varied(click, Variation(reverberates=True), np.random.default_rng(0))
+    assert heard[1000] == pytest.approx(1, abs=0.01)
+    assert not np.any(np.abs(heard[:1000]) > 1e-5)
+    early, late = np.sum(heard[1050:5000] ** 2), np.sum(heard[30000:34000] ** 2)
+    assert early > 1000 * late
+
+
+def test_disturbed_speech_keeps_its_shape_and_is_never_below_the_floor():
+    generator = np.random.default_rng(0)
+    powers = (10 ** generator.uniform(-9, -1, (6, 50, N_BANDS))).astype(np.float32)
+    heard = disturbed(powers, generator)
+    assert heard.shape == powers.shape
+    assert heard.dtype == np.float32
+    assert np.isfinite(heard).all()
+    assert heard.min() >= -11.001
+    assert np.corrcoef(heard[..., 10].ravel(), np.log10(powers[..., 10]).ravel())[0, 1] > 0.3
+
+
+def test_trimmed_frames_count_for_nothing_and_ambiguous_ones_less():
+    labels = (
+        Label(0, 0.1, "a", Phoneme.A), Label(0.1, 0.2, "a", Phoneme.A, "ambiguous"),
+        Label(0.2, 0.3, "", Phoneme.UNIDENTIFIED, "trimmed"),
+    )  # fmt: skip
+    lesson = lesson_of(tone(500, 0.3), labels)
+    np.testing.assert_allclose(lesson.certainties, np.repeat([1, 0.6, 0], 10), atol=1e-3)
+    assert len(lesson) == len(lesson.log_powers) == 30
+
+
+@pytest.mark.parametrize("n_folds", [2, 3, 7])
+def test_every_speaker_is_left_out_once(n_folds):
+    names = [f"corpus/{k}" for k in range(7)]
+    folds = folds_of(names, n_folds)
+    assert sorted(name for fold in folds for name in fold) == names
+
+
+def test_silence_reads_the_floor():
+    np.testing.assert_allclose(silence(1, 2), -11)
+
+
+# -- one voice --------------------------------------------------------------------------------------------
+
+
+def test_a_voice_with_other_formants_is_learned_from_ten_seconds(model):
+    from dataclasses import replace
+
+    trained, voices = model
+    trained = replace(trained, anchors=anchors_of(trained, voices, 1))
+    strange = [said([Phoneme.A, Phoneme.U, Phoneme.I] * 2, 300, 1.5) for _ in range(4)]
+    outcome = adapt(trained, strange)
+    assert outcome.boldness > 0
+    assert outcome.after > outcome.before + 0.05
+    other = Voice("same", ((said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5),),))
+    before, after = (
+        scores_of((labels, codes) for _, labels, codes in answers_of(m, [other], 0.0)).ten_acc
+        for m in (trained, outcome.model)
+    )
+    assert after > before + 0.05
+    known = scores_of((labels, codes) for _, labels, codes in answers_of(outcome.model, voices, 0.0)).ten_acc
+    assert known > 0.8  # the anchors keep what was learned before
+
+
+def test_nothing_changes_where_nothing_helps(model):
+    trained, voices = model
+    mine = [recording[0] for recording in voices[0].recordings]
+    outcome = adapt(trained, mine)
+    if outcome.boldness == 0:
+        assert outcome.model == trained
+    assert outcome.after >= outcome.before
+
+
+def test_a_phoneme_that_was_not_said_stays_as_likely_as_it_was(model):
+    trained, _ = model
+    outcome = adapt(trained, [said([Phoneme.A, Phoneme.U] * 3, 300, 1.5) for _ in range(4)])
+    for head, moved in zip(trained.heads, outcome.model.heads, strict=True):
+        np.testing.assert_allclose(moved.weights[:, Phoneme.I], head.weights[:, Phoneme.I], atol=1e-3)
+
+
+@pytest.mark.parametrize("lessons", [[], [said([Phoneme.A], 120, 1.0)]])
+def test_too_little_to_adapt_to_is_refused_with_what_to_give(lessons):
+    with pytest.raises(CorpusError, match=r"are too little to adapt to; give 2 s or more of several phonemes"):
+        adapt(tone_model({700.0: Phoneme.A}), lessons)
+
+
+def test_what_is_trained_fits_into_its_file(model, tmp_path: Path):
+    from engine.recognition.model import load_model, save_model
+
+    trained, _ = model
+    save_model(trained, tmp_path / "m.npz")
+    assert load_model(tmp_path / "m.npz") == trained

@@ -1,0 +1,56 @@
+"""Small models whose answers are known, since they are built by hand."""
+
+import numpy as np
+
+from engine.dsp.log_mel import FLOOR, N_BANDS, log_mels_of
+from engine.phonemes import Phoneme
+from engine.recognition.model import Head, Model
+from engine.recognition.network import TAPS, Layer
+from engine.settings import SAMPLE_RATE, WINDOW
+
+QUIET = np.float32(np.log10(FLOOR))
+HEARD = -6.0
+"""The logarithm of a band's power above which it counts as heard."""
+
+
+def band_of(frequency: float) -> int:
+    """Say in which mel band a tone is loudest."""
+    wave = np.sin(2 * np.pi * frequency * np.arange(WINDOW) / SAMPLE_RATE)
+    return int(log_mels_of(wave.astype(np.float32)[np.newaxis])[0].argmax())
+
+
+def tone_model(tones: dict[float, Phoneme], n_heads: int = 6) -> Model:
+    """Give a model that names tones: each frequency a phoneme, silence where none of them sounds.
+
+    Head k answers for the frame k before the newest one, which the network finds by a second layer that hands on
+    what was heard 0, 1, ... frames ago.
+    """
+    frequencies = list(tones)
+    first = np.zeros((TAPS * N_BANDS, len(frequencies)), np.float32)
+    for channel, frequency in enumerate(frequencies):
+        first[(TAPS - 1) * N_BANDS + band_of(frequency), channel] = 1.0
+    threshold = np.zeros(n_heads * len(tones), np.float32)
+    threshold[: len(tones)] = -HEARD
+    layers = [Layer(_wide(first, n_heads), threshold, 1)]
+    heads = []
+    n = len(frequencies)
+    for k in range(1, n_heads):
+        weights = np.zeros((TAPS * n_heads * n, n_heads * n), np.float32)
+        for channel in range(n):
+            weights[n_heads * n + (k - 1) * n + channel, k * n + channel] = 1.0  # the middle tap: one frame ago
+        layers.append(Layer(weights, np.zeros(n_heads * n, np.float32), 1))
+    for k in range(n_heads):
+        weights = np.zeros((n_heads * n, len(Phoneme)), np.float32)
+        for channel, frequency in enumerate(frequencies):
+            weights[k * n + channel, tones[frequency]] = 10.0
+        bias = np.zeros(len(Phoneme), np.float32)
+        bias[Phoneme.SILENCE] = 1.0
+        heads.append(Head(weights, bias))
+    return Model(tuple(layers), tuple(heads), about={"name": "tones"})
+
+
+def _wide(first: np.ndarray, n_heads: int) -> np.ndarray:
+    """Put what is heard now into the first block of channels, and leave room for what was heard before."""
+    wide = np.zeros((first.shape[0], n_heads * first.shape[1]), np.float32)
+    wide[:, : first.shape[1]] = first
+    return wide

@@ -1,0 +1,1 @@
+"""Makes training speech with phone and class labels from free synthesizers, in the corpus format."""

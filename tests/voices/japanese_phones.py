@@ -1,0 +1,42 @@
+"""Japanese: the phones of Open JTalk. Capital vowels are devoiced, cl is the closure of a long consonant."""
+
+from tests.voices.classes import AFFRICATE, AMBIGUOUS, CORE, SCH, SIL, SZ, X, table_of
+
+JAPANESE = table_of(
+    ("", SIL, CORE, "sil pau"),
+    ("s", SZ, CORE, "s"),
+    ("z", SZ, CORE, "z"),
+    ("ts", SZ, AFFRICATE, "ts"),
+    ("ɕ", SCH, AMBIGUOUS, "sh"),
+    ("dʑ", SCH, AFFRICATE, "j"),
+    ("tɕ", SCH, AFFRICATE, "ch"),
+    ("m", "m", CORE, "m my"),
+    ("n", X, CORE, "n ny"),
+    ("ɴ", X, AMBIGUOUS, "N"),
+    ("p", "p", CORE, "p py"),
+    ("b", "p", CORE, "b by"),
+    ("a", "a", CORE, "a"),
+    ("e", "e", CORE, "e"),
+    ("i", "i", CORE, "i"),
+    ("o", "o", CORE, "o"),
+    ("ɯ", "u", CORE, "u"),
+    ("ḁ", "a", AMBIGUOUS, "A"),
+    ("e̥", "e", AMBIGUOUS, "E"),
+    ("i̥", "i", AMBIGUOUS, "I"),
+    ("o̥", "o", AMBIGUOUS, "O"),
+    ("ɯ̥", "u", AMBIGUOUS, "U"),
+    ("ʔ", X, CORE, "cl"),
+    ("j", X, CORE, "y"),
+    ("w", X, CORE, "w"),
+    ("ɾ", X, CORE, "r ry"),
+    ("h", X, CORE, "h hy"),
+    ("ɸ", X, CORE, "f"),
+    ("t", X, CORE, "t ty"),
+    ("d", X, CORE, "d dy"),
+    ("k", X, CORE, "k ky kw"),
+    ("g", X, CORE, "g gy gw"),
+    ("v", X, CORE, "v"),
+)
+# N before m, p and b is said as m: labelled so, but as ambiguous.
+JAPANESE |= table_of(("m", "m", AMBIGUOUS, "N_m"))
+LABIAL = frozenset({"m", "my", "p", "py", "b", "by"})
