@@ -19,12 +19,14 @@ from numpy.typing import NDArray
 from engine.analyser import Analyser
 from engine.audio.files import SoundReader
 from engine.calibration.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
+from engine.calibration.folds import groups_of, held_out
 from engine.calibration.scoring import Codes, Scores, scores_of
 from engine.calibration.threshold_search import LEAST_EXCLUDED, LEAST_FOUND, Fit, ThresholdSearch
 from engine.errors import EngineError
 from engine.features.measure import Features
-from engine.presets.preset import Preset, save_preset
-from engine.recognition.recogniser import recogniser_of
+from engine.presets.files import save_preset
+from engine.presets.preset import Preset
+from engine.recognition.rules import ThesisRules
 from engine.recognition.statistics import Statistics
 from engine.settings import AnalysisSettings, Decimation
 
@@ -93,8 +95,8 @@ class PresetFitter:
         everyone = np.ones(len(self._recordings), bool)
         found = self._search(measured, everyone, self._n_starts)
         names = list(dict.fromkeys(self._speakers))
-        held_out = self._held_out(measured, [[name] for name in names], self._n_starts)
-        notes = self._notes(preset.settings, measured, found, held_out)
+        unseen = self._held_out(measured, [[name] for name in names], self._n_starts)
+        notes = self._notes(preset.settings, measured, found, unseen)
         return replace(preset, thresholds=found.thresholds, successors=found.successors, notes=notes)
 
     def _best_front_end(self, base: AnalysisSettings) -> AnalysisSettings:
@@ -108,11 +110,9 @@ class PresetFitter:
 
     def _generalisation(self, settings: AnalysisSettings) -> float:
         """Give the macro F1 on held-out groups of speakers, the mean of the sounds and their copies."""
-        names = list(dict.fromkeys(self._speakers))
         measured = self._measure(settings)
-        groups = [names[k::N_GROUPS] for k in range(min(N_GROUPS, len(names)))]
-        held_out = self._held_out(measured, groups, N_QUICK_STARTS)
-        both = [self._scores(settings, heard, held_out).ten_f1 for heard in (measured.clean, measured.noisy)]
+        unseen = self._held_out(measured, groups_of(self._speakers, N_GROUPS), N_QUICK_STARTS)
+        both = [self._scores(settings, heard, unseen).ten_f1 for heard in (measured.clean, measured.noisy)]
         score = sum(both) / 2
         print(
             f"  high-pass {settings.high_pass_start:g}..{settings.high_pass_end:g} Hz,"
@@ -124,12 +124,7 @@ class PresetFitter:
 
     def _held_out(self, measured: Measured, groups: list[list[str]], n_starts: int) -> list[Fit]:
         """Fit without each group of speakers; gives for each recording the fit that never saw its speaker."""
-        of_speaker = {}
-        for group in groups:
-            rest = ~np.isin(self._speakers, group)
-            found = self._search(measured, rest if rest.any() else ~rest, n_starts)
-            of_speaker.update(dict.fromkeys(group, found))
-        return [of_speaker[speaker] for speaker in self._speakers]
+        return held_out(self._speakers, groups, lambda chosen: self._search(measured, chosen, n_starts))
 
     def _measure(self, settings: AnalysisSettings) -> Measured:
         return Measured(
@@ -156,9 +151,9 @@ class PresetFitter:
         guesses = (_recognised(f, fit, settings) for f, fit in zip(features, fits, strict=True))
         return scores_of((r.labels, g) for r, g in zip(self._recordings, guesses, strict=True))
 
-    def _notes(self, settings: AnalysisSettings, measured: Measured, found: Fit, held_out: list[Fit]) -> str:
+    def _notes(self, settings: AnalysisSettings, measured: Measured, found: Fit, fits: list[Fit]) -> str:
         all_alike = [found] * len(self._recordings)
-        unseen = self._scores(settings, measured.clean, held_out)
+        unseen = self._scores(settings, measured.clean, fits)
         return NOTES.format(
             minutes=unseen.minutes,
             n_speakers=len(set(self._speakers)),
@@ -168,7 +163,7 @@ class PresetFitter:
             excluded=LEAST_EXCLUDED,
             gain=LEAST_GAIN,
             unseen=_in_words(unseen),
-            noisy=_in_words(self._scores(settings, measured.noisy, held_out)),
+            noisy=_in_words(self._scores(settings, measured.noisy, fits)),
             seen=_in_words(self._scores(settings, measured.clean, all_alike)),
         )
 
@@ -211,7 +206,7 @@ def _features_of(sound: Sound, settings: AnalysisSettings, n_frames: int) -> Fea
 
 
 def _recognised(features: Features, fit: Fit, settings: AnalysisSettings) -> Codes:
-    codes = recogniser_of("thesis", fit.thresholds).recognise(features)
+    codes = ThesisRules(fit.thresholds).recognise(features).phonemes
     return Statistics(settings.minimum_hold, fit.successors).push(codes) if settings.statistics else codes
 
 

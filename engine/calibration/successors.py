@@ -23,8 +23,11 @@ def last_identified(answers: Codes, first: NDArray[np.bool_]) -> Codes:
     first : bool, shape (n_frames,): where a recording begins; before it was silence.
     """
     named = answers != Phoneme.UNIDENTIFIED
-    newest = np.maximum.accumulate(np.where(named | first, np.arange(len(answers)), 0))
-    return np.where(named[newest], answers[newest], np.uint8(Phoneme.SILENCE))
+    told = named | first
+    told[:1] = True
+    places = np.flatnonzero(told)
+    newest = np.where(named[places], answers[places], np.uint8(Phoneme.SILENCE))
+    return np.repeat(newest, np.diff(places, append=len(answers)))
 
 
 def counted_table(last: Codes, truth: NDArray[np.int64], totals: NDArray[np.int64]) -> Table:

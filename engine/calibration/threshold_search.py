@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.calibration.heed import Heed, go_on, part_of, tell
 from engine.calibration.scoring import N_CODES, TEN, Codes
 from engine.calibration.successors import Table, counted_table, last_identified, successors_of
 from engine.features.measure import Features
@@ -111,14 +112,21 @@ class ThresholdSearch:
             for c, values in self._values.items()
         }
 
-    def best_of(self, n_starts: int, generator: np.random.Generator) -> Fit:
-        """Search from some random starts and give the best end."""
-        return max((self._descend(generator) for _ in range(n_starts)), key=lambda fit: fit.score)
+    def best_of(self, n_starts: int, generator: np.random.Generator, heed: Heed = go_on) -> Fit:
+        """Search from some random starts and give the best end; `heed` is told how far it is.
 
-    def _descend(self, generator: np.random.Generator) -> Fit:
+        Raises
+        ------
+        Cancelled : `heed` did not want to go on.
+        """
+        starts = (part_of(heed, k / n_starts, (k + 1) / n_starts) for k in range(n_starts))
+        return max((self._descend(generator, start) for start in starts), key=lambda fit: fit.score)
+
+    def _descend(self, generator: np.random.Generator, heed: Heed) -> Fit:
         limits = self._start(generator)
         ends: list[Fit] = []
-        for _ in range(MOST_ROUNDS):
+        for n in range(MOST_ROUNDS):
+            tell(heed, n / MOST_ROUNDS)
             table, fillers = self._successors(limits)
             marks = _marks_of(self._values, limits)
             ends.append(Fit(_thresholds_of(limits), successors_of(table), self._score(marks, fillers)))

@@ -3,7 +3,7 @@
 import scipy.fft
 
 from engine.analyser import Analyser
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import THESIS_PRESET, load_preset
 from engine.settings import HOP
 from tests.bench.figures import Figure, interleaved, ratio_of, shown, speech
 
@@ -15,7 +15,7 @@ def figures() -> list[Figure]:
     """Measure with and without the fundamental frequency, which no rule needs."""
     hops = speech(N_FRAMES * HOP / 44_100).reshape(N_FRAMES, HOP)
     wave = hops[:2].ravel()[:512].copy()
-    preset = load_preset(DEFAULT_PRESET)
+    preset = load_preset(THESIS_PRESET)
     plain, pitched = Analyser(preset), Analyser(preset, pitch=True)
 
     def push_all(analyser: Analyser) -> None:

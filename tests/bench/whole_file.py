@@ -5,7 +5,7 @@ import numpy as np
 import scipy.fft
 
 from engine.analyser import BLOCK, analyses_of
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import THESIS_PRESET, load_preset
 from engine.settings import HOP, WINDOW
 from tests.bench.figures import Figure, interleaved, ratio_of, shown, speech
 from tests.sounds import Sound
@@ -35,7 +35,7 @@ def figures() -> list[Figure]:
 
 
 def _analyse(sound: Sound, *, pitch: bool) -> None:
-    preset = load_preset(DEFAULT_PRESET)
+    preset = load_preset(THESIS_PRESET)
     step = BLOCK * HOP
     blocks = (sound[k : k + step] for k in range(0, len(sound), step))
     for _ in analyses_of(blocks, preset, pitch=pitch):

@@ -9,7 +9,9 @@ from hypothesis import strategies as st
 
 from engine.errors import PresetError
 from engine.features.variables import Variable
-from engine.presets.preset import Preset, load_preset, preset_from_toml, preset_to_toml
+from engine.presets.document import preset_from_toml, preset_to_toml
+from engine.presets.files import load_preset
+from engine.presets.preset import Preset
 
 GOOD = preset_to_toml(Preset(variables=(Variable("mine", 100.0, 200.0),)))
 
@@ -87,7 +89,7 @@ CHANGES = {
 def test_a_wrong_preset_is_refused_with_what_is_wrong(old: str, new: str, said: str):
     assert old in GOOD
     with pytest.raises(PresetError, match=said) as refusal:
-        preset_from_toml(GOOD.replace(old, new, 1))
+        preset_from_toml(GOOD.replace(old, new, 1), Path())
     assert len(str(refusal.value)) < 300
 
 
@@ -98,25 +100,25 @@ def test_two_variables_of_one_name_are_refused():
 ]
 """
     with pytest.raises(PresetError, match="twin exists already"):
-        preset_from_toml(twins + preset_to_toml(Preset()).replace("variables = []", ""))
+        preset_from_toml(twins + preset_to_toml(Preset()).replace("variables = []", ""), Path())
 
 
 @pytest.mark.parametrize("text", ["", "hello", "[", "format = ", "a = 1\x00", "1,2,3"])
 def test_what_is_no_preset_is_refused(text: str):
     with pytest.raises(PresetError):
-        preset_from_toml(text)
+        preset_from_toml(text, Path())
 
 
 @given(text=st.text(max_size=100))
 def test_any_text_is_refused_as_a_preset_and_never_crashes(text: str):
     with pytest.raises(PresetError):
-        preset_from_toml(text)
+        preset_from_toml(text, Path())
 
 
 @given(where=st.integers(0, len(GOOD)), length=st.integers(1, 30), new=st.text("09.-\"'[]=\nax", max_size=6))
 def test_a_damaged_preset_is_read_or_refused(where: int, length: int, new: str):
     with suppress(PresetError):
-        preset_from_toml(GOOD[:where] + new + GOOD[where + length :])
+        preset_from_toml(GOOD[:where] + new + GOOD[where + length :], Path())
 
 
 @pytest.mark.parametrize("suffix", [".toml", ".phonemedata", ".txt", ""])

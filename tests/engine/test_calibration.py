@@ -19,7 +19,8 @@ from engine.calibration.scoring import TEN, Scores, confusion_of, scores_of
 from engine.errors import CorpusError
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
-from engine.presets.preset import FACTORY, Preset, load_preset
+from engine.presets.files import FACTORY, load_preset
+from engine.presets.preset import Preset
 from engine.recognition.phoneme_data import Thresholds
 from engine.recognition.rules import CONDITIONS, ThesisRules
 from engine.recognition.statistics import SUCCESSORS
@@ -75,7 +76,8 @@ def test_a_corpus_tells_who_said_what(tmp_path):
     [
         ("", "lacks the column start_s"),
         (LABELS, "no row"),
-        (LABELS + "0,1,x,th,core\n", "line 2: the class must be one of .* found 'th'"),
+        (LABELS + "0,1,x,q7,core\n", r"unknown .* 'q7' \(1 x\)"),
+        (LABELS + "0,1,x,,core\n", "line 2: the class must be a phoneme"),
         (LABELS + "0,1,x,a,core\n1,no,x,a,core\n", "line 3: start_s and end_s must be seconds"),
         (LABELS + "1,0.5,x,a,core\n", r"line 2: .* found 1\.\.0\.5 s"),
         (LABELS + "0,inf,x,a,core\n", "line 2"),
@@ -219,12 +221,12 @@ def test_each_rule_and_each_threshold_of_the_factory_presets_bears_on_speech_in_
     thresholds = preset.thresholds
     assert thresholds.u_o1 > thresholds.o_o1 > thresholds.i_o1
     features, truth = _measured_on(corpus, preset)
-    answers = ThesisRules(thresholds).recognise(features)
+    answers = ThesisRules(thresholds).recognise(features).phonemes
     hits = confusion_of(truth, answers).diagonal()
     assert min(hits[list(TEN)]) > 50
     for c in CONDITIONS:
         never_in_the_way = replace(thresholds, **{c.threshold: -1e9 if c.sign == ">" else 1e9})
-        assert np.any(ThesisRules(never_in_the_way).recognise(features) != answers), c.threshold
+        assert np.any(ThesisRules(never_in_the_way).recognise(features).phonemes != answers), c.threshold
 
 
 def _measured_on(corpus: Path, preset: Preset) -> tuple[Features, np.ndarray]:

@@ -12,7 +12,9 @@ from hypothesis import strategies as st
 from engine.errors import PresetError, SettingsError
 from engine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, Variable
 from engine.phonemes import Phoneme
-from engine.presets.preset import Preset, load_preset, preset_from_toml, preset_to_toml, save_preset
+from engine.presets.document import preset_from_toml, preset_to_toml
+from engine.presets.files import load_preset, save_preset
+from engine.presets.preset import Preset
 from engine.recognition.phoneme_data import PhonemeData, Thresholds
 from engine.settings import BIN_WIDTH, LIMITS, AnalysisSettings, Decimation, Filter, WindowFunction
 
@@ -68,15 +70,15 @@ all_presets = st.builds(
 
 @given(preset=all_presets)
 def test_what_was_saved_is_what_is_loaded(preset: Preset):
-    assert preset_from_toml(preset_to_toml(preset)) == preset
+    assert preset_from_toml(preset_to_toml(preset), Path()) == preset
 
 
 @given(hertz=st.floats(0, 22_050))
 def test_a_frequency_that_is_not_round_comes_back_to_fifteen_digits(hertz: float):
     preset = Preset(settings=AnalysisSettings(high_pass_start=hertz, high_pass_end=22_050))
-    back = preset_from_toml(preset_to_toml(preset))
+    back = preset_from_toml(preset_to_toml(preset), Path())
     assert back.settings.high_pass_start == pytest.approx(hertz, rel=1e-14)
-    assert preset_from_toml(preset_to_toml(back)) == back
+    assert preset_from_toml(preset_to_toml(back), Path()) == back
 
 
 @pytest.mark.parametrize("suffix", [".toml", ".TOML"])

@@ -13,9 +13,10 @@ from engine.analyser import Analyser
 from engine.errors import EngineError, PresetError, RecogniserError
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
-from engine.presets.preset import Preset, load_preset, save_preset
+from engine.presets.files import load_preset, save_preset
+from engine.presets.preset import Preset
 from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.recogniser import recogniser_names, recogniser_of
+from engine.recognition.recogniser import RECOGNISERS, Tuning, recogniser_names, recogniser_of
 from engine.recognition.rules import CONDITIONS, ThesisRules
 from engine.settings import HOP, Filter
 from tests.plug_ins import Shelf
@@ -36,7 +37,7 @@ def energies(*values: float) -> Features:
 
 
 def made_and_asked(name: str, thresholds: Thresholds) -> None:
-    recogniser = recogniser_of(name, thresholds)
+    recogniser = recogniser_of(name, Tuning(thresholds))
     recogniser.recognise(energies(0, 0, 0))
     assert recogniser.used_thresholds is not None
 
@@ -58,22 +59,23 @@ def test_an_installed_recogniser_is_listed_but_not_imported(example_site: Path):
         [sys.executable, "-c", LISTED], env={**os.environ, "PYTHONPATH": str(example_site)},
         capture_output=True, text=True, timeout=120, check=True,
     )  # fmt: skip
-    assert done.stdout.split() == ["thesis", "loudness", "False"]
+    assert done.stdout.split() == [*RECOGNISERS, "loudness", "False"]
 
 
-def test_without_plug_ins_there_is_the_thesis_alone():
-    assert recogniser_names() == ("thesis",)
+def test_without_plug_ins_there_are_the_programs_own():
+    assert recogniser_names() == tuple(RECOGNISERS)
+    assert recogniser_names()[0] == "thesis"
 
 
 @pytest.mark.parametrize("cut", range(len(COURSE) + 1))
 def test_the_example_opens_at_its_threshold_and_stays_open_to_half_of_it(cut: int, loudness: Path):
-    recogniser = recogniser_of("loudness", OPENS_AT_A_TENTH)
-    parts = [recogniser.recognise(energies(*part)) for part in (COURSE[:cut], COURSE[cut:])]
+    recogniser = recogniser_of("loudness", Tuning(OPENS_AT_A_TENTH))
+    parts = [recogniser.recognise(energies(*part)).phonemes for part in (COURSE[:cut], COURSE[cut:])]
     assert np.concatenate(parts).tolist() == [S, A, A, S, S, A, A]
 
 
 def test_the_example_says_why_with_both_its_limits(loudness: Path):
-    trace = recogniser_of("loudness", OPENS_AT_A_TENTH).explain(energies(0.0, 0.25), 1)
+    trace = recogniser_of("loudness", Tuning(OPENS_AT_A_TENTH)).explain(energies(0.0, 0.25), 1)
     assert (trace.phoneme, trace.rule) == (A, "opens")
     assert [c.limit for c in trace.comparisons] == pytest.approx([0.1, 0.05])
     assert [c.margin for c in trace.comparisons] == pytest.approx([0.15, 0.2])
@@ -102,9 +104,9 @@ def test_another_filter_leaves_a_recogniser_its_memory_and_another_threshold_doe
 
 def test_a_recogniser_says_which_thresholds_it_uses(loudness: Path, shelf: Shelf):
     shelf.offer("class Own(Plain):\n    used_thresholds = ('sz_s1', 'unheard_of')")
-    assert recogniser_of("loudness", OPENS_AT_A_TENTH).used_thresholds == {"silence_energy"}
-    assert recogniser_of("own", OPENS_AT_A_TENTH).used_thresholds == {"sz_s1"}
-    assert ThesisRules.used_thresholds == {c.threshold for c in CONDITIONS}
+    assert recogniser_of("loudness", Tuning(OPENS_AT_A_TENTH)).used_thresholds == {"silence_energy"}
+    assert recogniser_of("own", Tuning(OPENS_AT_A_TENTH)).used_thresholds == {"sz_s1"}
+    assert ThesisRules(Thresholds()).used_thresholds == {c.threshold for c in CONDITIONS}
 
 
 # -- names --------------------------------------------------------------------------------------------------
@@ -112,16 +114,16 @@ def test_a_recogniser_says_which_thresholds_it_uses(loudness: Path, shelf: Shelf
 
 def test_a_plug_in_cannot_take_the_name_of_the_thesis(shelf: Shelf):
     shelf.offer("", name="thesis")
-    assert recogniser_names() == ("thesis",)
-    assert isinstance(recogniser_of("thesis", Thresholds()), ThesisRules)
+    assert recogniser_names() == tuple(RECOGNISERS)
+    assert isinstance(recogniser_of("thesis", Tuning(Thresholds())), ThesisRules)
 
 
 def test_two_packages_that_offer_one_name_are_refused_with_both(shelf: Shelf):
     shelf.offer("", package="one-package")
     shelf.offer("", package="other-package")
-    assert recogniser_names() == ("thesis", "own")
+    assert recogniser_names() == (*RECOGNISERS, "own")
     with pytest.raises(RecogniserError, match="'own' is offered twice, by one-package and other-package; uninstall"):
-        recogniser_of("own", Thresholds())
+        recogniser_of("own", Tuning(Thresholds()))
 
 
 def test_a_preset_of_a_plug_in_that_is_not_installed_is_refused(shelf: Shelf, tmp_path: Path):
@@ -192,7 +194,7 @@ def test_codes_that_are_no_phonemes_of_the_frames_are_refused(codes: str, what: 
 def test_a_reason_that_cannot_be_shown_is_refused(trace: str, what: str, shelf: Shelf):
     shelf.offer(f"class Own(Plain):\n    def explain(self, features, k):\n        return {trace}")
     with pytest.raises(RecogniserError) as caught:
-        recogniser_of("own", Thresholds()).explain(energies(1.0), 0)
+        recogniser_of("own", Tuning(Thresholds())).explain(energies(1.0), 0)
     assert str(caught.value).startswith(f"the recogniser 'own' of the package own-package cannot say why ({what}")
 
 
@@ -200,7 +202,7 @@ def test_a_plug_in_cannot_change_what_was_measured(shelf: Shelf):
     shelf.offer("class Own(Plain):\n    def recognise(self, features):\n        features.values[:] = 0")
     features = energies(1.0, 2.0, 3.0)
     with pytest.raises(RecogniserError, match="read-only"):
-        recogniser_of("own", Thresholds()).recognise(features)
+        recogniser_of("own", Tuning(Thresholds())).recognise(features)
     assert features["energy"].tolist() == [1, 2, 3]
     assert features.values.flags.writeable
 
@@ -210,9 +212,9 @@ def test_a_plug_in_that_writes_into_one_array_again_and_again_does_not_change_th
         "class Own(Plain):\n    codes = np.zeros(2, np.uint8)\n"
         "    def recognise(self, features):\n        self.codes += 1\n        return self.codes"
     )
-    recogniser = recogniser_of("own", Thresholds())
-    first = recogniser.recognise(energies(1, 1))
-    assert recogniser.recognise(energies(1, 1)).tolist() == [2, 2]
+    recogniser = recogniser_of("own", Tuning(Thresholds()))
+    first = recogniser.recognise(energies(1, 1)).phonemes
+    assert recogniser.recognise(energies(1, 1)).phonemes.tolist() == [2, 2]
     assert first.tolist() == [1, 1]
 
 

@@ -11,7 +11,7 @@ from engine.errors import PresetError, SettingsError
 from engine.features.measure import Features
 from engine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.recogniser import recogniser_of
+from engine.recognition.recogniser import Tuning, recogniser_of
 from engine.recognition.rules import ThesisRules
 
 THRESHOLD_NAMES = tuple(f.name for f in fields(Thresholds))
@@ -48,7 +48,7 @@ def features_of(**values: float) -> Features:
 
 
 def recognised(thresholds: Thresholds, **values: float) -> Phoneme:
-    return Phoneme(int(ThesisRules(thresholds).recognise(features_of(**values))[0]))
+    return Phoneme(int(ThesisRules(thresholds).recognise(features_of(**values)).phonemes[0]))
 
 
 def by_the_book(v: dict[str, float], t: dict[str, float]) -> Phoneme:  # noqa: C901, PLR0911
@@ -115,7 +115,7 @@ def test_the_table_of_rules_says_what_the_book_says(rows: list[tuple[float, ...]
     rules = ThesisRules(thresholds)
     limits = {name: getattr(thresholds, name) for name in THRESHOLD_NAMES}
     expected = [by_the_book(features.frame(k), limits) for k in range(len(rows))]
-    np.testing.assert_array_equal(rules.recognise(features), expected)
+    np.testing.assert_array_equal(rules.recognise(features).phonemes, expected)
     assert [rules.explain(features, k).phoneme for k in range(len(rows))] == expected
 
 
@@ -123,7 +123,7 @@ def test_the_table_of_rules_says_what_the_book_says(rows: list[tuple[float, ...]
 def test_the_order_of_the_variables_does_not_matter(order: list[str], row: tuple[float, ...]):
     values = dict(zip(VARIABLES, row, strict=True))
     shuffled = Features((*order, "mine"), np.array([[*(values[n] for n in order), 7]], np.float32))
-    assert ThesisRules(ROUND).recognise(shuffled)[0] == recognised(ROUND, **values)
+    assert ThesisRules(ROUND).recognise(shuffled).phonemes[0] == recognised(ROUND, **values)
 
 
 @given(row=st.tuples(*[numbers] * len(VARIABLES)), thresholds=thresholds_at_random)
@@ -175,7 +175,7 @@ def test_the_trace_of_an_sch_asks_for_silence_then_sz_then_sch():
 
 def test_a_block_without_frames_has_no_phonemes():
     nothing = Features(VARIABLES, np.zeros((0, len(VARIABLES)), np.float32))
-    assert len(ThesisRules(ROUND).recognise(nothing)) == 0
+    assert len(ThesisRules(ROUND).recognise(nothing).phonemes) == 0
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), float("-inf"), 1e39])
@@ -186,7 +186,7 @@ def test_a_threshold_that_float32_cannot_hold_is_refused(value: float):
 
 def test_an_unknown_recogniser_is_refused_with_the_known_ones():
     with pytest.raises(PresetError, match=r"no recogniser named 'magic'; known are .*thesis"):
-        recogniser_of("magic", ROUND)
+        recogniser_of("magic", Tuning(ROUND))
 
 
 def test_every_phoneme_has_one_of_five_mouth_shapes():
