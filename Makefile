@@ -35,7 +35,10 @@ soak: setup
 screenshots: setup
 	$(BIN)/python -m tests.screenshots
 
-# Fits the factory presets anew; CORPUS is a folder in the corpus format.
+# Fits the factory presets anew; CORPUS is a folder in the corpus format, MORE another one for the extended rules.
 CORPUS ?= ../shared/corpus
+MORE ?=
 fit: setup
 	$(BIN)/python -m engine.calibration.fit_thesis $(CORPUS) -o presets
+	$(BIN)/python -m engine.calibration.fit_rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o presets
+	$(BIN)/python -m engine.calibration.templates_of $(CORPUS) -o presets

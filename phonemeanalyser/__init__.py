@@ -1,1 +1,6 @@
 """The desktop tool."""
+
+import os
+
+# On a busy machine, the threads of OpenBLAS wait for each other ten times as long as they work on small matrices.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

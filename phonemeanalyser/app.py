@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 from engine.audio.output import ClockOutput, Output, open_output
 from engine.errors import EngineError
 from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
@@ -33,16 +34,18 @@ class Desktop:
     settings : where layout and choices are kept between starts.
     open_device : opens what is played on.
     microphone : what is listened to; the system's, unless another is given.
+    preset : what is tuned; the default preset, unless another is given.
     """
 
     def __init__(
         self, app: QApplication, settings: QSettings, open_device: Callable[[int], Output] = open_output,
-        microphone: Microphone | None = None,
+        microphone: Microphone | None = None, preset: PresetModel | None = None,
     ) -> None:  # fmt: skip
         self._app = app
         self._settings = settings
-        self.preset = PresetModel()
+        self.preset = preset or PresetModel()
         self.session = Session(self.preset, open_device, microphone)
+        self.calibration = Calibration(self.session, self.preset)
         self.window = self._make_window()
         self._scheme = app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
 
@@ -50,6 +53,7 @@ class Desktop:
         """Let sound, window and system go; unsaved changes are not asked for."""
         self._app.styleHints().colorSchemeChanged.disconnect(self._scheme)
         self.session.close()
+        self.calibration.close()
         self.window.retire()
         self._settings.sync()
 
@@ -61,16 +65,17 @@ class Desktop:
     def set_theme(self, name: str) -> None:
         """Choose ``light``, ``dark`` or ``system``."""
         self._settings.setValue("theme", name)
-        old, frozen = self.window, self.window.frozen
+        old, frozen, page = self.window, self.window.frozen, self.window.pages.currentIndex()
         old.save_state()
         self.window = self._make_window()
+        self.window.show_page(page)
         self.window.set_frozen(frozen)
         self.window.show()
         old.retire()
 
     def _make_window(self) -> MainWindow:
         apply_theme(self._app, self.theme)
-        window = MainWindow(self.session, self.preset, self.theme, self._settings)
+        window = MainWindow(self.session, self.preset, self.theme, self._settings, self.calibration)
         window.theme_asked.connect(self.set_theme)
         return window
 

@@ -1,11 +1,8 @@
-"""Analyse files without a window: each sound file becomes a table of phonemes, or of every frame's variables."""
+"""Analyse files without a window: each sound file becomes a table of its phonemes, or of every frame's variables."""
 
 import csv
-import io
 import json
-import os
 import sys
-import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,14 +13,20 @@ from tqdm import tqdm
 from engine.analyser import Analysis, analyses_of
 from engine.audio.files import SUFFIXES, SoundReader
 from engine.audio.opening import shown_name
+from engine.calibration.labels.audacity import format_audacity
+from engine.calibration.labels.label import Label, labels_of_runs
+from engine.calibration.labels.textgrid import format_textgrid
 from engine.errors import AudioError, EngineError
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
-from engine.recognition.runs import RUN_COLUMNS, runs_of
+from engine.recognition.runs import RUN_COLUMNS, Run, runs_of
 from engine.settings import FRAME_PERIOD, SAMPLE_RATE
+from phonemeanalyser.writing import print_whole, write_whole
 
 BLOCK = 5 * SAMPLE_RATE
 """Samples that are read at a time."""
+SUFFIX_OF = {"csv": ".csv", "json": ".json", "textgrid": ".TextGrid", "audacity": ".txt"}
+"""What the names of tables end with, by their format."""
 
 
 @dataclass(frozen=True)
@@ -36,10 +39,34 @@ class Job:
 
 @dataclass(frozen=True)
 class Table:
-    """What is written: ``csv`` or ``json``, of runs of equal phonemes or of every frame with its variables."""
+    """What is written.
+
+    Attributes
+    ----------
+    kind : ``csv``, ``json``, ``textgrid`` (labels for Praat) or ``audacity`` (labels for Audacity).
+    features : every frame with its variables, not runs of equal phonemes.
+
+    Raises
+    ------
+    EngineError : labels hold no variables.
+    """
 
     kind: str
     features: bool
+
+    def __post_init__(self) -> None:
+        if (self.kind, self.features) not in _WRITERS:
+            raise EngineError(
+                f"a file of labels ({SUFFIX_OF[self.kind]}) has no place for the variables of every frame; leave out "
+                "--features, or write them with --format csv or json"
+            )
+
+
+def kind_for(inputs: list[Path], out: Path | None) -> str:
+    """Give the format that the name of a single table asks for; ``csv`` where it asks for none."""
+    if out is None or not _is_table(inputs, out):
+        return "csv"
+    return {suffix.lower(): kind for kind, suffix in SUFFIX_OF.items()}.get(out.suffix.lower(), "csv")
 
 
 def jobs_of(inputs: list[Path], out: Path | None, kind: str) -> Iterator[Job]:
@@ -55,10 +82,9 @@ def jobs_of(inputs: list[Path], out: Path | None, kind: str) -> Iterator[Job]:
             raise EngineError("several files need a folder for their tables; name one with -o")
         yield from (Job(file, None) for file, _ in found)
         return
-    is_table = out.suffix != "" and not _is_folder(out)
-    single = len(inputs) == 1 and not _is_folder(inputs[0]) and is_table
+    single = _is_table(inputs, out)
     for file, relative in found:
-        yield Job(file, out if single else out / relative.with_suffix(f".{kind}"))
+        yield Job(file, out if single else out / relative.with_suffix(SUFFIX_OF[kind]))
 
 
 def analyse_all(jobs: Iterable[Job], preset: Preset, table: Table) -> int:
@@ -85,6 +111,11 @@ def _files_under(path: Path) -> Iterator[tuple[Path, Path]]:
         yield from ((file, file.relative_to(path)) for file in found)
     else:
         yield path, Path(path.name or "folder")
+
+
+def _is_table(inputs: list[Path], out: Path) -> bool:
+    """Say whether what is asked for is one table of one file, not a folder of them."""
+    return len(inputs) == 1 and out.suffix != "" and not _is_folder(inputs[0]) and not _is_folder(out)
 
 
 def _is_folder(path: Path) -> bool:
@@ -114,12 +145,12 @@ def _analyse(job: Job, preset: Preset, table: Table) -> None:
             tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
 
         def write(file: TextIO) -> None:
-            _writer_of(table)(file, _watched(reader, preset, table, name), reader, preset)
+            _WRITERS[table.kind, table.features](file, _watched(reader, preset, table, name), reader, preset)
 
         if job.target is None:
-            _print_whole(write)
+            print_whole(write)
         else:
-            _write_whole(job.target, write)
+            write_whole(job.target, write)
 
 
 def _watched(reader: SoundReader, preset: Preset, table: Table, name: str) -> Iterator[Analysis]:
@@ -132,52 +163,25 @@ def _watched(reader: SoundReader, preset: Preset, table: Table, name: str) -> It
             yield analysis
 
 
-def _print_whole(write: Callable[[TextIO], None]) -> None:
-    """Print a table once it is complete, so that nothing is printed of a file that breaks in the middle."""
-    text = io.StringIO()
-    write(text)
-    sys.stdout.write(text.getvalue())
-    sys.stdout.flush()
-
-
-def _write_whole(target: Path, write: Callable[[TextIO], None]) -> None:
-    """Write a file so that it is there complete, or not at all."""
-    name = ""
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=target.name, suffix=".part")
-        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
-            write(file)
-        Path(name).chmod(0o644)
-        Path(name).replace(target)
-    except OSError as error:
-        raise EngineError(f"{target}: cannot be written ({error.strerror}); choose another place with -o") from error
-    finally:
-        if name:
-            Path(name).unlink(missing_ok=True)
-
-
 Writer = Callable[[TextIO, Iterator[Analysis], SoundReader, Preset], None]
-
-
-def _writer_of(table: Table) -> Writer:
-    writers: dict[tuple[str, bool], Writer] = {
-        ("csv", False): _csv_of_runs,
-        ("csv", True): _csv_of_frames,
-        ("json", False): _json_of_runs,
-        ("json", True): _json_of_frames,
-    }
-    return writers[table.kind, table.features]
 
 
 def _csv_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, _preset: Preset) -> None:
     rows = csv.writer(file, lineterminator="\n")
     rows.writerow(RUN_COLUMNS)
-    rows.writerows(run.values() for run in _runs(analyses, reader))
+    rows.writerows(run.row().values() for run in _runs(analyses, reader))
 
 
 def _json_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, preset: Preset) -> None:
-    _write_json(file, _heading(reader, preset), "phonemes", _runs(analyses, reader))
+    _write_json(file, _heading(reader, preset), "phonemes", (run.row() for run in _runs(analyses, reader)))
+
+
+def _textgrid_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, _preset: Preset) -> None:
+    file.write(format_textgrid(_labels(analyses, reader), reader.duration))
+
+
+def _audacity_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, _preset: Preset) -> None:
+    file.write(format_audacity(_labels(analyses, reader)))
 
 
 def _csv_of_frames(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, _preset: Preset) -> None:
@@ -205,8 +209,12 @@ def _heading(reader: SoundReader, preset: Preset) -> dict[str, Any]:
     return {"file": reader.path.name, "duration_s": _seconds(reader.duration), "preset": preset.name}
 
 
-def _runs(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[str, Any]]:
-    return (run.row() for run in runs_of(((a.phonemes, a.intensities) for a in analyses), reader.duration))
+def _runs(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[Run]:
+    return runs_of(((a.phonemes, a.intensities) for a in analyses), reader.duration)
+
+
+def _labels(analyses: Iterator[Analysis], reader: SoundReader) -> tuple[Label, ...]:
+    return labels_of_runs(_runs(analyses, reader))
 
 
 def _frames(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[str, Any]]:
@@ -224,3 +232,13 @@ def _frames(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[
 
 def _seconds(value: float) -> float:
     return round(value, 6)
+
+
+_WRITERS: dict[tuple[str, bool], Writer] = {
+    ("csv", False): _csv_of_runs,
+    ("csv", True): _csv_of_frames,
+    ("json", False): _json_of_runs,
+    ("json", True): _json_of_frames,
+    ("textgrid", False): _textgrid_of_runs,
+    ("audacity", False): _audacity_of_runs,
+}

@@ -1,4 +1,4 @@
-"""The command line: open the window, analyse files, listen, record, make a picture."""
+"""The command line: open the window, analyse files, listen, record, score presets, make a picture."""
 
 import argparse
 import importlib
@@ -13,10 +13,13 @@ from types import ModuleType
 from engine.audio.devices import InputChoice
 from engine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from engine.errors import EngineError
-from engine.presets.preset import DEFAULT_PRESET, load_preset
-from phonemeanalyser.batch import Table, analyse_all, jobs_of
+from engine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeanalyser.adapting import adapt
+from phonemeanalyser.batch import SUFFIX_OF, Table, analyse_all, jobs_of, kind_for
 from phonemeanalyser.display import why_no_qt, why_no_window
 from phonemeanalyser.listening import list_devices, listen, record
+from phonemeanalyser.score import score
+from phonemeanalyser.training import train
 
 DEMO = Path(__file__).parent / "demo" / "demo.flac"
 LATENCY = 0.12
@@ -28,12 +31,9 @@ NO_DISPLAY = 3
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the program; returns the exit code: 0, 1 something failed, 2 wrong usage, 3 no display."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    commands: dict[str, Callable[[list[str]], int]] = {
-        "analyse": _analyse, "listen": _listen, "record": _record, "screenshot": _screenshot
-    }  # fmt: skip
     try:
-        if words and words[0] in commands:
-            return commands[words[0]](words[1:])
+        if words and words[0] in COMMANDS:
+            return COMMANDS[words[0]](words[1:])
         return _window(words)
     except EngineError as error:
         print(f"phonemeanalyser: {error}", file=sys.stderr)
@@ -50,7 +50,7 @@ def _window(words: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="phonemeanalyser",
         description="Calibrate real-time phoneme recognition for lip sync.",
-        epilog="Commands: analyse, listen, record, screenshot; for each, phonemeanalyser COMMAND --help",
+        epilog=f"Commands: {', '.join(COMMANDS)}; for each, phonemeanalyser COMMAND --help",
     )
     parser.add_argument("file", type=Path, nargs="?", default=DEMO, help="sound file to open (default: a demo)")
     parser.add_argument("--preset", type=Path, help="preset (.toml) or PhonemeData file to begin with")
@@ -69,12 +69,13 @@ def _analyse(words: list[str]) -> int:
     parser.add_argument("inputs", type=Path, nargs="+", metavar="INPUT", help="sound files, or folders of them")
     parser.add_argument("-o", "--out", type=Path, help="folder for the tables, or a file for one (default: print)")
     parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
-    parser.add_argument("--format", choices=["csv", "json"], default="csv", dest="kind")
+    parser.add_argument("--format", choices=list(SUFFIX_OF), dest="kind", help="default: as OUT ends, else csv")
     parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
     options = parser.parse_args(words)
+    table = Table(options.kind or kind_for(options.inputs, options.out), options.features)
     preset = load_preset(options.preset)
-    jobs = jobs_of(options.inputs, options.out, options.kind)
-    return 1 if analyse_all(jobs, preset, Table(options.kind, options.features)) else 0
+    jobs = jobs_of(options.inputs, options.out, table.kind)
+    return 1 if analyse_all(jobs, preset, table) else 0
 
 
 def _listen(words: list[str]) -> int:
@@ -174,3 +175,10 @@ def _app() -> ModuleType:
         return importlib.import_module("phonemeanalyser.app")
     except ImportError as error:
         raise EngineError(why_no_qt(error)) from error
+
+
+COMMANDS: dict[str, Callable[[list[str]], int]] = {
+    "adapt": adapt, "analyse": _analyse, "listen": _listen, "record": _record, "score": score,
+    "screenshot": _screenshot, "train": train,
+}  # fmt: skip
+"""Every command, and what runs it."""

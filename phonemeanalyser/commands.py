@@ -12,6 +12,7 @@ def file_commands(dialogs: Dialogs) -> Commands:
     """Give what opens and saves files."""
     return (
         Command("Open Sound…", "Ctrl+O", dialogs.ask_sound),
+        Command("Save the Phonemes…", "Ctrl+E", dialogs.ask_save_phonemes),
         Command("Load Preset…", "Ctrl+Shift+O", dialogs.ask_preset),
         Command("Save Preset", "Ctrl+S", dialogs.save),
         Command("Save Preset As…", "Ctrl+Shift+S", dialogs.save_as),

@@ -7,15 +7,23 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
+from engine.audio.takes import free_path
+from engine.calibration.labels.files import LABEL_SUFFIXES
 from engine.errors import EngineError
+from engine.features.variables import Variable
 from phonemeanalyser.models.preset import PresetModel
-from phonemeanalyser.models.session import Session
+from phonemeanalyser.models.session import Session, Source
 from phonemeanalyser.views.variable_dialog import VariableDialog
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
 PRESET_FILTER = "Presets (*.toml *.phonemedata *.txt)"
 CURVE_FILTER = "Curves (*.csv)"
+LABEL_FILTERS = {
+    "Praat TextGrid (*.TextGrid)": ".TextGrid",
+    "Audacity labels (*.txt)": ".txt",
+    "Corpus labels (*.csv)": ".csv",
+}
 
 
 class Dialogs(QObject):
@@ -72,6 +80,23 @@ class Dialogs(QObject):
         if isinstance(kept, str):
             return [kept]
         return [str(path) for path in kept] if isinstance(kept, list) else []
+
+    def ask_save_phonemes(self) -> None:
+        """Let the user choose a file to save the phonemes of the opened sound to; its ending says in which format."""
+        sound = self._session.path
+        if sound is None or self._session.source is not Source.FILE:
+            self.refused.emit("There is no sound file in hand; open the one whose phonemes are to be saved.")
+            return
+        suggested = Path(self._folder("phonemes", sound.parent)) / f"{sound.stem}.TextGrid"
+        filters = ";;".join(LABEL_FILTERS)
+        name, chosen = QFileDialog.getSaveFileName(self._window, "Save the phonemes", str(suggested), filters)
+        if not name:
+            return
+        path = Path(name)
+        if path.suffix.lower() not in LABEL_SUFFIXES:
+            path = free_path(path.with_name(path.name + LABEL_FILTERS.get(chosen, ".TextGrid")))
+        self._settings.setValue("folder/phonemes", str(path.parent))
+        self._session.write_phonemes(path)
 
     # -- recordings ---------------------------------------------------------------------------------------
 
@@ -178,6 +203,11 @@ class Dialogs(QObject):
         dialog = VariableDialog(low, high, self._window)
         if dialog.exec() and self._try(lambda: self._preset.add_variable(dialog.variable())):
             self.variable_added.emit(dialog.variable().name)
+
+    def add_variable(self, variable: Variable) -> None:
+        """Add a variable that was suggested."""
+        if self._try(lambda: self._preset.add_variable(variable)):
+            self.variable_added.emit(variable.name)
 
     def ask_remove_variable(self) -> None:
         """Let the user choose a variable of his own to remove."""

@@ -18,17 +18,21 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.calibration_dialogs import CalibrationDialogs
 from phonemeanalyser.commands import analysis_commands, file_commands, play_commands, record_commands
 from phonemeanalyser.dialogs import Dialogs
 from phonemeanalyser.menus import Command, Menus
+from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.history import shown_spectra
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session, Source
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.averaged_view import AveragedView
 from phonemeanalyser.views.banner import Banner
+from phonemeanalyser.views.calibration_page import CalibrationPage
 from phonemeanalyser.views.filter_column import FilterColumn
 from phonemeanalyser.views.keys import KeysOfButtons
+from phonemeanalyser.views.page_switch import PageStack, PageSwitch
 from phonemeanalyser.views.phoneme_view import PhonemeView
 from phonemeanalyser.views.recogniser_choice import RecogniserChoice
 from phonemeanalyser.views.shortcuts import ShortcutsDialog
@@ -48,6 +52,8 @@ INVITATIONS = {
     Source.MICROPHONE: "Press Space to listen, R to record",
     Source.TONE: "Press Space to hear the tone",
 }
+ANALYSE, CALIBRATE = range(2)
+PAGES = ("Analyse", "Calibrate")
 SLOW = 4
 """Numbers and what changes slowly are drawn at every fourth picture."""
 
@@ -62,18 +68,24 @@ class MainWindow(QMainWindow):
 
     theme_asked = Signal(str)
 
-    def __init__(self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings) -> None:
+    def __init__(
+        self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings, calibration: Calibration
+    ) -> None:  # fmt: skip
         super().__init__()
         self.theme = theme
         self.frozen = False
         self.dialogs = Dialogs(self, session, preset, settings)
+        self.calibration_dialogs = CalibrationDialogs(self, calibration, settings)
         self.menus = Menus(self)
+        self._calibration = calibration
         self._session = session
         self._preset = preset
         self._settings = settings
         self._ticks = 0
         self._stale = True
         self._retired = False
+        self._docks_of_analysis: dict[QDockWidget, int] = {}
+        self.calibration_dialogs.restore()
         self._make_views()
         self._lay_out()
         self._make_menus()
@@ -98,6 +110,9 @@ class MainWindow(QMainWindow):
         self.phoneme = PhonemeView(session, theme)
         self.thresholds = ThresholdView(self._preset, session.history, theme)
         self.status = StatusLine(session, self._preset, theme)
+        self.calibration = CalibrationPage(self._calibration, theme)
+        self.switch = PageSwitch(PAGES)
+        self.pages = PageStack()
 
     def _lay_out(self) -> None:
         self._bar("Transport", self.transport)
@@ -112,7 +127,10 @@ class MainWindow(QMainWindow):
         self._rows.setSizes([190, 130, 370])
         for splitter in (self._spectra, self._rows):
             splitter.setChildrenCollapsible(False)
-        self.setCentralWidget(self._rows)
+        self.pages.addWidget(self._rows)
+        self.pages.addWidget(self.calibration)
+        self.setCentralWidget(self.pages)
+        self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
         self._rows.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         switches: dict[str, QAbstractButton] = {
             "sonagram_db": self.time_view.decibels,
@@ -160,8 +178,9 @@ class MainWindow(QMainWindow):
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
         file = add("&File", *file_commands(dialogs), Command("Quit", "Ctrl+Q", self.close))
         self._recent = QMenu("Open Recent", self)
-        file.insertMenu(self.menus.actions["Load Preset…"], self._recent)
+        file.insertMenu(self.menus.actions["Save the Phonemes…"], self._recent)
         self.menus.add_edit(preset.undo_stack)
+        self.menus.add_edit_of_page(self._calibration.edits.undo, self._calibration.edits.redo)
         add("&Play", *play_commands(session))
         measure = Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency)
         add("&Record", *record_commands(session, dialogs), measure)
@@ -178,6 +197,7 @@ class MainWindow(QMainWindow):
     def _make_view_menu(self) -> None:
         view = self.menus.add(
             "&View",
+            *(Command(name, f"Ctrl+{k + 1}", partial(self.show_page, k)) for k, name in enumerate(PAGES)),
             Command("Coarse Display", "Shift+C", self._set_coarse, checkable=True),
             Command("Spectra in dB", "D", self._set_decibels, checkable=True),
         )
@@ -194,6 +214,7 @@ class MainWindow(QMainWindow):
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
         session.microphone.recorded.connect(dialogs.offer_recording)
         session.microphone.told.connect(self.banner.tell)
+        session.writer.told.connect(self.banner.tell)
         dialogs.offered.connect(self.banner.offer)
         self.averaged.load_asked.connect(dialogs.ask_curves)
         self.averaged.save_asked.connect(dialogs.ask_save_curve)
@@ -205,6 +226,7 @@ class MainWindow(QMainWindow):
         dialogs.sound_opened.connect(self._show_recent)
         dialogs.variable_added.connect(self.time_view.variable.setCurrentText)
         self.banner.shown.connect(self._banner_bar.setVisible)
+        self._connect_calibration()
         session.failed.connect(self.banner.say)
         session.opened.connect(self._show_names)
         session.cleared.connect(self.refresh_all)
@@ -220,6 +242,51 @@ class MainWindow(QMainWindow):
         self._show_names()
         self._show_state()
 
+    def _connect_calibration(self) -> None:
+        calibration, dialogs = self._calibration, self.calibration_dialogs
+        self.switch.chosen.connect(self.show_page)
+        self.calibration.takes.project_asked.connect(dialogs.ask_project)
+        self.calibration.takes.import_asked.connect(dialogs.ask_recordings)
+        self.calibration.workbench.rival.file_asked.connect(self._ask_rival)
+        self.calibration.workbench.variables.add_asked.connect(self.dialogs.add_variable)
+        calibration.failed.connect(self.banner.say)
+        calibration.told.connect(self.banner.tell)
+        self.installEventFilter(self.calibration.keys)
+        calibration.edits.changed.connect(self._show_edits)
+        self.show_page(ANALYSE)
+
+    def show_page(self, number: int) -> None:
+        """Show a page; the docks belong to the first one."""
+        docks = self.findChildren(QDockWidget)
+        if number == CALIBRATE and self.pages.currentIndex() != CALIBRATE:
+            self._docks_of_analysis = {dock: dock.width() for dock in docks if not dock.isHidden()}
+            for dock in docks:
+                dock.hide()
+        elif number == ANALYSE:
+            self._show_docks(self._docks_of_analysis)
+            self._docks_of_analysis = {}
+        self.pages.setCurrentIndex(number)
+        self.switch.show_page(number)
+        self._show_edits()
+        (self.calibration.takes.list if number == CALIBRATE else self._rows).setFocus()
+        self._stale = True
+
+    def _ask_rival(self) -> None:
+        path = self.calibration_dialogs.ask_preset()
+        if path is not None:
+            self.calibration.workbench.rival.offer(path)
+
+    def _show_docks(self, widths: dict[QDockWidget, int]) -> None:
+        for dock in widths:
+            dock.show()
+        if widths:
+            self.resizeDocks(list(widths), list(widths.values()), Qt.Orientation.Horizontal)
+
+    def _show_edits(self) -> None:
+        edits = self._calibration.edits
+        on_page = self.pages.currentIndex() == CALIBRATE
+        self.menus.show_edits(of_page=on_page, undo=edits.undoable, redo=edits.redoable)
+
     # -- drawing ------------------------------------------------------------------------------------------
 
     def tick(self) -> None:
@@ -228,12 +295,16 @@ class MainWindow(QMainWindow):
         if self._session.tick():
             self._stale = True
             known_at = time.monotonic() - self._session.microphone.known_for
+        self._calibration.tick()
         self._ticks += 1
         slow = self._ticks % SLOW == 0
         self._stale |= self._session.deaf != self.phoneme.deaf
         if slow and (self._session.playing or self._session.microphone.recording):
             self.transport.refresh()
             self._show_output()
+        if self.pages.currentIndex() == CALIBRATE:
+            self.calibration.refresh()
+            return
         if not self._stale or self.frozen:
             return
         self._refresh_fast()
@@ -353,6 +424,10 @@ class MainWindow(QMainWindow):
 
     def save_state(self) -> None:
         """Keep layout and choices for the next start."""
+        page = self.pages.currentIndex()
+        self.show_page(ANALYSE)  # whose docks are the layout
+        self.calibration_dialogs.save()
+        self._settings.setValue("page", page)
         self.state.save(self._session, self.time_view)
 
     def retire(self) -> None:

@@ -1,64 +1,13 @@
-"""Colours, light and dark: one table for Qt's widgets and the plots."""
-
-from dataclasses import dataclass
+"""Colours, light and dark: one table dresses Qt's widgets and the plots."""
 
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
-from engine.phonemes import Phoneme
+from phonemeanalyser.colours import CURVE_COLOURS, DARK, LIGHT, PHONEME_COLOURS, Theme
 
-
-@dataclass(frozen=True)
-class Theme:
-    """The colours of one look, as #rrggbb."""
-
-    name: str
-    window: str
-    base: str
-    field: str
-    raised: str
-    text: str
-    faint: str
-    line: str
-    accent: str
-    signal: str
-    good: str
-    bad: str
-
-    @property
-    def on_colour(self) -> str:
-        """The colour of text that stands on `bad` or `accent`."""
-        return "#ffffff" if self.name == "light" else self.base
-
-
-LIGHT = Theme(
-    name="light", window="#f3f4f6", base="#ffffff", field="#ffffff",
-    raised="#e6e8ec", text="#1c2128", faint="#656d78",
-    line="#c3c8d0", accent="#2563c9", signal="#1a5fb4", good="#1d8348", bad="#c0392b",
-)  # fmt: skip
-DARK = Theme(
-    name="dark", window="#1f2228", base="#15171c", field="#343a45",
-    raised="#2c3038", text="#e4e7ec", faint="#98a1ae",
-    line="#434954", accent="#5b9bf5", signal="#7cc4ff", good="#58c98a", bad="#ff7b6b",
-)  # fmt: skip
-
-PHONEME_COLOURS: dict[Phoneme, str] = {
-    Phoneme.SILENCE: "#7a828e",
-    Phoneme.UNIDENTIFIED: "#4d525b",
-    Phoneme.SZ: "#e6c229",
-    Phoneme.SCH: "#f0883e",
-    Phoneme.M: "#a371f7",
-    Phoneme.P: "#db61a2",
-    Phoneme.I: "#39c5cf",
-    Phoneme.A: "#f85149",
-    Phoneme.E: "#3fb950",
-    Phoneme.U: "#3f6fd8",
-    Phoneme.O: "#58a6ff",
-}
-
-CURVE_COLOURS = ("#f0883e", "#3fb950", "#db61a2", "#39c5cf", "#e6c229", "#a371f7", "#f85149")
+__all__ = ["CURVE_COLOURS", "DARK", "LIGHT", "PHONEME_COLOURS", "Theme", "apply_theme", "system_theme"]
 
 
 def system_theme() -> Theme:

@@ -1,5 +1,6 @@
 """Makes the pictures in `screenshots/` from the running program: `make screenshots`."""
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -9,6 +10,7 @@ import soundfile
 
 from tests.virtual_sound import VirtualSound
 
+OFFSCREEN = {"QT_QPA_PLATFORM": "offscreen"}
 ROOT = Path(__file__).resolve().parents[1]
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
 PICTURES = {
@@ -22,6 +24,11 @@ LIVE = {
     "microphone-dark.png": ("1280", "800", "dark"),
 }
 """The window while it records the demo from a virtual microphone."""
+CALIBRATE = {
+    "calibrate-light.png": ("1280", "800", "light"),
+    "calibrate-large-dark.png": ("1920", "1080", "dark"),
+}
+"""The page of the calibration."""
 
 
 def main() -> None:
@@ -29,14 +36,16 @@ def main() -> None:
     for name, (size, theme, at) in PICTURES.items():
         command = [sys.executable, "-m", "phonemeanalyser", "screenshot", str(DEMO), "-o"]
         subprocess.run([*command, str(_place(name)), "--size", size, "--theme", theme, "--at", at], check=True)
+    for name, (width, height, theme) in CALIBRATE.items():
+        command = [sys.executable, "-m", "tests.screenshot_calibrate", str(_place(name)), theme, width, height]
+        subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
     with tempfile.TemporaryDirectory() as folder, VirtualSound() as sound:
         wav = Path(folder) / "demo.wav"
         soundfile.write(wav, *soundfile.read(DEMO))
         for name, (width, height, theme) in LIVE.items():
             voice = sound.play_into_microphone(wav)
             command = [sys.executable, "-m", "tests.screenshot_live", str(_place(name)), theme, width, height, "6.0"]
-            environment = sound.environment | {"QT_QPA_PLATFORM": "offscreen"}
-            subprocess.run(command, check=True, cwd=ROOT, env=environment)
+            subprocess.run(command, check=True, cwd=ROOT, env=sound.environment | OFFSCREEN)
             voice.terminate()
             voice.wait()
 

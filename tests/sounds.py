@@ -30,7 +30,7 @@ def vowel(formants: tuple[float, ...], seconds: float, f0: float = 120.0, amplit
     n = round(seconds * SAMPLE_RATE)
     frequencies = np.fft.rfftfreq(n, 1 / SAMPLE_RATE)
     pulses = np.zeros(n)
-    pulses[(np.arange(0, n, SAMPLE_RATE / f0)).astype(int)] = 1
+    pulses[np.arange(0, n, SAMPLE_RATE / f0).astype(int) % n] = 1
     spectrum = np.fft.rfft(pulses)
     for formant in formants:
         spectrum /= (formant**2 - frequencies**2 + 1j * frequencies * 80) / formant**2

@@ -14,7 +14,7 @@ from tests.voices.labels import Segment, labels_of, segments_from_ends
 from tests.voices.romance_phones import ESPERANTO, PORTUGUESE
 from tests.voices.slavic_phones import RUSSIAN, UKRAINIAN
 from tests.voices.texts import is_plain
-from tests.voices.turkic_phones import KYRGYZ, TATAR
+from tests.voices.turkic_phones import KYRGYZ
 from tests.voices.writing import Speaker, Utterance, UtteranceWriter, read_manifest, replace_speaker
 
 SAMPLE_RATE = 44100
@@ -23,7 +23,6 @@ TABLES = {
     "Russian": RUSSIAN,
     "Ukrainian": UKRAINIAN,
     "Kyrgyz": KYRGYZ,
-    "Tatar": TATAR,
     "Brazilian Portuguese": PORTUGUESE,
     "Esperanto": ESPERANTO,
     "Japanese": JAPANESE,
@@ -43,7 +42,6 @@ NAMED = {
         "z zj sh shj zh zhj h hj gh ghj w wj l lj j r rj pau"
     ),
     "Kyrgyz": "a aa e ee i y o oo of oof u uu uf uuf b d g p t k v z zh f s sh sch h dzh c ch m n ng l r j pau",
-    "Tatar": "a af e i y o of u uf b d g gh p t k kh v z zh zhj f s sh shj hh h m n ng l r j w pau",
     "Brazilian Portuguese": (
         "a an ee e en i in oo o on u un b d g p t k v z zh f s sh dj tj m n nj l lj r rh j jn w wn pau"
     ),

@@ -21,6 +21,7 @@ from engine.calibration.labels.label import CORE, Label, Mark
 from engine.calibration.labels.names import Mapping, labels_named
 from engine.calibration.labels.table import rows_of
 from engine.calibration.labels.textfile import read_text
+from engine.calibration.take_list import LIST
 from engine.errors import AudioError, CorpusError
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
@@ -114,7 +115,7 @@ def read_recordings(
     Parameters
     ----------
     source : a folder with a manifest, or one in which, however deep, sounds lie beside label files of the same name
-        (.TextGrid, .csv, .txt), or one sound with its label file.
+        (.TextGrid, .csv, .txt; of takes, the .csv counts), or one sound with its label file.
     mapping : what names stand for that nobody knows.
     speaker : who speaks, unless a manifest says it; where it is None, the folder of the sound tells.
     tier : of TextGrids; the first one whose names are phonemes, where it is None.
@@ -197,7 +198,14 @@ def _labelled_sounds_in(walk: Iterable[tuple[str, list[str], list[str]]]) -> Ite
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         paths = [Path(folder, name) for name in sorted(files)]
         labels = {(path.stem, path.suffix.lower()): path for path in paths}
+        suffixes = _suffixes_in(Path(folder))
         for sound in paths:
             if sound.suffix.lower() in SUFFIXES:
-                beside = [labels[sound.stem, suffix] for suffix in LABEL_SUFFIXES if (sound.stem, suffix) in labels]
+                beside = [labels[sound.stem, suffix] for suffix in suffixes if (sound.stem, suffix) in labels]
                 yield from ((sound, found) for found in beside[:1])
+
+
+def _suffixes_in(folder: Path) -> tuple[str, ...]:
+    """Give the endings of label files, the one that counts first: beside a take, others are copies of the table."""
+    is_of_takes = (folder.absolute().parent.parent / LIST).is_file()
+    return tuple(sorted(LABEL_SUFFIXES, key=lambda suffix: suffix != ".csv")) if is_of_takes else LABEL_SUFFIXES

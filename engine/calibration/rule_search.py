@@ -176,9 +176,15 @@ class RuleSearch:
 
 
 def limits_of(values: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Spread limits evenly over the ranks of the values, rounded so that a file shows few digits."""
+    """Spread limits evenly over the ranks of the values, each between two values that there are.
+
+    They are rounded, so that a file shows few digits.
+    """
     spread = np.quantile(values, np.linspace(0, 1, N_LIMITS + 2)[1:-1])
-    return np.unique(np.array([float(f"{v:.{SIGNIFICANT_DIGITS}g}") for v in spread], np.float32))
+    found = np.unique(values)
+    above = np.clip(np.searchsorted(found, spread), min(1, len(found) - 1), len(found) - 1)
+    between = (found[np.maximum(above - 1, 0)] + found[above]) / 2
+    return np.unique(np.array([float(f"{v:.{SIGNIFICANT_DIGITS}g}") for v in between], np.float32))
 
 
 def ranks_of(features: Features, names: Sequence[str], limits: list[NDArray[np.float32]]) -> Ranks:

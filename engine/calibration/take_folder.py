@@ -2,7 +2,7 @@
 
 Every change is whole or has not happened, whatever happens to this process or to the disk, and no sound goes before
 its copy is complete: sounds are copied and label files and manifest written first; then the new list replaces the
-old one, and only after that the old sound goes.
+old one, and only after that the old sound goes. Copies of the labels for other programs are gone meanwhile.
 """
 
 import filecmp
@@ -22,6 +22,7 @@ from engine.audio.locking import lock_at
 from engine.audio.opening import shown_name
 from engine.audio.takes import free_path, reason_of
 from engine.calibration.take import DELETED, TAKES, Take, folder_for
+from engine.calibration.take_copies import remove_copies, write_copies
 from engine.calibration.take_list import (
     SOUND_SUFFIX,
     read_take_list,
@@ -121,14 +122,17 @@ class TakeFolder:
         moves = old is not None and old.sound != take.sound
         takes = {**self.takes, take.number: take}
         copied = moves and old is not None and self._copy(old, take)
+        copies = remove_copies(self._folder, old) if old is not None else ()
         try:
             write_take_labels(self._folder, take)
             write_manifest(self._folder, self._present(takes))
             write_take_list(self._folder, takes.values())
         except BaseException:
             self._go_back(take, old, remove=copied)
+            write_copies(self._folder, old or take, copies)
             raise
         self.takes = takes
+        write_copies(self._folder, take, copies)
         if moves and old is not None:
             with suppress(OSError):
                 self._remove(old)
@@ -141,6 +145,7 @@ class TakeFolder:
         CorpusError : the disk refuses; what was not removed is still a take.
         """
         for take in takes:
+            remove_copies(self._folder, take)
             try:
                 self._remove(take)
             except OSError as error:

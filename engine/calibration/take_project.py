@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from engine.calibration.take import Take
 from engine.calibration.take_check import TakeReport
+from engine.calibration.take_copies import write_copy
 from engine.calibration.take_folder import TakeFolder
 from engine.errors import TakeError
 from engine.phonemes import Phoneme
@@ -180,6 +181,24 @@ class TakeProject:
         self._disk.forget(gone)
         self._done, self._undone = [], []
         return len(gone)
+
+    def write_copies(self, suffix: str) -> tuple[Path, ...]:
+        """Write label files for another program beside the sounds of all takes, which follow them from now on.
+
+        Parameters
+        ----------
+        suffix : ``.TextGrid`` for Praat, ``.txt`` for Audacity.
+
+        Returns
+        -------
+        What was there and said something else, under its new name.
+
+        Raises
+        ------
+        CorpusError : the disk refuses; what was there is still there.
+        """
+        found = [write_copy(self.folder, take, suffix) for take in self.takes]
+        return tuple(path for path in found if path is not None)
 
     def close(self) -> None:
         """Let others open the project; may be called twice."""

@@ -7,16 +7,18 @@ nor that to the next one blurs the template; each speaker counts alike.
 import argparse
 import sys
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.analyser import analyses_of
 from engine.audio.files import SoundReader
-from engine.calibration.corpus import Label, Utterance, read_corpus
+from engine.calibration.corpus import Label, Utterance, frame_labels_of, read_corpus
 from engine.calibration.labels.label import CORE
+from engine.calibration.scoring import Codes, Scores, scores_of
 from engine.dsp.cepstra import cepstra_of
 from engine.dsp.framing import Framer
 from engine.dsp.log_mel import log_mels_of
@@ -67,7 +69,7 @@ def heard_in(utterances: Iterable[Utterance]) -> dict[str, Heard]:
     parts: defaultdict[str, defaultdict[Phoneme, list[Block]]] = defaultdict(lambda: defaultdict(list))
     levels: defaultdict[tuple[str, bool], list[Block]] = defaultdict(list)
     for utterance in utterances:
-        speaker = f"{utterance.corpus}/{utterance.speaker}"
+        speaker = _speaker_of(utterance)
         log_mels = _log_mels_of(utterance.path)
         cepstra, loudness = cepstra_of(log_mels), levels_of(log_mels)
         for label, frames in _middles(utterance.labels):
@@ -133,6 +135,31 @@ def preset_of(templates: Templates, notes: str = "") -> Preset:
     return Preset(NAME, settings, recogniser="templates", templates=templates, notes=notes)
 
 
+def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, Heard]) -> Scores:
+    """Score the recordings of each speaker with templates of all others."""
+    others = {s: templates_from({who: v for who, v in voices.items() if who != s} or voices) for s in voices}
+    presets = {speaker: preset_of(templates) for speaker, templates in others.items()}
+    return scores_of((frame_labels_of(u.labels), _recognised(u.path, presets[_speaker_of(u)])) for u in utterances)
+
+
+def _speaker_of(utterance: Utterance) -> str:
+    return f"{utterance.corpus}/{utterance.speaker}"
+
+
+def _recognised(path: Path, preset: Preset) -> Codes:
+    with SoundReader(path) as reader:
+        return np.concatenate([a.phonemes for a in analyses_of(reader.blocks(BLOCK), preset)])
+
+
+NOTES = """\
+Mean cepstra of {n} speakers, human and synthetic, each counting alike, made by engine.calibration.templates_of from
+the middle thirds of all sounds with a certain label. Silence is told by its level alone.
+Each speaker left out in turn: macro F1 {s.ten_f1:.3f}, vowels {s.vowel5:.3f}, mouth accuracy {s.mouth_acc:.3f},
+silence found {s.silence_recall:.3f}, false silence {s.false_silence:.3f}, {s.changes_per_s:.1f} changes a second
+(labels: {s.label_changes_per_s:.1f}).
+"""
+
+
 def main() -> int:
     """Make the templates of a corpus from the command line."""
     parser = argparse.ArgumentParser(prog="python -m engine.calibration.templates_of", description=__doc__)
@@ -143,11 +170,12 @@ def main() -> int:
         utterances = read_corpus(args.corpus)
         args.out.mkdir(parents=True, exist_ok=True)
         voices = heard_in(utterances)
-        notes = f"Mean cepstra of {len(voices)} speakers, each counting alike, by engine.calibration.templates_of.\n"
+        notes = NOTES.format(n=len(voices), s=unseen_scores(utterances, voices))
         save_preset(preset_of(templates_from(voices), notes), args.out / f"{STEM}.toml")
     except EngineError as error:
         print(error, file=sys.stderr)
         return 1
+    print(notes)
     return 0
 
 

@@ -14,6 +14,8 @@ Block = NDArray[np.float32]
 
 TAPS = 3
 """Frames that a layer looks at."""
+ROOM = 64
+"""Frames for which a layer keeps room, so that what it remembers is moved seldom."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,17 +50,33 @@ class Delayed:
 
     def __init__(self, layer: Layer, before: Block) -> None:
         self._layer = layer
-        self._past = np.repeat(before[np.newaxis], layer.reach, axis=0)
+        self._reach, self._step = layer.reach, layer.dilation
+        self._seen = np.empty((self._reach + ROOM, len(before)), np.float32)
+        self._seen[: self._reach] = before
+        self._end = self._reach
 
     def push(self, block: Block) -> Block:
         """Take the next frames, shape (n, n_in), and give what it finds in them, shape (n, n_out)."""
-        layer, n = self._layer, len(block)
-        seen = np.concatenate((self._past, block))
-        self._past = seen[n:]
-        taps = np.concatenate([seen[k * layer.dilation : k * layer.dilation + n] for k in range(TAPS)], axis=1)
-        found: Block = taps.dot(layer.weights)
-        found += layer.bias
+        first = self._end - self._reach
+        last = self._end + len(block)
+        if last > len(self._seen):
+            self._seen = np.concatenate((self._seen[first : self._end], block, self._seen[:ROOM]))
+            first, last = 0, self._reach + len(block)
+        else:
+            self._seen[self._end : last] = block
+        self._end = last
+        found: Block = self._taps(first, last).dot(self._layer.weights)
+        found += self._layer.bias
         return np.maximum(found, 0, out=found)
+
+    def _taps(self, first: int, last: int) -> Block:
+        """Put the frames that each answer looks at beside each other, shape (n, 3 x n_in)."""
+        seen, step = self._seen, self._step
+        if last - first == self._reach + 1:
+            return seen[first:last:step].reshape(1, -1)
+        n = last - first - self._reach
+        starts = range(first, last - n + 1, step)
+        return np.concatenate([seen[k : k + n] for k in starts], axis=1)
 
 
 class Network:
@@ -78,5 +96,7 @@ class Network:
         """Take the next frames, shape (n, n_in), and give what the last layer makes of them, shape (n, n_out)."""
         hidden = self._stack[0].push(block)
         for layer in self._stack[1:]:
-            hidden = hidden + layer.push(hidden)
+            found = layer.push(hidden)
+            found += hidden
+            hidden = found
         return hidden

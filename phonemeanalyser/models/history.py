@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from engine.analyser import Analysis
 from engine.dsp.mel import spread_mel
 from engine.features.measure import Features
-from engine.settings import BIN_WIDTH, WINDOW
+from engine.settings import BIN_WIDTH, FRAME_PERIOD, WINDOW
 
 CAPACITY = 6000
 """Frames that are remembered: one minute."""
@@ -102,6 +102,13 @@ class History:
         if not self._n_measured[k]:
             return None
         return float(self._highest[k]), float(self._sum[k] / self._n_measured[k]), float(self._lowest[k])
+
+    def changes_per_s(self, seconds: float) -> float | None:
+        """Give how often the phoneme changed in a second, over the newest seconds; None before there are any."""
+        codes = self.phonemes[self.indices(self.n - round(seconds / FRAME_PERIOD), self.n)]
+        if len(codes) < 2:
+            return None
+        return float(np.count_nonzero(codes[1:] != codes[:-1]) / (len(codes) * FRAME_PERIOD))
 
     def _rename(self, names: tuple[str, ...]) -> None:
         """Take up other variables; those that stay keep their values and extremes."""

@@ -19,6 +19,7 @@ from engine.live.listener import Listener
 from engine.live.tape import Tape
 from engine.presets.preset import Preset
 from phonemeanalyser.models.background import begun
+from phonemeanalyser.models.catch import Catch
 from phonemeanalyser.models.click_test import ClickTest
 from phonemeanalyser.models.input_list import InputList
 
@@ -58,6 +59,7 @@ class Microphone(QObject):
         self.choice = InputChoice()
         self.inputs = InputList(list_devices)
         self.clicks = ClickTest()
+        self.catch = Catch()
         self.folder = self._rescue = folder or recordings_folder()
         self.suffix = ".wav"
         self.with_phonemes = False
@@ -156,7 +158,7 @@ class Microphone(QObject):
         if self.clicks.running:
             self._goes_on = True
         elif self._listener is None:
-            self._listener = self._make_listener(preset, self.choice, pitch=True)
+            self._listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self.catch.push)
             self.changed.emit()
 
     def stop(self) -> None:

@@ -10,7 +10,8 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from engine.errors import EngineError, RecogniserError
 from engine.features.variables import Variable
-from engine.presets.preset import DEFAULT_PRESET, FACTORY, Preset, load_preset, save_preset
+from engine.presets.files import DEFAULT_PRESET, FACTORY, load_preset, save_preset
+from engine.presets.preset import Preset
 from engine.recognition.phoneme_data import PhonemeData, Thresholds
 from engine.recognition.recogniser import Recogniser, recogniser_of
 from engine.settings import Filter
@@ -32,6 +33,11 @@ PAIRS = (
     ("low_pass_start", "low_pass_end"),
     ("intensity_low", "intensity_high"),
 )
+
+FACTORY_OF = {
+    "thesis": "thesis.toml", "learned": "learned.toml", "rules": "extended.toml", "templates": "templates.toml"
+}  # fmt: skip
+"""The factory preset that was tuned with each of the program's own recognisers."""
 
 
 class _Edit(QUndoCommand):
@@ -209,8 +215,12 @@ class PresetModel(QObject):
             self.changed.emit()  # whoever shows the refused number shows the old one again
 
     def set_recogniser(self, name: str) -> None:
-        """Recognise with another recogniser; EngineError, where it cannot be made, leaves everything as it was."""
-        self.edit(replace(self.preset, recogniser=name), f"recogniser {name}")
+        """Recognise with another recogniser; EngineError, where it cannot be made, leaves everything as it was.
+
+        One of the program's own brings the front end and the statistics with it that it was tuned with, and what it
+        knows, where the preset has nothing of the kind.
+        """
+        self.edit(self._tuned_for(name), f"recogniser {name}")
 
     def saved_threshold(self, name: str) -> float:
         """Give one of the 21 numbers as the preset's file has it."""
@@ -226,8 +236,28 @@ class PresetModel(QObject):
         kept = tuple(v for v in self.preset.variables if v.name != name)
         self.edit(replace(self.preset, variables=kept), f"removal of {name}")
 
+    def _tuned_for(self, name: str) -> Preset:
+        preset = self.preset
+        if name == self._saved.recogniser:
+            source = self._saved
+        elif name in FACTORY_OF:
+            source = load_preset(FACTORY / FACTORY_OF[name])
+        else:
+            return replace(preset, recogniser=name)
+        mine = {v.name for v in preset.variables}
+        return replace(
+            preset,
+            recogniser=name,
+            settings=source.settings,
+            successors=source.successors,
+            variables=(*preset.variables, *(v for v in source.variables if v.name not in mine)),
+            rules=preset.rules or source.rules,
+            model=preset.model or source.model,
+            templates=preset.templates or source.templates,
+        )
+
     def _make(self, preset: Preset) -> tuple[object, Recogniser]:
-        recogniser = recogniser_of(preset.recogniser, preset.thresholds)
+        recogniser = recogniser_of(preset.recogniser, preset.tuning)
         recogniser.used_thresholds  # noqa: B018 - one of another package is made by being asked
         return _recogniser_key(preset), recogniser
 
@@ -240,4 +270,4 @@ class PresetModel(QObject):
 
 
 def _recogniser_key(preset: Preset) -> object:
-    return preset.recogniser, preset.thresholds
+    return preset.recogniser, preset.tuning

@@ -16,6 +16,7 @@ from engine.settings import FRAME_PERIOD, Channel
 from engine.tones import Tone
 from phonemeanalyser.models.findings import Findings
 from phonemeanalyser.models.microphone import Microphone
+from phonemeanalyser.models.phoneme_writer import PhonemeWriter
 from phonemeanalyser.models.preset import PresetModel
 
 QUIETEST_DB = -60.0
@@ -59,6 +60,7 @@ class Session(QObject):
         self.findings = Findings(preset)
         self.history, self.averages = self.findings.history, self.findings.averages
         self.microphone = microphone or Microphone()
+        self.writer = PhonemeWriter()
         self.source = Source.FILE
         self.tone = Tone()
         self.loop = False
@@ -71,6 +73,7 @@ class Session(QObject):
         self._tone_reader: ToneReader | None = None
         preset.changed.connect(self._use_preset)
         self.microphone.failed.connect(self.failed)
+        self.writer.failed.connect(self.failed)
         self.findings.failed.connect(self.failed)
         self.findings.cleared.connect(self.cleared)
         self.findings.rewritten.connect(self.rewritten)
@@ -293,11 +296,18 @@ class Session(QObject):
         """Let everything go."""
         self._leave()
         self.microphone.close()
+        self.writer.close()
+
+    def write_phonemes(self, target: Path) -> None:
+        """Write the phonemes of the whole file in hand, if there is one, with the preset in force; does not wait."""
+        if self.path is not None:
+            self.writer.write(self.path, self.channel, self.preset.in_force, target)
 
     # -- what is found ------------------------------------------------------------------------------------
 
     def tick(self) -> bool:
         """Gather what has been heard since the last tick; say whether there was anything."""
+        self.writer.see()
         try:
             heard = self.microphone.take()  # it tells of devices and recordings even while another source is in use
             blocks = heard if self._player is None else self._player.take()

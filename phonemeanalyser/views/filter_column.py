@@ -65,6 +65,9 @@ FIELDS: dict[str, Field] = {
     "denoise_threshold": Field("threshold", decimals=5, step=0.0005),
     "mel_bands": Field("bands", decimals=0, step=1),
     "minimum_hold": Field("hold", decimals=2, step=0.01),
+    "hysteresis": Field("hysteresis", decimals=2, step=0.05),
+    "look_ahead": Field("file", decimals=2, step=0.01),
+    "live_look_ahead": Field("live", decimals=2, step=0.01),
     "intensity_low": Field("0 at", decimals=0, step=1),
     "intensity_high": Field("1 at", decimals=0, step=1),
 }
@@ -74,9 +77,18 @@ AFTER_THE_FILTERS: dict[str, tuple[tuple[str, str], tuple[str, ...]]] = {
     "statistics": (
         (
             "Statistics",
-            "Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower.",
+            "Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower. "
+            "With hysteresis, another phoneme follows only where it is the better one by so much.",
         ),
-        ("minimum_hold",),
+        ("minimum_hold", "hysteresis"),
+    ),
+    "look_ahead": (
+        (
+            "Look-ahead",
+            "How long the recogniser may wait for what comes after a frame: longer is surer, and later. "
+            "Rules never wait. With a microphone, waiting makes the mouth late, so it has a limit of its own.",
+        ),
+        ("look_ahead", "live_look_ahead"),
     ),
     "intensity": (
         ("Intensity", "Peak levels at which the intensity is 0 and 1."),

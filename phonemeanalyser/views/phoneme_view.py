@@ -16,7 +16,11 @@ ROW = 15
 """Height of a line of the trace in pixels."""
 MARGIN_WIDTH = 50
 """Room that the margin at a line's right end takes in pixels."""
+SHORT_NAMES, LONG_NAMES = 62, 74
+"""Where the words of a line of the trace begin, in pixels, after names such as `silence` and `silence 12`."""
 N_ROWS = 10
+FLICKER_SECONDS = 3.0
+"""Over how long the changes of the phoneme are counted."""
 METERS = (("zc", "zero_crossings", "{:.0f}"), ("vol", "volume", "{:.3f}"), ("e", "energy", "{:.3f}"),
           ("f(g)", "f0", "{:.0f} Hz"))  # fmt: skip
 
@@ -31,13 +35,15 @@ class PhonemeView(QWidget):
         self.trace: Trace | None = None
         self.phoneme = self.recognised = Phoneme.SILENCE
         self.intensity = 0.0
+        self.changes: float | None = None
         self.deaf = False
         self.meters: dict[str, str] = {}
         self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.setToolTip(
-            "The phoneme now, its intensity, the measures zc (zero crossings), vol (peak level), e (energy), f(g) "
-            "(fundamental frequency), and what each rule said, down to the one that fired"
+            "The phoneme now, its intensity, how often the phoneme changed in the last three seconds, the measures "
+            "zc (zero crossings), vol (peak level), e (energy), f(g) (fundamental frequency), and what each rule "
+            "said, down to the one that fired"
         )
 
     @property
@@ -60,6 +66,7 @@ class PhonemeView(QWidget):
             self.meters = {name: form.format(values[variable]) for name, variable, form in METERS}
             if values["f0"] == 0:
                 self.meters["f(g)"] = "–"
+        self.changes = None if self.deaf else self._session.history.changes_per_s(FLICKER_SECONDS)
         self.trace = None if self.deaf else self._session.explain()
         self.setAccessibleName("nothing comes" if self.deaf else self.phoneme.label)
         self.update()
@@ -86,7 +93,10 @@ class PhonemeView(QWidget):
         bar = QRectF(box.left(), box.top(), box.width() * self.intensity, box.height())
         accent = QColor(self._theme.accent)
         painter.fillRect(bar, QColor(accent.red(), accent.green(), accent.blue(), 110))
-        self._write(painter, box.adjusted(5, 0, -5, 0), f"intensity {self.intensity:.2f}", self._theme.text, 10)
+        inner, right = box.adjusted(5, 0, -5, 0), Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        self._write(painter, inner, f"intensity {self.intensity:.2f}", self._theme.text, 10)
+        if self.changes is not None:
+            self._write(painter, inner, f"{self.changes:.1f} changes/s", self._theme.text, 10, right)
 
     def _paint_meters(self, painter: QPainter, box: QRectF) -> None:
         cell = box.width() / len(METERS)
@@ -96,12 +106,14 @@ class PhonemeView(QWidget):
             self._write(painter, place.adjusted(0, 14, 0, 0), self.meters.get(name, "–"), self._theme.text, 14)
 
     def _paint_trace(self, painter: QPainter, trace: Trace, line: QRectF) -> None:
-        for comparison, asked, fired in rows_of(trace)[:N_ROWS]:
+        rows = rows_of(trace)
+        indent = LONG_NAMES if any(len(asked) > len("silence") for _, asked, _ in rows) else SHORT_NAMES
+        for comparison, asked, fired in rows:
             colour = self._theme.text if fired else self._theme.faint
             mark = self._theme.good if comparison.margin > 0 else self._theme.bad
             self._write(painter, line, "✓" if comparison.margin > 0 else "✗", mark, 11)
-            words = QRectF(line.left() + 62, line.top(), line.width() - 62 - MARGIN_WIDTH, ROW)
-            self._write(painter, QRectF(line.left() + 16, line.top(), 44, ROW), asked, colour, 11)
+            words = QRectF(line.left() + indent, line.top(), line.width() - indent - MARGIN_WIDTH, ROW)
+            self._write(painter, QRectF(line.left() + 16, line.top(), indent - 18, ROW), asked, colour, 11)
             self._write(painter, words, _words(comparison), colour, 11)
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             self._write(painter, line, _signed(comparison.margin), mark, 11, right)
@@ -126,15 +138,27 @@ class PhonemeView(QWidget):
 
 
 def rows_of(trace: Trace) -> list[tuple[Comparison, str, bool]]:
-    """Give a line for each rule that failed (its first failed comparison) and all of the one that fired."""
-    rows = []
-    told = set()
+    """Give a line for each rule that failed (its first failed comparison) and all of the one that fired.
+
+    Where these are more than there is room for, only those rules are told that failed by the least share of a limit,
+    each with the comparison that failed by the most.
+    """
+    failed: dict[str, list[Comparison]] = {}
     for comparison in trace.comparisons:
-        fired = comparison.rule == trace.rule
-        if fired or (comparison.margin <= 0 and comparison.rule not in told):
-            told.add(comparison.rule)
-            rows.append((comparison, comparison.rule, fired))
-    return rows
+        if comparison.rule != trace.rule and comparison.margin <= 0:
+            failed.setdefault(comparison.rule, []).append(comparison)
+    room = max(0, N_ROWS - sum(c.rule == trace.rule for c in trace.comparisons))
+    told = {rule: reasons[0] for rule, reasons in failed.items()}
+    if len(told) > room:
+        worst = {rule: min(reasons, key=_share) for rule, reasons in failed.items()}
+        nearest = sorted(worst, key=lambda rule: _share(worst[rule]), reverse=True)
+        told = {rule: worst[rule] for rule in nearest[:room]}
+    rows = [(c, c.rule, c.rule == trace.rule) for c in trace.comparisons]
+    return [(c, rule, fired) for c, rule, fired in rows if fired or told.get(rule) is c][:N_ROWS]
+
+
+def _share(comparison: Comparison) -> float:
+    return comparison.margin / max(abs(comparison.limit), 1e-9)
 
 
 def _words(comparison: Comparison) -> str:

@@ -14,17 +14,27 @@ class ShortcutsDialog(QDialog):
     def __init__(self, menus: dict[str, list[tuple[str, str]]], parent: QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle("Keyboard shortcuts")
-        rows = []
-        for title, entries in menus.items():
-            keys = [(text, key) for text, key in entries if key]
-            if keys:
-                rows.append(f"<tr><td colspan=2><br><b>{title}</b></td></tr>")
-                rows += [f"<tr><td>{text}&nbsp;&nbsp;&nbsp;</td><td>{key}</td></tr>" for text, key in keys]
-        rows.append("<tr><td colspan=2><br><b>Sliders and time line</b></td></tr>")
-        rows.append("<tr><td>A step; with Shift a tenth&nbsp;&nbsp;</td><td>Left, Right</td></tr>")
-        self.list = QLabel(f"<table>{''.join(rows)}</table>")
+        blocks = [_block(title, [(text, key) for text, key in entries if key]) for title, entries in menus.items()]
+        blocks.append(_block("Sliders and time line", [("A step; with Shift a tenth", "Left, Right")]))
+        self.list = QLabel(_side_by_side([block for block in blocks if block]))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         layout.addWidget(self.list)
         layout.addWidget(buttons)
+
+
+def _block(title: str, keys: list[tuple[str, str]]) -> list[str]:
+    """Give the rows of a menu; none where it has no key."""
+    rows = [f"<tr><td>{text}&nbsp;&nbsp;&nbsp;</td><td>{key}</td></tr>" for text, key in keys]
+    return [f"<tr><td colspan=2><br><b>{title}</b></td></tr>", *rows] if rows else []
+
+
+def _side_by_side(blocks: list[list[str]]) -> str:
+    """Lay blocks of rows out in two columns of about the same height."""
+    columns: tuple[list[str], list[str]] = [], []
+    n_rows = sum(map(len, blocks))
+    for block in blocks:
+        columns[2 * (len(columns[0]) + len(block) // 2) > n_rows].extend(block)
+    cells = "<td width=24></td>".join(f"<td><table>{''.join(column)}</table></td>" for column in columns)
+    return f"<table><tr>{cells}</tr></table>"

@@ -73,6 +73,7 @@ class StatusLine:
         total = latency.total + self._display
         self.latency_ms = 1000 * total
         words = {"capture": latency.capture, "window": latency.window, "hop": latency.hop,
+                 **({"look-ahead": latency.look_ahead} if latency.look_ahead else {}),
                  "analysis": latency.analysis, "display": self._display}  # fmt: skip
         shares = " + ".join(f"{name} {1000 * seconds:.0f}" for name, seconds in words.items())
         self.right.setToolTip(

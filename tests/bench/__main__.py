@@ -3,7 +3,7 @@
 import argparse
 from collections.abc import Callable
 
-from tests.bench import dragging, memory, microphone, one_frame, playing, recording, start, whole_file
+from tests.bench import dragging, learned, memory, microphone, one_frame, playing, recording, start, whole_file
 from tests.bench.figures import Figure, table_of
 
 FIGURES: dict[str, Callable[[], list[Figure]]] = {
@@ -15,6 +15,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "start": start.figures,
     "memory": memory.figures,
     "dragging": dragging.figures,
+    "learned": learned.figures,
 }
 
 

@@ -20,7 +20,8 @@ from pytestqt.qtbot import QtBot
 from engine.audio.output import ClockOutput
 from engine.features.variables import Variable
 from engine.live import listener
-from engine.presets.preset import Preset, save_preset
+from engine.presets.files import THESIS_PRESET, save_preset
+from engine.presets.preset import Preset
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
@@ -76,8 +77,8 @@ def settings(tmp_path: Path) -> QSettings:
 
 @pytest.fixture
 def model(qapp: QApplication) -> PresetModel:
-    """A model on the factory preset."""
-    return PresetModel()
+    """A model on the factory preset of the thesis."""
+    return PresetModel(THESIS_PRESET)
 
 
 @pytest.fixture
@@ -128,8 +129,8 @@ def ended(session: Session) -> bool:
 
 @pytest.fixture
 def desktop(qapp: QApplication, settings: QSettings, no_microphone: Microphone) -> Iterator[Desktop]:
-    """The program with its window, without a sound card."""
-    desktop = Desktop(qapp, settings, lambda _n: ClockOutput(), no_microphone)
+    """The program with its window, without a sound card; it begins with the rules of the thesis."""
+    desktop = Desktop(qapp, settings, lambda _n: ClockOutput(), no_microphone, PresetModel(THESIS_PRESET))
     yield desktop
     desktop.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # processEvents leaves these

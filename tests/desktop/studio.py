@@ -16,9 +16,11 @@ from engine.analyser import Analysis
 from engine.audio.devices import Device
 from engine.audio.output import ClockOutput
 from engine.live.listener import Listener
+from engine.presets.files import THESIS_PRESET
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.main_window import MainWindow
 from phonemeanalyser.models.microphone import Microphone
+from phonemeanalyser.models.preset import PresetModel
 from tests.desktop.hands import press
 from tests.microphones import HandDrivenMicrophone, Microphones, frames_in
 from tests.players import wait_for
@@ -87,7 +89,7 @@ class Booth:
         self.studio, self.settings, self.qtbot = studio, settings, qtbot
         self.app = app
         self._given = studio.given
-        self.desktop = Desktop(app, settings, lambda _n: ClockOutput(), studio.model)
+        self.desktop = Desktop(app, settings, lambda _n: ClockOutput(), studio.model, PresetModel(THESIS_PRESET))
 
     @property
     def window(self) -> MainWindow:

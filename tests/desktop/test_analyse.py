@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.features.variables import BUILT_IN_NAMES, Kind, Variable
-from engine.presets.preset import DEFAULT_PRESET, Preset, load_preset, save_preset
+from engine.features.variables import BUILT_IN_NAMES, SCORES, Kind, Variable
+from engine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from engine.presets.preset import Preset
 from engine.settings import HOP, SAMPLE_RATE
 from tests.bad_files import ODD_FILES
 from tests.sounds import silence, tone
@@ -121,7 +122,7 @@ def test_features_are_every_ten_milliseconds_with_every_variable(
     analysed(sound, "--features")
     rows = rows_of(capsys.readouterr().out)
     n_samples = soundfile.info(sound).frames
-    assert list(rows[0]) == [*HEADER.split(","), *BUILT_IN_NAMES]
+    assert list(rows[0]) == [*HEADER.split(","), *BUILT_IN_NAMES, *SCORES]
     assert len(rows) == -(-n_samples // HOP)
     assert [float(row["start_s"]) for row in rows] == [round(k * 0.01, 6) for k in range(len(rows))]
     assert float(rows[-1]["end_s"]) == pytest.approx(n_samples / SAMPLE_RATE, abs=1e-6)
@@ -145,7 +146,7 @@ def test_features_hold_a_variable_of_the_users_own(
     analysed(sound, "--features", "--preset", tmp_path / "mine.toml", "--format", "json")
     document = json.loads(capsys.readouterr().out)
     assert document["preset"] == "my own"
-    assert list(document["frames"][0]) == [*HEADER.split(","), *BUILT_IN_NAMES, "mine"]
+    assert list(document["frames"][0]) == [*HEADER.split(","), *BUILT_IN_NAMES, "mine", *SCORES]
     assert max(frame["mine"] for frame in document["frames"]) == 1.0  # the normalised spectrum's largest amplitude
 
 

@@ -17,7 +17,7 @@ from phonemeanalyser.models.history import CAPACITY, MOST_BINS, History, shown_s
 from tests.sounds import tone
 
 NAMES = ("one", "two")
-EMPTY = Analyser(Preset())._nothing()
+EMPTY = Analyser(Preset()).push(np.zeros(0, np.float32))
 
 
 def block(first: int, n: int, n_bins: int = 256, names: tuple[str, ...] = NAMES) -> Analysis:

@@ -10,9 +10,11 @@ import soundfile
 from engine.audio import stream
 from engine.audio.devices import InputChoice
 from engine.errors import RecordingError
+from engine.live.ear import live
 from engine.live.tape import Tape
 from engine.phonemes import Phoneme
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import DEFAULT_PRESET, load_preset
+from engine.presets.preset import Preset
 from engine.settings import SAMPLE_RATE
 from phonemeanalyser import listening
 from phonemeanalyser.cli import main
@@ -132,8 +134,8 @@ def test_a_microphone_that_is_not_there_is_said_before_anything_is_begun(
 # -- lines ----------------------------------------------------------------------------------------------------
 
 
-def expected_changes(n_frames: int | None = None) -> list[tuple[float, str, float]]:
-    whole = offline(SPEECH, PRESET).part(slice(n_frames))
+def expected_changes(n_frames: int | None = None, preset: Preset = PRESET) -> list[tuple[float, str, float]]:
+    whole = offline(SPEECH, preset).part(slice(n_frames))
     codes = whole.phonemes.astype(int)
     starts = np.flatnonzero(np.diff(codes, prepend=-1))
     return [(int(k) / 100, Phoneme(codes[k]).label, float(whole.intensities[k])) for k in starts]
@@ -185,7 +187,7 @@ def test_listening_prints_the_changes_and_says_elsewhere_what_it_listens_to(
     listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json")
     said = capsys.readouterr()
     lines = [json.loads(line) for line in said.out.splitlines()]
-    expected = expected_changes(frames_in(len(SPEECH)))
+    expected = expected_changes(frames_in(len(SPEECH)), live(PRESET))
     assert [(line["time_s"], line["phoneme"]) for line in lines] == [change[:2] for change in expected]
     assert microphone.closed.is_set()
 

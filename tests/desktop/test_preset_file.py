@@ -7,7 +7,8 @@ from pytestqt.qtbot import QtBot
 
 from engine.errors import EngineError, PresetError
 from engine.features.variables import Variable
-from engine.presets.preset import Preset, load_preset, save_preset
+from engine.presets.files import load_preset, save_preset
+from engine.presets.preset import Preset
 from engine.settings import BIN_WIDTH, Filter
 from phonemeanalyser.models.preset import PresetModel
 

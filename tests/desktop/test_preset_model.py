@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from engine.errors import EngineError
 from engine.features.variables import Variable
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import THESIS_PRESET, load_preset
 from engine.recognition.phoneme_data import PhonemeData
 from engine.settings import BIN_WIDTH, Filter
 from phonemeanalyser.models.preset import FILTER_PARAMETERS, PresetModel
@@ -26,7 +26,7 @@ EDITS: dict[str, Callable[[PresetModel], None]] = {
 
 
 def test_it_begins_with_the_factory_preset(model: PresetModel) -> None:
-    assert model.preset == load_preset(DEFAULT_PRESET)
+    assert model.preset == load_preset(THESIS_PRESET)
     assert model.is_factory
     assert not model.has_unsaved_changes
     assert not model.undo_stack.canUndo()
@@ -158,7 +158,7 @@ def test_each_of_the_21_numbers_can_be_set(field: object, model: PresetModel) ->
     name = field.name  # type: ignore[attr-defined]
     model.set_threshold(name, 0.625)
     assert getattr(model.preset.phoneme_data, name) == pytest.approx(0.625)
-    assert model.saved_threshold(name) == getattr(load_preset(DEFAULT_PRESET).phoneme_data, name)
+    assert model.saved_threshold(name) == getattr(load_preset(THESIS_PRESET).phoneme_data, name)
 
 
 @pytest.mark.parametrize(("low", "high"), [("high_pass_start", "high_pass_end"), ("low_pass_start", "low_pass_end")])

@@ -7,7 +7,7 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-from engine.presets.preset import DEFAULT_PRESET, FACTORY, save_preset
+from engine.presets.files import FACTORY, THESIS_PRESET, save_preset
 from tests.bad_files import BAD_FILES, DAMAGED, ODD_FILES
 from tests.desktop.hands import CARDS, DEMO, click, followed, press, shown, wav
 from tests.sounds import tone
@@ -186,8 +186,8 @@ BROKEN_PRESETS = {
     "empty.toml": "",
     "empty.phonemedata": "",
     "binary.toml": "\x00\x01\x02",
-    "truncated.toml": DEFAULT_PRESET.read_text()[:400],
-    "endless.toml": DEFAULT_PRESET.read_text().replace("sz_s1 = ", "sz_s1 = inf #"),
+    "truncated.toml": THESIS_PRESET.read_text()[:400],
+    "endless.toml": THESIS_PRESET.read_text().replace("sz_s1 = ", "sz_s1 = inf #"),
 }
 
 
@@ -199,7 +199,7 @@ def test_a_broken_preset_gives_one_sentence_and_leaves_everything(desktop, windo
         assert is_one_sentence(window), name
         assert window.banner.label.text().startswith(name + ": ")
         assert desktop.preset.preset == before
-        assert desktop.preset.path == DEFAULT_PRESET
+        assert desktop.preset.path == THESIS_PRESET
         assert window.windowTitle() == title
         window.banner.say("")
 

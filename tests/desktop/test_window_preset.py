@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
+from engine.presets.files import THESIS_PRESET, load_preset, save_preset
 from engine.presets.phonemedata import parse_phoneme_data
-from engine.presets.preset import DEFAULT_PRESET, load_preset, save_preset
 from phonemeanalyser import dialogs
 from tests.desktop.hands import click, press, shown, type_number
 
@@ -69,11 +69,11 @@ def test_a_value_typed_back_is_no_change(desktop, window):
 
 
 def test_a_factory_preset_is_saved_under_another_name(desktop, window, monkeypatch, tmp_path):
-    factory = DEFAULT_PRESET.read_bytes()
+    factory = THESIS_PRESET.read_bytes()
     change(window)
     will_save_to(monkeypatch, tmp_path / "voice")
     press(window, Qt.Key.Key_S, CONTROL)
-    assert DEFAULT_PRESET.read_bytes() == factory
+    assert THESIS_PRESET.read_bytes() == factory
     assert load_preset(tmp_path / "voice.toml").thresholds.sz_s1 == 3.5
     assert not window.isWindowModified()
     assert window.windowTitle() == "cards.flac - voice[*] - PhonemeAnalyser"
@@ -103,7 +103,7 @@ def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, wi
     assert window.banner.isVisible()
     assert window.banner.label.text().startswith("voice.toml: cannot be written")
     assert window.isWindowModified()
-    assert desktop.preset.path == DEFAULT_PRESET
+    assert desktop.preset.path == THESIS_PRESET
 
 
 def test_closing_without_changes_asks_nothing(desktop, window, asked):
@@ -161,7 +161,7 @@ def test_loading_another_preset_asks_about_changes_too(desktop, window, asked, t
     change(window)
     window.dialogs.load_preset(tmp_path / "mine.toml")
     assert asked.times == 1
-    assert desktop.preset.path == DEFAULT_PRESET
+    assert desktop.preset.path == THESIS_PRESET
     asked.answer = BUTTON.Discard
     window.dialogs.load_preset(tmp_path / "mine.toml")
     assert desktop.preset.path == tmp_path / "mine.toml"

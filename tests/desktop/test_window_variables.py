@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog
 
 from engine.features.variables import Kind, Spectrum, Variable
-from engine.presets.preset import load_preset
+from engine.presets.files import load_preset
 from engine.settings import BIN_WIDTH
 from phonemeanalyser.views.variable_dialog import VariableDialog
 from tests.desktop.hands import LEFT, click, followed, place, press

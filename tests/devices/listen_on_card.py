@@ -9,7 +9,7 @@ from pathlib import Path
 from engine.audio.devices import InputChoice
 from engine.live.listener import Listener
 from engine.live.tape import Tape
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import DEFAULT_PRESET, load_preset
 
 ending: list[int] = []
 signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))

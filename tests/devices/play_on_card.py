@@ -7,7 +7,7 @@ from pathlib import Path
 
 from engine.audio.files import SoundReader
 from engine.live.player import Player
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import DEFAULT_PRESET, load_preset
 
 player = Player(SoundReader(Path(sys.argv[1])), load_preset(DEFAULT_PRESET))
 seen: list[tuple[float, float]] = []

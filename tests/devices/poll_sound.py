@@ -6,7 +6,7 @@ import time
 from pathlib import Path
 
 from engine.live.sound import Sound
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import DEFAULT_PRESET, load_preset
 
 SECONDS = 5.0
 

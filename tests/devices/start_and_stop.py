@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from engine.live.listener import Listener
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import DEFAULT_PRESET, load_preset
 
 preset = load_preset(DEFAULT_PRESET)
 for _ in range(int(sys.argv[1])):

@@ -15,8 +15,9 @@ import soxr
 
 from engine.analyser import analyses_of
 from engine.audio.files import SoundReader
+from engine.live.ear import live
 from engine.phonemes import Phoneme
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.settings import HOP, SAMPLE_RATE
 from phonemeanalyser.cli import DEMO
 from tests.conftest import CORPUS
@@ -50,7 +51,7 @@ def sound_of(path: Path) -> np.ndarray:
 def codes_of(sound: np.ndarray, offset: int = 0) -> np.ndarray:
     """The phonemes of a file that begins so many samples after a frame does."""
     padded = np.concatenate([np.zeros(offset, np.float32), sound])
-    return np.concatenate([block.phonemes for block in analyses_of([padded], load_preset(DEFAULT_PRESET))])
+    return np.concatenate([block.phonemes for block in analyses_of([padded], live(load_preset(DEFAULT_PRESET)))])
 
 
 def best_share(live: np.ndarray, file: np.ndarray) -> float:

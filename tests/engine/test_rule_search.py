@@ -24,7 +24,7 @@ def uniform(n: int, columns: int) -> np.ndarray:
 def test_the_variable_and_the_limit_that_divide_two_phonemes_are_found():
     values = uniform(N, 3)
     truth = np.where(values[:, 1] > 0.25, Phoneme.A, Phoneme.SILENCE).astype(np.uint8)
-    quiet, loud = grown(("x", "y", "z"), values, truth)
+    quiet, loud = grown(("x", "y", "z"), values, truth, 2)
     assert (quiet.phoneme, loud.phoneme) == (Phoneme.SILENCE, Phoneme.A)
     assert [(c.variable, c.sign) for rule in (quiet, loud) for c in rule.conditions] == [("y", "<"), ("y", ">")]
     assert quiet.conditions[0].limit == pytest.approx(0.25, abs=0.02)
@@ -34,7 +34,7 @@ def test_a_corner_takes_one_rule_of_two_comparisons():
     values = uniform(N, 2)
     truth = np.where((values > 0.5).all(axis=1), Phoneme.I, Phoneme.M).astype(np.uint8)
     features = Features(("x", "y"), values.astype(np.float32))
-    rules = grown(("x", "y"), values, truth)
+    rules = grown(("x", "y"), values, truth, 3)
     assert sum(rule.phoneme is Phoneme.I for rule in rules) == 1
     answers = RuleRecogniser(rules, Thresholds()).recognise(features).phonemes
     assert np.mean(answers == truth) > 0.97
@@ -49,9 +49,17 @@ def test_rules_stay_few_and_short_even_where_nothing_divides():
 
 
 def test_neighbours_that_say_the_same_are_one_rule():
-    values = uniform(N, 1)
-    truth = np.where(values[:, 0] > 0.5, Phoneme.A, Phoneme.SILENCE).astype(np.uint8)
+    values = np.floor(20 * uniform(N, 1))
+    truth = np.where(values[:, 0] > 9, Phoneme.A, Phoneme.SILENCE).astype(np.uint8)
     assert len(grown(("x",), values, truth, 30)) == 2
+
+
+def test_a_count_lies_never_on_a_limit():
+    values = np.floor(20 * uniform(N, 1))
+    truth = np.where(values[:, 0] > 9, Phoneme.A, Phoneme.SILENCE).astype(np.uint8)
+    rules = RuleRecogniser(grown(("x",), values, truth), Thresholds())
+    answers = rules.recognise(Features(("x",), values.astype(np.float32))).phonemes
+    np.testing.assert_array_equal(answers, truth)
 
 
 def test_frames_without_a_known_label_teach_nothing():

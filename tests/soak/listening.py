@@ -14,7 +14,7 @@ import numpy as np
 from engine.analyser import Analysis
 from engine.live.listener import Listener
 from engine.live.tape import Tape
-from engine.presets.preset import DEFAULT_PRESET, load_preset
+from engine.presets.files import DEFAULT_PRESET, load_preset
 
 TICK = 1 / 60
 """Seconds between two looks at what has been heard, as a window has it."""

@@ -20,7 +20,7 @@ from tests.voices.labels import Segment
 from tests.voices.romance_phones import ESPERANTO, PORTUGUESE
 from tests.voices.slavic_phones import RUSSIAN, UKRAINIAN
 from tests.voices.texts import utterances
-from tests.voices.turkic_phones import KYRGYZ, TATAR
+from tests.voices.turkic_phones import KYRGYZ
 from tests.voices.voice import Voice
 from tests.voices.writing import Speaker, Utterance
 
@@ -45,15 +45,14 @@ class Model(NamedTuple):
     shift: float = 0.0  # s, where the labels were measured to be 5 ms or more from where they fit best
 
 
-LAB = "CC-BY-NC-ND-4.0 (RHVoice Lab)"
 EN = Language("English", "en-US", "en", ENGLISH)
 RU = Language("Russian", "ru-RU", "ru", RUSSIAN)
 UK = Language("Ukrainian", "uk-UA", "uk", UKRAINIAN)
 KY = Language("Kyrgyz", "ky-KG", "ky", KYRGYZ)
-TT = Language("Tatar", "tt-RU", "tt", TATAR)
 EO = Language("Esperanto", "eo", "eo", ESPERANTO)
 PT = Language("Brazilian-Portuguese", "pt-BR", "pt", PORTUGUESE)
-MODELS = (  # without slt, who speaks in festvox-us-slt-hts too, and natia, whose licence allows personal use alone
+# Without slt, who speaks in festvox-us-slt-hts too, and without the voices whose licences forbid commercial use.
+MODELS = (
     Model("bdl", "Bdl", EN, "male", "CMU ARCTIC BSD-like"),
     Model("clb", "Clb", EN, "female", "CMU ARCTIC BSD-like"),
     Model("Leticia-F123", "Letícia-F123", PT, "female", "CC-BY-SA-4.0"),
@@ -61,12 +60,8 @@ MODELS = (  # without slt, who speaks in festvox-us-slt-hts too, and natia, whos
     Model("natalia", "Natalia", UK, "female", "LGPL-2.1"),
     Model("spomenka", "Spomenka", EO, "female", "GPL-3.0", shift=-0.007),
     Model("elena", "Elena", RU, "female", "GPL-3.0"),
-    Model("anna", "Anna", RU, "female", LAB, shift=-0.005),
-    Model("irina", "Irina", RU, "female", LAB),
-    Model("aleksandr", "Aleksandr", RU, "male", LAB),
     Model("azamat", "Azamat", KY, "male", "GPL-3.0+ (package)"),
     Model("nazgul", "Nazgul", KY, "female", "GPL-3.0+ (package)"),
-    Model("talgat", "Talgat", TT, "male", "free for non-commercial use (RSBS Kazan)"),
 )
 RATES = (0.8, 1.3)
 PITCHES = (0.85, 1.2)

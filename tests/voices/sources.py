@@ -62,12 +62,6 @@ SOURCES = {
         (),
         "ш|ж|ч|у|п|б|м|з",
     ),
-    "tt": Sources(
-        "а-яёәҗңөүһ",
-        _catalogues("tt", "libgtk-3-common", "libgtk2.0-common", "gimp-data", "libglib2.0-data", "iso-codes"),
-        (),
-        "ш|ж|җ|ч|у|п|б|м|з",
-    ),
     "hi": Sources(
         "\u0900-\u0963", (f"libreoffice-l10n-hi/{OFFICE}",), (f"hunspell-hi/{HUNSPELL}/hi_IN.dic",), "श|ष|ज़|ू|ु|ो|म|ब|प"
     ),

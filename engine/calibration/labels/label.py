@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
-from engine.recognition.runs import runs_of
+from engine.recognition.runs import Run, runs_of
 from engine.settings import FRAME_PERIOD
 
 CORE = "core"
@@ -103,7 +103,11 @@ def labels_of(phonemes: NDArray[np.uint8], duration: float | None = None) -> tup
     duration : length of the sound, seconds, where the last label ends; that of the frames where it is None.
     """
     seconds = len(phonemes) * FRAME_PERIOD if duration is None else duration
-    runs = runs_of([(phonemes, np.zeros(len(phonemes), np.float32))], seconds)
+    return labels_of_runs(runs_of([(phonemes, np.zeros(len(phonemes), np.float32))], seconds))
+
+
+def labels_of_runs(runs: Iterable[Run]) -> tuple[Label, ...]:
+    """Give stretches of recognised phonemes, in order of time, as labels."""
     return tuple(Label(run.start, run.end, run.phoneme.label, run.phoneme) for run in runs)
 
 

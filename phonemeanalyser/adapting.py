@@ -1,0 +1,52 @@
+"""``phonemeanalyser adapt``: the learned recogniser learns one voice."""
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+
+from engine.calibration.adaptation import adapt as adapted
+from engine.calibration.corpus import Utterance, read_recordings
+from engine.calibration.labels.names import Mapping, load_mapping
+from engine.calibration.learning.lessons import lesson_of_recording
+from engine.errors import PresetError
+from engine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+
+
+def adapt(words: list[str]) -> int:
+    """Run the command; returns its exit code."""
+    options = _options(words)
+    preset = load_preset(options.preset)
+    if preset.model is None:
+        raise PresetError(
+            f"{options.preset.name}: it has no learned model, so there is nothing to adapt; name a preset with one"
+        )
+    mapping = load_mapping(options.map) if options.map else Mapping()
+    found: list[Utterance] = []
+    for folder in options.folders:
+        found += read_recordings(folder, mapping)
+    outcome = adapted(preset.model, [lesson_of_recording(utterance) for utterance in found])
+    save_preset(replace(preset, name=options.out.stem, model=outcome.model), options.out)
+    seconds = sum(utterance.labels[-1].end for utterance in found if utterance.labels)
+    figures = f"{outcome.before:.1%} -> {outcome.after:.1%} of the frames right on what was held back"
+    told = (
+        figures
+        if outcome.boldness
+        else f"nothing helped on what was held back ({outcome.before:.1%} right); unchanged"
+    )
+    print(f"{options.out}: {len(found)} recordings, {seconds:.0f} s; {told}")
+    return 0
+
+
+def _options(words: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser adapt",
+        description="Adapt the learned recogniser to the takes or labelled recordings of one voice.",
+    )
+    parser.add_argument("folders", type=Path, nargs="+", metavar="FOLDER", help="takes, or labelled recordings")
+    parser.add_argument("-o", "--out", type=Path, required=True, metavar="PRESET", help="the adapted preset, .toml")
+    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset to begin with (default: learned)")
+    parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
+    options = parser.parse_args(words)
+    if options.out.suffix.lower() != ".toml":
+        raise PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")
+    return options

@@ -1,0 +1,259 @@
+"""The workbench of the takes and recordings at hand: measured in the background, asked at once."""
+
+from dataclasses import replace
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from engine.calibration.confusion import Confusion, Passage
+from engine.calibration.corpus import Utterance
+from engine.calibration.distributions import Distribution, RankedVariable, distribution_of, ranked_variables
+from engine.calibration.heed import Heed
+from engine.calibration.suggestions import Suggestion, suggested_variables
+from engine.calibration.workbench import Workbench
+from engine.errors import EngineError
+from engine.phonemes import Phoneme
+from engine.recognition.rules import CONDITIONS
+from phonemeanalyser.models.backroom import Backroom
+from phonemeanalyser.models.preset import PresetModel
+
+Pair = tuple[Phoneme, Phoneme | None]
+
+
+class Line:
+    """A threshold that is drawn into a distribution, and can be moved.
+
+    Attributes
+    ----------
+    name : what it is called.
+    sign : the comparison with it, ``<`` or ``>``.
+    value : where it lies.
+    """
+
+    def __init__(self, name: str, sign: str, value: float, *, is_limit: bool) -> None:
+        self.name, self.sign, self.value, self.is_limit = name, sign, value, is_limit
+
+
+class BenchModel(QObject):
+    """Measures what is loaded, and follows the preset: what a threshold changes is known at the next `see`.
+
+    Signals
+    -------
+    measured : another workbench is there, or none.
+    confusion_changed : the answers are others.
+    distribution_changed : the distribution of the chosen variable, or the ranking, is another.
+    suggested : variables were found that are worth adding, or none.
+    failed : a sentence for the user.
+    """
+
+    measured = Signal()
+    confusion_changed = Signal()
+    distribution_changed = Signal()
+    suggested = Signal()
+    failed = Signal(str)
+
+    def __init__(self, preset: PresetModel) -> None:
+        super().__init__()
+        self.workbench: Workbench | None = None
+        self.confusion: Confusion | None = None
+        self.distribution: Distribution | None = None
+        self.ranking: tuple[RankedVariable, ...] = ()
+        self.suggestions: tuple[Suggestion, ...] = ()
+        self.variable = "m_szsch1"
+        self._preset = preset
+        self._utterances: tuple[Utterance, ...] = ()
+        self._stale = False
+        self._measuring = Backroom(self._refuse)
+        self._looking = Backroom(self.failed.emit)
+        self._searching = Backroom(self.failed.emit)
+        preset.changed.connect(self._follow_preset)
+
+    # -- what there is ------------------------------------------------------------------------------------
+
+    @property
+    def busy(self) -> bool:
+        """Whether recordings are being measured."""
+        return self._measuring.busy
+
+    @property
+    def share(self) -> float:
+        """How much is measured, 0..1."""
+        return self._measuring.share
+
+    @property
+    def searching(self) -> bool:
+        """Whether variables are being searched for."""
+        return self._searching.busy
+
+    @property
+    def search_share(self) -> float:
+        """How much of the search is done, 0..1."""
+        return self._searching.share
+
+    @property
+    def utterances(self) -> tuple[Utterance, ...]:
+        """The recordings that are measured, or are being."""
+        return self._utterances
+
+    def lines(self) -> list[Line]:
+        """Give the thresholds of the preset on the chosen variable."""
+        preset = self._preset.preset
+        if preset.recogniser == "rules":
+            found = {
+                (c.limit, c.sign): Line("limit", c.sign, c.limit, is_limit=True)
+                for rule in preset.rules
+                for c in rule.conditions
+                if c.variable == self.variable and not c.threshold
+            }
+            return list({value: line for (value, _), line in found.items()}.values())
+        used = self._preset.used_thresholds
+        conditions = {c.threshold: c for c in CONDITIONS if c.variable == self.variable and c.threshold in used}
+        return [
+            Line(name, c.sign, float(getattr(preset.thresholds, name)), is_limit=False)
+            for name, c in conditions.items()
+        ]
+
+    def move(self, line: Line, value: float) -> None:
+        """Move a threshold, of the thesis rules or of the preset's own."""
+        value = float(f"{value:.4g}")
+        if not line.is_limit:
+            self._preset.set_threshold(line.name, value)
+            return
+        preset, old = self._preset.preset, line.value
+        rules = tuple(
+            replace(
+                rule,
+                conditions=tuple(
+                    replace(c, limit=value) if (c.variable, c.threshold, c.limit) == (self.variable, "", old) else c
+                    for c in rule.conditions
+                ),
+            )
+            for rule in preset.rules
+        )
+        line.value = value
+        self._preset.edit(replace(preset, rules=rules), f"change of a limit of {self.variable}")
+
+    def end_move(self) -> None:
+        """End a drag: undo takes it back as a whole."""
+        self._preset.end_edit()
+
+    def passages(self, truth: Phoneme, answer: Phoneme) -> list[Passage]:
+        """Give the stretches of a cell of the confusion matrix, the longest first."""
+        found = self.confusion.frames_in(truth, answer) if self.confusion else ()
+        return sorted(found, key=lambda p: p.start - p.end)
+
+    # -- what is asked ------------------------------------------------------------------------------------
+
+    def load(self, utterances: tuple[Utterance, ...]) -> None:
+        """Measure these recordings; what was measured before is not measured again."""
+        self._utterances = utterances
+        self._measure()
+
+    def choose(self, variable: str) -> None:
+        """Show the distribution of another variable."""
+        self.variable = variable
+        self._look()
+
+    def suggest(self, one: Phoneme, other: Phoneme | None) -> None:
+        """Search for variables that part two phonemes, or one from all others."""
+        bench, preset = self.workbench, self._preset.in_force
+        if bench is None:
+            self.failed.emit("There is nothing to search in yet; record takes or load labelled recordings first.")
+            return
+        self._searching.instead(
+            lambda heed: suggested_variables(bench, preset, one, other, heed), self._take_suggestions
+        )
+
+    def cancel_search(self) -> None:
+        """End the search for variables."""
+        self._searching.cancel()
+
+    def see(self) -> None:
+        """Take note of what was measured, and answer anew where the preset is another."""
+        self._measuring.see()
+        self._looking.see()
+        self._searching.see()
+        if self._stale:
+            self._stale = False
+            self._answer()
+
+    def close(self) -> None:
+        """End all work."""
+        for room in (self._measuring, self._looking, self._searching):
+            room.cancel()
+            room.close()
+
+    # -- the work -----------------------------------------------------------------------------------------
+
+    def _follow_preset(self) -> None:
+        if self.workbench is not None and self._must_measure():
+            self._measure()
+        self._stale = True
+
+    def _must_measure(self) -> bool:
+        try:
+            return self.workbench is not None and self.workbench.needs_measuring(self._preset.in_force)
+        except EngineError:
+            return False
+
+    def _measure(self) -> None:
+        utterances, preset, known = self._utterances, self._preset.in_force, self.workbench
+        if not utterances:
+            self._measuring.cancel()
+            self._take_up(None)
+            return
+        self._measuring.instead(lambda heed: Workbench(utterances, preset, known=known, heed=heed), self._take_up)
+
+    def _take_up(self, workbench: Workbench | None) -> None:
+        self.workbench = workbench
+        self._stale = True
+        self.measured.emit()
+        self._look()
+
+    def _refuse(self, sentence: str) -> None:
+        self.failed.emit(sentence)
+
+    def _answer(self) -> None:
+        if self.workbench is None:
+            self.confusion = None
+        elif self._must_measure():
+            return
+        else:
+            try:
+                self.confusion = self.workbench.confusion(self._preset.in_force)
+            except EngineError as error:
+                self.failed.emit(str(error))
+                return
+        self.confusion_changed.emit()
+
+    def _look(self) -> None:
+        bench, variable = self.workbench, self.variable
+        if bench is None or not bool(np.any(bench.labels.certain)):
+            self.distribution, self.ranking = None, ()
+            self.distribution_changed.emit()
+            return
+        if variable not in bench.variables:
+            variable = self.variable = bench.variables[0]
+        ranking = self.ranking if self._ranked_for is bench else ()
+        self._looking.instead(
+            lambda heed: _looked_at(bench, variable, ranking, heed), lambda found: self._take_look(bench, found)
+        )
+
+    _ranked_for: Workbench | None = None
+
+    def _take_look(self, bench: Workbench, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
+        self.distribution, self.ranking = found
+        self._ranked_for = bench
+        self.distribution_changed.emit()
+
+    def _take_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
+        self.suggestions = suggestions
+        self.suggested.emit()
+        if not suggestions:
+            self.failed.emit("No frequency range parts these two; record more takes of them, or choose another pair.")
+
+
+def _looked_at(
+    bench: Workbench, variable: str, ranking: tuple[RankedVariable, ...], heed: Heed
+) -> tuple[Distribution, tuple[RankedVariable, ...]]:
+    return distribution_of(bench, variable), ranking or ranked_variables(bench, heed=heed)

@@ -1,0 +1,127 @@
+"""A report: one or two presets on the same recordings, and how figures are named and written in all formats."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+from engine.calibration.added_noise import Noise
+from engine.calibration.comparison import Comparison
+from engine.calibration.corpus import Utterance
+from engine.calibration.evaluation import CorpusScores, GroupScores
+from engine.calibration.scoring import TEN
+from engine.phonemes import Phoneme
+from engine.settings import FRAME_PERIOD
+
+CLASSES = (*TEN, Phoneme.UNIDENTIFIED)
+"""The order in which phonemes are listed."""
+
+
+@dataclass(frozen=True)
+class ScoredPreset:
+    """A preset under the title that tells it from the other one, and its scores."""
+
+    title: str
+    scores: CorpusScores
+
+
+@dataclass(frozen=True)
+class Report:
+    """What is to be told.
+
+    Attributes
+    ----------
+    folder : of the recordings.
+    presets : one, or two that are compared.
+    comparison : of the two.
+    noise : what was added to the recordings.
+    left_out : a sentence for each recording that could not be scored.
+    """
+
+    folder: Path
+    presets: tuple[ScoredPreset, ...]
+    comparison: Comparison | None = None
+    noise: Noise | None = None
+    left_out: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """The name of the corpus."""
+        return printable(self.folder.absolute().name or str(self.folder))
+
+    @property
+    def first(self) -> CorpusScores:
+        """The scores of the first preset."""
+        return self.presets[0].scores
+
+    @property
+    def conditions(self) -> str:
+        """What was heard under which conditions, in words."""
+        minutes = self.first.overall.scores.minutes
+        words = [counted(len(self.first.answers), "recording"), f"{minutes:.1f} minutes"]
+        words.append(counted(len(self.first.by_speaker), "speaker"))
+        words.append(f"lag {1000 * self.first.lag:g} ms")
+        if self.noise is not None:
+            words.append(f"{self.noise.kind} noise {self.noise.snr:g} dB below the speech (seed {self.noise.seed})")
+        return ", ".join(words)
+
+    def name_of(self, utterance: Utterance) -> str:
+        """Give the place of a recording in the corpus."""
+        path = utterance.path
+        return printable(path.relative_to(self.folder).as_posix() if path.is_relative_to(self.folder) else path.name)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure of agreement: its field in `Scores`, and what people call it and read in it."""
+
+    field: str
+    title: str
+    meaning: str
+
+
+FIGURES = (
+    Figure("ten_f1", "Macro F1", "mean F1 of the ten classes"),
+    Figure("ten_acc", "Right", "share of frames right, of those labelled as one of the ten classes"),
+    Figure("vowel5", "Clear vowels", "share right of the frames labelled as a clear a, e, i, o or u"),
+    Figure("mouth_acc", "Mouth shapes", "share of all frames with the right one of six mouth shapes"),
+    Figure("mouth_f1", "Mouth F1", "mean F1 of the six mouth shapes"),
+    Figure("silence_recall", "Silence found", "share of silent frames called silence"),
+    Figure("false_silence", "False silence", "share of spoken frames called silence: less is better"),
+)
+"""The shares, all 0..1."""
+
+
+def flicker_of(group: GroupScores) -> float:
+    """Give how often the answer changes for each change of the labels; NaN where these never change."""
+    return group.changes / group.label_changes if group.label_changes else math.nan
+
+
+def look_ahead_of(scores: CorpusScores) -> str:
+    """Give how long the recogniser waits, in words."""
+    return f"{1000 * scores.look_ahead * FRAME_PERIOD:g} ms"
+
+
+def counted(n: int, noun: str) -> str:
+    """Give a number of things in words."""
+    return f"{n} {noun}" if n == 1 else f"{n} {noun}s"
+
+
+def written(value: float, digits: int = 3) -> str:
+    """Write a figure; a dash stands where there was nothing to count."""
+    return "–" if math.isnan(value) else f"{value:.{digits}f}"
+
+
+def signed(value: float) -> str:
+    """Write a difference in whole numbers with its sign, and none where there is no difference."""
+    return f"{value:+.0f}".replace("-", "−") if round(value) else "0"
+
+
+def clock(seconds: float) -> str:
+    """Write a place in a recording as minutes and seconds."""
+    hundredths = round(100 * seconds)
+    return f"{hundredths // 6000}:{hundredths // 100 % 60:02d}.{hundredths % 100:02d}"
+
+
+def printable(name: str) -> str:
+    """Give a name without characters that would break the line it stands in."""
+    return "".join(c if c.isprintable() else "?" for c in name)

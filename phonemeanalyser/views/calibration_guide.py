@@ -1,0 +1,221 @@
+"""What the user sees while he is led through all sounds."""
+
+import math
+from typing import Any
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from phonemeanalyser.models.calibration import Calibration
+from phonemeanalyser.models.calibration_guide import STEPS, Phase
+from phonemeanalyser.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.views.calibration_figures import FiguresTable
+from phonemeanalyser.views.calibration_keys import name_of
+from phonemeanalyser.views.level_meter import LevelMeter
+
+RING = 15
+"""Width of the ring in pixels."""
+
+
+class Ring(QWidget):
+    """A ring that fills while the sound is heard, around what is to be said."""
+
+    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+        super().__init__()
+        self._guide = calibration.guide
+        self._theme = theme
+        self.setMinimumSize(180, 170)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint the ring and the sound."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        side = min(self.width(), self.height()) - RING - 8
+        box = QRectF((self.width() - side) / 2, (self.height() - side) / 2, side, side)
+        guide = self._guide
+        learning = guide.phase in {Phase.LEARNING, Phase.DONE}
+        colour = QColor(self._theme.accent if learning else PHONEME_COLOURS[guide.step.phoneme])
+        if guide.phase is Phase.SHOWING:
+            colour = QColor(self._theme.bad if guide.advice else self._theme.good)
+        painter.setPen(QPen(QColor(self._theme.line), RING, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
+        painter.drawEllipse(box)
+        painter.setPen(QPen(colour, RING, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
+        share = 1.0 if guide.phase is Phase.DONE else guide.share
+        painter.drawArc(box, 90 * 16, -round(360 * 16 * share))
+        painter.setPen(QColor(self._theme.text))
+        inner = side - 3 * RING
+        self._write(painter, box, self._words(), inner)
+
+    def _words(self) -> str:
+        guide = self._guide
+        if guide.phase is Phase.LEARNING:
+            return "learning"
+        if guide.phase is Phase.DONE:
+            return "done"
+        if guide.phase is Phase.SHOWING:
+            return "again" if guide.advice else "✓"
+        return guide.step.say
+
+    def _write(self, painter: QPainter, box: QRectF, text: str, width: float) -> None:
+        font = painter.font()
+        font.setPixelSize(100)
+        painter.setFont(font)
+        wide = max(1, painter.fontMetrics().horizontalAdvance(text))
+        font.setPixelSize(max(12, min(64, math.floor(100 * width / wide))))
+        painter.setFont(font)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+
+
+class StepsLine(QWidget):
+    """All sounds in a row: done, at hand, and to come."""
+
+    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+        super().__init__()
+        self._guide = calibration.guide
+        self._theme = theme
+        self.setFixedHeight(40)
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint a cell for each sound."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        cell = self.width() / len(STEPS)
+        font = painter.font()
+        font.setPixelSize(12)
+        painter.setFont(font)
+        for k, step in enumerate(STEPS):
+            box = QRectF(k * cell + 2, 2, cell - 4, self.height() - 4)
+            done, here = k in self._guide.numbers, k == self._guide.index
+            painter.setPen(QPen(QColor(self._theme.accent if here else self._theme.line), 2 if here else 1))
+            painter.setBrush(QColor(self._theme.raised))
+            painter.drawRoundedRect(box, 4, 4)
+            painter.fillRect(QRectF(box.left() + 4, box.bottom() - 5, box.width() - 8, 3),
+                             QColor(PHONEME_COLOURS[step.phoneme]))  # fmt: skip
+            painter.setPen(QColor(self._theme.text if here or done else self._theme.faint))
+            mark = "✓ " if done else ""
+            painter.drawText(box.adjusted(0, 0, 0, -5), Qt.AlignmentFlag.AlignCenter, mark + name_of(step.phoneme))
+
+
+class GuideView(QWidget):
+    """Leads through the sounds, and shows at the end what was learned."""
+
+    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+        super().__init__()
+        self._calibration = calibration
+        self._theme = theme
+        self.title, self.hint, self.advice, self.room = QLabel(), QLabel(), QLabel(), QLabel()
+        self.steps = StepsLine(calibration, theme)
+        self.ring = Ring(calibration, theme)
+        self.meter = LevelMeter(calibration.session.microphone, theme)
+        self.figures = FiguresTable(("before", "after"), theme)
+        self.back, self.again, self.skip = QToolButton(), QToolButton(), QToolButton()
+        self.cancel, self.refuse, self.accept = QToolButton(), QToolButton(), QToolButton()
+        self._lay_out()
+        self._connect()
+
+    def refresh(self) -> None:
+        """Show how far it is."""
+        self.ring.update()
+        self.meter.update()
+
+    def _lay_out(self) -> None:
+        column = QVBoxLayout(self)
+        column.setContentsMargins(24, 12, 24, 12)
+        column.setSpacing(8)
+        for label in (self.title, self.hint, self.advice, self.room):
+            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            label.setWordWrap(True)
+        self.advice.setMinimumHeight(34)
+        self.advice.setStyleSheet(f"color: {self._theme.bad}; font-weight: bold")
+        self.room.setStyleSheet(f"color: {self._theme.faint}")
+        column.addWidget(self.title)
+        column.addWidget(self.steps)
+        column.addWidget(self.ring, 3)
+        column.addWidget(self.hint)
+        column.addWidget(self.figures, 3)
+        for widget in (self.advice, self.meter, self.room):
+            column.addWidget(widget)
+        self.accept.setStyleSheet(
+            f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
+            " border-radius: 4px; padding: 2px 12px; font-weight: bold }"
+        )
+        row = QHBoxLayout()
+        row.addStretch(1)
+        for button in (self.back, self.again, self.skip, self.cancel, self.refuse, self.accept):
+            button.setMinimumHeight(28)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            row.addWidget(button)
+        row.addStretch(1)
+        column.addLayout(row)
+
+    def _connect(self) -> None:
+        guide = self._calibration.guide
+        for button, text, tip, act in (
+            (self.back, "◀ back", "Say the sound before once more (Backspace)", guide.back),
+            (self.again, "again", "Say this sound once more", guide.again),
+            (self.skip, "skip ▶", "Go on without this sound (Right)", guide.skip),
+            (self.cancel, "cancel", "End the guide; what was recorded stays", guide.cancel),
+            (self.refuse, "keep the old preset", "Leave the preset as it was; the takes stay", guide.cancel),
+            (self.accept, "use the new preset", "Change the preset; Ctrl+Z takes it back (Return)", guide.accept),
+        ):
+            button.setText(text)
+            button.setToolTip(tip)
+            button.setAccessibleName(tip)
+            button.clicked.connect(lambda _checked=False, act=act: act())
+        for key, button in (("Backspace", self.back), ("Right", self.skip), ("Return", self.accept)):
+            QShortcut(QKeySequence(key), self).activated.connect(lambda button=button: _click(button))
+        guide.changed.connect(self._show)
+
+    def _show(self) -> None:
+        guide, done = self._calibration.guide, self._calibration.guide.phase is Phase.DONE
+        n = min(guide.index + 1, len(STEPS))
+        asking = guide.phase in {Phase.WAITING, Phase.HEARING, Phase.SHOWING}
+        self.title.setText(f"<h2>{self._title(n)}</h2>")
+        self.hint.setText(f"<span style='font-size: 16px'>{self._hint()}</span>")
+        self.advice.setText(guide.advice)
+        room = guide.room
+        said = f"room noise {_decibels(room.level):.0f} dB" if room is not None else "the room is not measured yet"
+        self.room.setText(f"{said}   ·   voice by {self._calibration.takes.speaker or 'me'}")
+        for widget in (self.skip, self.again, self.meter, self.room):
+            widget.setVisible(asking)
+        self.back.setVisible(asking or done)
+        gains = done and guide.outcome is not None and guide.outcome.gains
+        self.cancel.setVisible(not done)
+        self.refuse.setVisible(done)
+        self.refuse.setText("keep the old preset" if gains else "close")
+        self.accept.setVisible(gains)
+        self.figures.setVisible(done and guide.outcome is not None)
+        if done and guide.outcome is not None:
+            self.figures.show_scores((guide.outcome.before, guide.outcome.after))
+        self.steps.update()
+        self.ring.update()
+
+    def _title(self, n: int) -> str:
+        guide = self._calibration.guide
+        if guide.phase is Phase.LEARNING:
+            return "Learning your voice"
+        if guide.phase is Phase.DONE:
+            better = guide.outcome is not None and guide.outcome.gains
+            return "It knows your voice better now" if better else "Nothing better was found"
+        return f"Sound {n} of {len(STEPS)}"
+
+    def _hint(self) -> str:
+        guide = self._calibration.guide
+        if guide.phase is Phase.LEARNING:
+            return "this takes a few seconds"
+        if guide.phase is Phase.DONE:
+            return "Figures on the takes of this calibration:" if guide.outcome is not None else ""
+        if not self._calibration.session.microphone.listening:
+            return f"{self._calibration.session.microphone.words} …"
+        return guide.step.hint
+
+
+def _click(button: QToolButton) -> None:
+    if button.isVisible():
+        button.click()
+
+
+def _decibels(amplitude: float) -> float:
+    return 20 * math.log10(max(amplitude, 1e-6))

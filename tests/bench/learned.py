@@ -1,0 +1,77 @@
+"""The learned recogniser: one frame at a time, whole files, adapting to a voice; without any library for learning."""
+
+import time
+
+import numpy as np
+
+from engine.analyser import Analyser
+from engine.calibration.adaptation import adapt
+from engine.calibration.labels.files import read_labels
+from engine.calibration.learning.lessons import lesson_of
+from engine.features.measure import Features
+from engine.presets.files import DEFAULT_PRESET, load_preset
+from engine.presets.preset import Preset
+from engine.recognition.learned import LearnedRecogniser
+from engine.settings import HOP, WINDOW
+from tests.bench.dragging import CARDS
+from tests.bench.figures import Figure, interleaved, shown, speech
+
+N_FRAMES = 1000
+N_ROUNDS = 9
+ONE_FRAME = 150e-6
+REAL_TIME = 300
+MINUTES = 5
+ADAPTED_WITHIN = 5.0
+COPIES = 5
+"""Of two seconds of labelled speech: as much as the takes of a guided calibration."""
+
+
+def figures() -> list[Figure]:
+    """Measure all three."""
+    preset = load_preset(DEFAULT_PRESET)
+    return [_one_frame(preset), _whole_file(preset), _adapting(preset)]
+
+
+def _one_frame(preset: Preset) -> Figure:
+    assert preset.model is not None
+    windows = np.lib.stride_tricks.sliding_window_view(speech(N_FRAMES * HOP / 44_100 + 0.1), WINDOW)[::HOP]
+    blocks = [Features(("energy",), np.zeros((1, 1), np.float32), w[np.newaxis]) for w in windows[:N_FRAMES]]
+    recogniser = LearnedRecogniser(preset.model, 0.05)
+
+    def recognise_all() -> None:
+        for block in blocks:
+            recogniser.recognise(block)
+
+    (seconds,) = interleaved(N_ROUNDS, recognise_all)
+    ratio = float(np.median(seconds)) / N_FRAMES / ONE_FRAME
+    return Figure("learned recogniser, one frame", shown(seconds, N_FRAMES), "150 µs", ratio, limit=1.0)
+
+
+def _whole_file(preset: Preset) -> Figure:
+    sound = speech(60 * MINUTES)
+
+    def analyse() -> None:
+        analyser = Analyser(preset)
+        for k in range(0, len(sound), 512 * HOP):
+            analyser.push(sound[k : k + 512 * HOP])
+        analyser.finish()
+
+    (seconds,) = interleaved(3, analyse)
+    limit = 60 * MINUTES / REAL_TIME
+    return Figure(
+        f"learned, {MINUTES} min of sound",
+        shown(seconds),
+        f"1/{REAL_TIME} of it",
+        float(np.median(seconds)) / limit,
+        1.0,
+    )
+
+
+def _adapting(preset: Preset) -> Figure:
+    assert preset.model is not None
+    labels = read_labels(CARDS.with_suffix(".csv"))
+    lesson = lesson_of(speech(labels[-1].end), labels)
+    began = time.perf_counter()
+    adapt(preset.model, [lesson] * COPIES)
+    seconds = [time.perf_counter() - began]
+    return Figure("adapting to 10 s of takes", shown(seconds), "5 s", seconds[0] / ADAPTED_WITHIN, limit=1.0)

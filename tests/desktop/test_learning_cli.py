@@ -1,0 +1,112 @@
+"""``phonemeanalyser train`` and ``adapt``: what they write, say and refuse."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from engine.calibration.labels.label import Label
+from engine.phonemes import Phoneme
+from engine.presets.files import DEFAULT_PRESET, THESIS_PRESET, load_preset
+from engine.recognition.model import load_model
+from engine.settings import SAMPLE_RATE
+from phonemeanalyser.cli import main
+from tests.corpora import put
+from tests.sounds import noise, vowel
+from tests.tables import refused
+
+FORMANTS = {Phoneme.A: (750, 1250, 2500), Phoneme.I: (300, 2200, 3000), Phoneme.U: (310, 800, 2300)}
+
+
+def speak(folder: Path, name: str, f0: float, seconds: float = 0.5, tract: float = 1.0) -> None:
+    """Write a recording of one voice that says all vowels, labelled."""
+    parts, labels = [], []
+    at = 0.0
+    for phoneme, formants in (*FORMANTS.items(), (Phoneme.SILENCE, None)):
+        sound = vowel(tuple(f * tract for f in formants), seconds, f0) if formants else noise(seconds, 1e-4)
+        parts.append(sound)
+        labels.append(Label(at, at + len(sound) / SAMPLE_RATE, phoneme.label, phoneme))
+        at = labels[-1].end
+    put(folder, name, np.concatenate(parts), tuple(labels))
+
+
+@pytest.fixture
+def takes(tmp_path: Path) -> Path:
+    folder = tmp_path / "takes"
+    folder.mkdir()
+    for k in range(4):
+        speak(folder, f"take{k}", 200 + 5 * k, tract=1.3)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def corpus(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("corpus")
+    rows = ["corpus,speaker,language,kind,wav,labels,duration_s,licence,source_package"]
+    for k, name in enumerate(("ann", "bob")):
+        for n in range(4):
+            speak(folder, f"{name}{n}", 100 + 40 * k + n, 7.0)
+            rows.append(f"human_test,{name},en,human,{name}{n}.wav,{name}{n}.csv,28.0,CC0,made up")
+    (folder / "manifest.csv").write_text("\n".join(rows) + "\n")
+    return folder
+
+
+def test_a_voice_is_adapted_to_and_the_preset_written_with_its_model(takes, tmp_path, capsys):
+    out = tmp_path / "voice.toml"
+    assert main(["adapt", str(takes), "-o", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith(f"{out}: 4 recordings, 8 s; ")
+    preset = load_preset(out)
+    assert preset.name == "voice"
+    assert preset.recogniser == "learned"
+    assert (preset.model != load_preset(DEFAULT_PRESET).model) == ("unchanged" not in said)
+    assert (tmp_path / "voice.npz").is_file()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["takes", "-o", "x.txt"], "x.txt: an adapted preset's file ends in .toml; name it so"),
+        (["nowhere", "-o", "x.toml"], "nowhere: no labelled sound was found here; put a "),
+        (["takes", "-o", "x.toml", "--preset", str(THESIS_PRESET)], "thesis.toml: it has no learned model, so there"),
+    ],
+)
+def test_what_cannot_be_adapted_is_refused_in_one_sentence(takes, tmp_path, monkeypatch, capsys, arguments, words):
+    monkeypatch.chdir(tmp_path)
+    assert refused(capsys, "adapt", *arguments).startswith(words)
+    assert not (tmp_path / "x.toml").exists()
+
+
+def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, capsys):
+    out = tmp_path / "mine.npz"
+    arguments = ["--epochs", "1", "--width", "8", "--variations", "1", "--folds", "2", "--seed", "5"]
+    assert main(["train", str(corpus), "-o", str(out), *arguments]) == 0
+    assert f"{out}: " in capsys.readouterr().out
+    model = load_model(out)
+    assert model.about["seed"] == 5
+    assert model.about["speakers"] == 2
+    assert len(model.heads) == 6
+    card = out.with_suffix(".md").read_text()
+    for told in ("# mine", "Seed 5, 1 epochs", "| human_test/ann | en | 1.9 | CC0 | made up |", "| all | 3.7 |"):
+        assert told in card
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["corpus", "-o", "model.bin"], "model.bin: a model's file ends in .npz; name it so"),
+        (["nowhere", "-o", "m.npz"], "manifest.csv: it cannot be read"),
+    ],
+)
+def test_what_cannot_be_trained_is_refused_in_one_sentence(tmp_path, monkeypatch, capsys, arguments, words):
+    monkeypatch.chdir(tmp_path)
+    assert refused(capsys, "train", *arguments).startswith(words)
+    assert not list(tmp_path.glob("*.npz"))
+
+
+def test_too_little_speech_is_refused_before_anything_is_trained(takes, tmp_path, capsys):
+    rows = "".join(f"c,s,take{k}.wav,take{k}.csv\n" for k in range(4))
+    (takes / "manifest.csv").write_text("corpus,speaker,wav,labels\n" + rows)
+    assert refused(capsys, "train", takes, "-o", tmp_path / "m.npz").startswith(
+        "there is too little speech to train with; give at least ten minutes of it"
+    )

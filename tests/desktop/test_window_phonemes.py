@@ -1,0 +1,197 @@
+"""The phonemes of the opened file, saved from the File menu for Praat, Audacity and the corpus."""
+
+import threading
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
+
+from engine.calibration.labels.files import read_labels
+from engine.phonemes import Phoneme
+from engine.presets.files import THESIS_PRESET
+from engine.settings import Channel
+from phonemeanalyser import dialogs
+from phonemeanalyser.models import phoneme_writer
+from phonemeanalyser.models.session import Source
+from tests.desktop.hands import CARDS, press, shown
+from tests.tables import analysed
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def window(desktop, qtbot, sound):
+    return shown(desktop, qtbot, sound)
+
+
+def said(window) -> str:
+    return window.banner.label.text() if window._banner_bar.isVisible() else ""
+
+
+def save(window, qtbot) -> None:
+    """Press the key, and wait until all is written."""
+    press(window, Qt.Key.Key_E, CONTROL)
+    qtbot.waitUntil(lambda: not window._session.writer.busy, timeout=20_000)
+    QTest.qWait(40)
+
+
+@pytest.fixture
+def answer(monkeypatch):
+    """Answers the question for a file."""
+
+    def answer(path: Path | None, chosen: str = "") -> list[str]:
+        suggested: list[str] = []
+
+        def choose(_window, _title, suggestion, _filters):
+            suggested.append(suggestion)
+            return str(path or ""), chosen
+
+        monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", choose)
+        return suggested
+
+    return answer
+
+
+def heard(path: Path) -> list[tuple[float, float, Phoneme]]:
+    return [(label.start, label.end, label.phoneme) for label in read_labels(path)]
+
+
+def test_the_key_the_dialog_and_return_save_a_textgrid_beside_the_sound(window, qtbot, sound):
+    asked: list[str] = []
+
+    def accept() -> None:
+        dialog = QApplication.activeModalWidget()
+        assert isinstance(dialog, QFileDialog)
+        field = dialog.findChild(QLineEdit, "fileNameEdit")
+        asked.append(field.text())
+        QTest.keyClick(field, Qt.Key.Key_Return)
+
+    QTimer.singleShot(300, accept)
+    save(window, qtbot)
+    assert asked == ["speech.TextGrid"]
+    target = sound.with_suffix(".TextGrid")
+    assert said(window) == f"The phonemes of speech.wav are saved in {target}."
+    assert len(heard(target)) > 2
+
+
+@pytest.mark.parametrize("suffix", [".TextGrid", ".txt", ".csv"])
+def test_the_ending_chooses_the_format_and_all_say_what_the_command_says(window, qtbot, sound, answer, suffix):
+    suggested = answer(sound.with_name(f"mine{suffix}"))
+    save(window, qtbot)
+    assert suggested == [str(sound.with_suffix(".TextGrid"))]
+    reference = sound.with_name("reference.TextGrid")
+    analysed(sound, "--preset", THESIS_PRESET, "-o", reference)
+    assert heard(sound.with_name(f"mine{suffix}")) == heard(reference)
+    if suffix == ".TextGrid":
+        assert sound.with_name("mine.TextGrid").read_bytes() == reference.read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("chosen", "written"), [("", "my.words.TextGrid"), ("Audacity labels (*.txt)", "my.words.txt")]
+)
+def test_a_name_without_a_known_ending_is_given_one_and_replaces_nothing(
+    window, qtbot, tmp_path, answer, chosen, written
+):
+    answer(tmp_path / "my.words", chosen)
+    save(window, qtbot)
+    first = (tmp_path / written).read_bytes()
+    (tmp_path / written).write_bytes(b"by hand")
+    save(window, qtbot)
+    path = tmp_path / written
+    assert path.read_bytes() == b"by hand"
+    assert path.with_name(f"{path.stem} (2){path.suffix}").read_bytes() == first
+
+
+def test_the_preset_in_force_and_the_channel_decide(desktop, window, qtbot, stereo, tmp_path, answer):
+    window.dialogs.open_sound(stereo)
+    desktop.session.set_channel(Channel.RIGHT)
+    answer(tmp_path / "right.TextGrid")
+    save(window, qtbot)
+    assert [phoneme for *_, phoneme in heard(tmp_path / "right.TextGrid")] == [Phoneme.SILENCE]
+    desktop.session.set_channel(Channel.LEFT)
+    answer(tmp_path / "left.TextGrid")
+    save(window, qtbot)
+    assert len(heard(tmp_path / "left.TextGrid")) > 2
+    for name in ("silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1"):
+        desktop.preset.set_threshold(name, 1e6)
+    answer(tmp_path / "deaf.TextGrid")
+    save(window, qtbot)
+    assert {phoneme for *_, phoneme in heard(tmp_path / "deaf.TextGrid")} == {Phoneme.SILENCE}
+
+
+def test_who_names_no_file_changes_nothing(window, qtbot, tmp_path, answer):
+    answer(None)
+    before = set(tmp_path.iterdir())
+    save(window, qtbot)
+    assert set(tmp_path.iterdir()) == before
+    assert said(window) == ""
+
+
+def test_without_a_file_it_says_what_to_do(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    save(window, qtbot)
+    assert said(window) == "There is no sound file in hand; open the one whose phonemes are to be saved."
+
+
+def test_at_another_source_it_says_what_to_do(desktop, window, qtbot):
+    desktop.session.set_source(Source.TONE)
+    save(window, qtbot)
+    assert said(window).startswith("There is no sound file in hand")
+
+
+def test_a_folder_that_is_gone_is_said(window, qtbot, tmp_path, answer):
+    answer(tmp_path / "gone" / "mine.TextGrid")
+    save(window, qtbot)
+    assert said(window).startswith("mine.TextGrid: it cannot be written (No such file or directory)")
+
+
+def test_a_sound_that_was_cut_off_meanwhile_leaves_the_old_labels(window, qtbot, sound, tmp_path, answer):
+    (tmp_path / "mine.TextGrid").write_text("old")
+    sound.write_bytes(b"no sound any more")
+    answer(tmp_path / "mine.TextGrid")
+    save(window, qtbot)
+    assert said(window).startswith("speech.wav: ")
+    assert (tmp_path / "mine.TextGrid").read_text() == "old"
+
+
+@pytest.fixture
+def held(monkeypatch):
+    """Holds the analysis until the test lets it go on."""
+    go_on = threading.Event()
+    analyses_of = phoneme_writer.analyses_of
+
+    def slowly(*arguments):
+        assert go_on.wait(20)
+        yield from analyses_of(*arguments)
+
+    monkeypatch.setattr(phoneme_writer, "analyses_of", slowly)
+    yield go_on
+    go_on.set()
+
+
+def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, window, qtbot, sound, answer, held):
+    answer(sound.with_suffix(".TextGrid"))
+    press(window, Qt.Key.Key_E, CONTROL)
+    assert said(window) == "The phonemes of speech.wav are looked for, and then saved in speech.TextGrid …"
+    window.dialogs.open_sound(CARDS)
+    press(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: desktop.session.position > 0.1, timeout=20_000)
+    assert desktop.session.writer.busy
+    desktop.set_theme("dark")
+    held.set()
+    qtbot.waitUntil(lambda: "speech.wav are saved" in said(desktop.window), timeout=20_000)
+    assert len(heard(sound.with_suffix(".TextGrid"))) > 2
+
+
+def test_what_was_asked_for_is_written_before_the_program_ends(desktop, window, sound, answer, held):
+    answer(sound.with_suffix(".csv"))
+    press(window, Qt.Key.Key_E, CONTROL)
+    threading.Timer(0.2, held.set).start()
+    desktop.session.close()
+    assert len(heard(sound.with_suffix(".csv"))) > 2
+
+
+def test_the_key_stands_in_the_list_of_keys(window):
+    assert ("Save the Phonemes…", "Ctrl+E") in window.menus.keys()["File"]
