@@ -170,7 +170,8 @@ def test_two_busy_processes_beside_it_change_nothing(quiet: Heard, tmp_path: Pat
     heard = hear(tmp_path / "busy", CARDS, busy=2)
     shares = share_of_take(heard), share_at(heard, place_in_take(heard)), share_of_lines(heard)
     print(f"equal frames: {shares}; lost {heard.lost} s")
-    assert min(shares[:2]) >= 0.999
+    assert shares[0] >= 0.999
+    assert shares[1] >= 0.99  # the network remembers what came before the sentence
     assert shares[2] >= EQUAL
 
 
