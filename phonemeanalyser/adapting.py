@@ -27,11 +27,11 @@ def adapt(words: list[str]) -> int:
     outcome = adapted(preset.model, [lesson_of_recording(utterance) for utterance in found])
     save_preset(replace(preset, name=options.out.stem, model=outcome.model), options.out)
     seconds = sum(utterance.labels[-1].end for utterance in found if utterance.labels)
-    figures = f"{outcome.before:.1%} -> {outcome.after:.1%} of the frames right on what was held back"
+    figures = f"what was held back is recognised with a certainty of {outcome.after:.0%}, {outcome.before:.0%} before"
     told = (
         figures
-        if outcome.boldness
-        else f"nothing helped on what was held back ({outcome.before:.1%} right); unchanged"
+        if outcome.gains
+        else f"nothing helped on what was held back ({outcome.before:.0%} certain); unchanged"
     )
     print(f"{options.out}: {len(found)} recordings, {seconds:.0f} s; {told}")
     return 0

@@ -1,43 +1,45 @@
 """Adapting the learned recogniser to one voice, from a few seconds of it.
 
-What the network hears stays; how it names what it hears moves towards this voice. It is held by a price on every
-change (maximum a posteriori, as in J.-L. Gauvain and C.-H. Lee, IEEE Trans. Speech and Audio Processing 2(2), 1994),
-and by anchors: frames of other voices, which must be named as before. How far it moves is chosen on recordings that
-are held back, and where nothing helps there, nothing is changed.
+The last layers and the heads of the network move a few steps towards the voice (as in Y. Miao and F. Metze, "On
+Speaker Adaptation of Long Short-Term Memory Recurrent Neural Networks", Interspeech 2015). Anchors hold them:
+stretches of other voices that must be named as before (D. Yu et al., "KL-divergence regularized deep neural network
+adaptation", ICASSP 2013). Each half of every recording is recognised by what the other halves taught; where that does
+not make its labels likelier, nothing is changed.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.calibration.fine_tuning import Stretch, TunedLayers, first_tuned
 from engine.calibration.learning.lessons import Lesson
-from engine.calibration.learning.validation import hidden_of
+from engine.dsp.log_mel import FLOOR, N_BANDS
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.recognition.model import Head, Model
+from engine.recognition.network import Delayed, Network
 
-BOLDNESS = (1.0, 3.0, 10.0)
-"""How much the voice counts against what was learned before, from wary to bold."""
-ANCHORED = 1000.0
-"""How much all anchors count together, in frames, for the wariest."""
-PRICE = 10.0
-"""What a change of a weight costs, in units of its square."""
-STEADY_BIAS = 3.0
-"""How much more a change of a phoneme's share costs: a few seconds tell little about how often it will be said."""
+FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 30, 120, 50
+"""Steps that are taken: one for so many frames of the voice, within these bounds."""
+MOST_FRAMES = 1500
+"""Frames of the voice that a step hears; more of them take turns."""
+ANCHORS_PER_STEP = 2
+ANCHORED = 1.0
+"""How much the anchors of a step count against the voice."""
+SMOOTHING = 0.05
+"""Share of the certainty that is spread over all phonemes: labels lie a little beside the truth."""
 LEAST_FRAMES = 3
 """A phoneme of which fewer frames are given is not touched."""
-N_FOLDS = 4
-LEAST_GAIN = 0.005
-"""By how much more frames must be right on what is held back."""
+LEAST_GAIN = 0.002
+"""By how much likelier the labels must be that are held back."""
 LEAST_SECONDS = 2.0
 BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
-MOST_ROUNDS = 60
 
 Block = NDArray[np.float32]
-Numbers = NDArray[np.float64]
+_HALVES = (0, 1)
 
 
 @dataclass(frozen=True)
@@ -47,23 +49,27 @@ class Adaptation:
     Attributes
     ----------
     model : the adapted one; the same as before where nothing helped.
-    before, after : share of frames that were right on recordings that were held back, all phonemes counted alike.
-    boldness : how much the voice counted; 0 where nothing was changed.
+    before, after : how likely the labels were where they were held back, 0..1, the geometric mean of all frames.
     """
 
     model: Model
     before: float
     after: float
-    boldness: float
+
+    @property
+    def gains(self) -> bool:
+        """Whether anything helped."""
+        return self.after > self.before
 
 
 @dataclass(frozen=True)
 class _Heard:
-    """What the network made of a recording, with labels and what each frame counts."""
+    """What the layers that move hear in a recording, its labels, what each frame counts, and which half it is in."""
 
-    found: Block
+    hidden: Block
     phonemes: NDArray[np.uint8]
     counted: Block
+    halves: NDArray[np.int_]
 
 
 def adapt(model: Model, lessons: Sequence[Lesson]) -> Adaptation:
@@ -80,94 +86,112 @@ def adapt(model: Model, lessons: Sequence[Lesson]) -> Adaptation:
             f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are too little to adapt to; "
             f"give {LEAST_SECONDS:g} s or more of several phonemes"
         )
-    scores = {boldness: _held_back(model, heard, boldness) for boldness in (0.0, *BOLDNESS)}
-    best = max(scores, key=scores.__getitem__)
-    if scores[best] < scores[0.0] + LEAST_GAIN:
-        best = 0.0
-    heads = tuple(_moved(model, heard, k, best) for k in range(len(model.heads))) if best else model.heads
-    return Adaptation(replace(model, heads=heads).rounded(), scores[0.0], scores[best], best)
+    anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
+    before = _likelihood([(model, heard, _HALVES)])
+    after = _likelihood([(_moved(model, heard, anchors, 1 - half), heard, (half,)) for half in _HALVES])
+    if after < before + LEAST_GAIN:
+        return Adaptation(model, before, before)
+    return Adaptation(_moved(model, heard, anchors), before, after)
+
+
+def _moved(model: Model, heard: Sequence[_Heard], anchors: Sequence[Stretch], half: int | None = None) -> Model:
+    """Give the model that has learned from the recordings, or from one half of each."""
+    generator = np.random.default_rng(1)
+    stretches = _stretches_of(heard, half, len(model.heads))
+    n_frames = sum(len(stretch.heard) for stretch in stretches)
+    n_steps = int(np.clip(n_frames / FRAMES_PER_STEP, FEWEST_STEPS, MOST_STEPS))
+    tuned = TunedLayers(model, n_steps, generator)
+    for _ in range(n_steps):
+        few = [anchors[k] for k in generator.permutation(len(anchors))[:ANCHORS_PER_STEP]]
+        tuned.learn([(_drawn(stretches, generator), 1.0), (few, ANCHORED)])
+    return tuned.model()
+
+
+def _drawn(stretches: Sequence[Stretch], generator: np.random.Generator) -> list[Stretch]:
+    """Draw stretches for a step: all, if they are not too many."""
+    drawn: list[Stretch] = []
+    n_frames = 0
+    for k in generator.permutation(len(stretches)):
+        if drawn and n_frames + len(stretches[k].heard) > MOST_FRAMES:
+            break
+        drawn.append(stretches[k])
+        n_frames += len(stretches[k].heard)
+    return drawn
+
+
+def _likelihood(cases: Sequence[tuple[Model, Sequence[_Heard], Sequence[int]]]) -> float:
+    """Give how likely models find the labels of some halves, the geometric mean of all frames."""
+    total = count = 0.0
+    for model, heard, halves in cases:
+        n_ahead = len(model.heads) - 1
+        for h in heard:
+            shares = _shares_of(_through_last_layers(model, h.hidden)[n_ahead:], model.heads[-1])
+            counted = h.counted * np.isin(h.halves, halves)
+            likely = np.maximum(shares[np.arange(len(shares)), h.phonemes], 1e-9)
+            total += float(counted @ np.log(likely))
+            count += float(counted.sum())
+    return float(np.exp(total / max(count, 1e-9)))
 
 
 def _heard(model: Model, lesson: Lesson) -> _Heard:
-    return _Heard(hidden_of(model, lesson), lesson.phonemes, lesson.certainties.astype(np.float32))
+    """Run the first layers over a lesson, and as many frames of silence after it as the model looks ahead."""
+    after = np.full((len(model.heads) - 1, N_BANDS), np.log10(FLOOR), np.float32)
+    hidden = _first_layers(model).push(np.concatenate((lesson.log_powers.astype(np.float32), after)))
+    certain = np.flatnonzero(lesson.certainties > 0)
+    middle = certain[len(certain) // 2] if len(certain) else len(lesson) // 2
+    halves = (np.arange(len(lesson)) >= middle).astype(int)
+    return _Heard(hidden, lesson.phonemes, lesson.certainties.astype(np.float32), halves)
 
 
-def _held_back(model: Model, heard: Sequence[_Heard], boldness: float) -> float:
-    """Give the share of frames that are right when each part is recognised by what the other parts taught."""
-    n_folds = min(N_FOLDS, len(heard)) if len(heard) > 1 else 1
-    n_ahead = len(model.heads) - 1
-    right, counts = np.zeros(len(Phoneme)), np.zeros(len(Phoneme))
-    for k in range(n_folds):
-        taught = [h for i, h in enumerate(heard) if i % n_folds != k] or list(heard)
-        moved = _moved(model, taught, n_ahead, boldness) if boldness else model.heads[n_ahead]
-        for h in heard[k::n_folds]:
-            answers = (h.found[n_ahead:] @ moved.weights + moved.bias).argmax(axis=1)
-            np.add.at(right, h.phonemes, (answers == h.phonemes) * h.counted)
-            np.add.at(counts, h.phonemes, h.counted)
-    present = counts > 0
-    return float(np.mean(right[present] / counts[present]))
-
-
-def _moved(model: Model, heard: Sequence[_Heard], n_ahead: int, boldness: float) -> Head:
-    """Give the head that names the recordings best, less what its change costs."""
-    from scipy.optimize import minimize  # noqa: PLC0415 - it takes a second that only an adaptation should wait for
-
-    head = model.heads[n_ahead]
-    voice = _voice_of(heard, n_ahead, boldness)
-    parts = [voice, *([_anchors_of(model, head)] if len(model.anchors) else [])]
-    shape = head.weights.shape
-
-    def cost(change: Numbers) -> tuple[float, Numbers]:
-        weights, bias = change[: -shape[1]].reshape(shape), change[-shape[1] :]
-        total = PRICE * float(np.sum(weights**2) + STEADY_BIAS * np.sum(bias**2))
-        slopes = [2 * PRICE * weights, 2 * PRICE * STEADY_BIAS * bias]
-        for part in parts:
-            loss, errors = part.loss_of(head.weights + weights, head.bias + bias)
-            total += loss
-            slopes[0] += part.found.T @ errors
-            slopes[1] += errors.sum(axis=0)
-        return total, np.concatenate((slopes[0].ravel(), slopes[1]))
-
-    start = np.zeros(head.weights.size + shape[1])
-    change = minimize(cost, start, jac=True, method="L-BFGS-B", options={"maxiter": MOST_ROUNDS}).x
-    weights = head.weights + change[: -shape[1]].reshape(shape)
-    return Head(weights.astype(np.float32), (head.bias + change[-shape[1] :]).astype(np.float32))
-
-
-@dataclass(frozen=True)
-class _Examples:
-    """Frames, what they should be named (a share for each phoneme), what each counts, and which phonemes compete."""
-
-    found: Numbers
-    wanted: Numbers
-    counted: Numbers
-    competing: NDArray[np.bool_]
-
-    def loss_of(self, weights: Numbers, bias: Numbers) -> tuple[float, Numbers]:
-        """Give the cross-entropy, and its slope for each score."""
-        scores = np.where(self.competing, self.found @ weights + bias, -np.inf)
-        scores -= scores.max(axis=1, keepdims=True)
-        shares = np.exp(scores)
-        totals = shares.sum(axis=1, keepdims=True)
-        logarithms = np.where(self.competing, scores - np.log(totals), 0)
-        loss = -float(np.sum(self.counted * (logarithms * self.wanted).sum(axis=1)))
-        return loss, (shares / totals - self.wanted) * self.counted[:, np.newaxis]
-
-
-def _voice_of(heard: Sequence[_Heard], n_ahead: int, boldness: float) -> _Examples:
-    found = np.concatenate([h.found[n_ahead : n_ahead + len(h.phonemes)] for h in heard]).astype(float)
+def _stretches_of(heard: Sequence[_Heard], half: int | None, n_heads: int) -> list[Stretch]:
+    counted = [h.counted * (True if half is None else h.halves == half) for h in heard]
     phonemes = np.concatenate([h.phonemes for h in heard])
-    counted = np.concatenate([h.counted for h in heard]).astype(float)
-    totals = np.bincount(phonemes, counted, len(Phoneme))
+    totals = np.bincount(phonemes, np.concatenate(counted), len(Phoneme))
     competing = totals >= LEAST_FRAMES
-    counted *= boldness * (BALANCE / np.maximum(totals, BALANCE) * competing)[phonemes]
-    return _Examples(found, np.eye(len(Phoneme))[phonemes], counted, competing)
+    balance = BALANCE / np.maximum(totals, BALANCE) * competing
+    smoothed = (SMOOTHING * competing / max(1, int(competing.sum()))).astype(np.float32)
+    wanted = smoothed + np.float32(1 - SMOOTHING) * np.eye(len(Phoneme), dtype=np.float32)
+    return [
+        Stretch(
+            h.hidden,
+            _ahead(wanted[h.phonemes], n_heads),
+            _ahead((c * balance[h.phonemes]).astype(np.float32), n_heads),
+            competing,
+        )
+        for h, c in zip(heard, counted, strict=True)
+        if c.any()
+    ]
 
 
-def _anchors_of(model: Model, head: Head) -> _Examples:
-    """Give the anchors, named as the model names them now."""
-    n = len(model.anchors)
-    scores = (model.anchors @ head.weights + head.bias).astype(float)
+def _anchor_of(model: Model, log_powers: Block) -> Stretch:
+    """Give a stretch of other voices, to be named as the model names it now."""
+    hidden = _first_layers(model).push(log_powers)
+    found = _through_last_layers(model, hidden)
+    wanted = np.stack([_shares_of(found, head) for head in model.heads], axis=1)
+    counted = np.ones(wanted.shape[:2], np.float32)
+    return Stretch(hidden, wanted, counted, np.ones(len(Phoneme), bool))
+
+
+def _ahead(values: Block, n_heads: int) -> Block:
+    """Put what is known of each frame where the heads answer for it: head k does so k frames later."""
+    n = len(values)
+    placed = np.zeros((n + n_heads - 1, n_heads, *values.shape[1:]), np.float32)
+    for k in range(n_heads):
+        placed[k : k + n, k] = values
+    return placed
+
+
+def _shares_of(found: Block, head: Head) -> Block:
+    scores = found @ head.weights + head.bias
     shares = np.exp(scores - scores.max(axis=1, keepdims=True))
-    wanted = shares / shares.sum(axis=1, keepdims=True)
-    return _Examples(model.anchors.astype(float), wanted, np.full(n, ANCHORED / n), np.ones(len(Phoneme), bool))
+    return np.asarray(shares / shares.sum(axis=1, keepdims=True), np.float32)
+
+
+def _first_layers(model: Model) -> Network:
+    return Network(model.layers[: first_tuned(model)], np.full(N_BANDS, np.log10(FLOOR), np.float32))
+
+
+def _through_last_layers(model: Model, hidden: Block) -> Block:
+    for layer in model.layers[first_tuned(model) :]:
+        hidden = hidden + Delayed(layer, np.zeros(len(layer.bias), np.float32)).push(hidden)
+    return hidden

@@ -50,14 +50,14 @@ class Model:
     ----------
     layers : the network.
     heads : one for each look-ahead, 0, 1, ... frames.
-    anchors : what the network found in some frames of the speech that it was trained on, shape (n, n_channels), so
-        that an adaptation to one voice does not forget them; may be empty.
+    anchors : stretches of the speech that it was trained on, as `engine.dsp.log_mel` gives it, shape (n, n_frames,
+        40), so that an adaptation to one voice does not forget them; may be empty.
     about : what it was trained with, in words, for people: name, speakers, seed, figures.
     """
 
     layers: tuple[Layer, ...]
     heads: tuple[Head, ...]
-    anchors: Block = field(default_factory=lambda: np.zeros((0, 0), np.float32))
+    anchors: Block = field(default_factory=lambda: np.zeros((0, 0, N_BANDS), np.float32))
     about: dict[str, Any] = field(default_factory=dict)
 
     @cached_property
@@ -176,7 +176,7 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
         )
         for k in range(n_heads)
     )
-    anchors = _checked(arrays["anchors"], (None, width if len(arrays["anchors"]) else None))
+    anchors = _checked(arrays["anchors"], (None, None, N_BANDS))
     return Model(tuple(layers), heads, anchors, _about_of(arrays["about"]))
 
 

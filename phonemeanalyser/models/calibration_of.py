@@ -3,8 +3,6 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from engine.calibration.adaptation import adapt
 from engine.calibration.corpus import Utterance
 from engine.calibration.fitting import fit_preset
@@ -97,7 +95,7 @@ def _with_model(preset: Preset, takes: Takes, _room: RoomNoise | None, heed: Hee
     lessons: list[Lesson] = []
     for k, utterance in enumerate(takes):
         tell(heed, 0.5 * k / len(takes))
-        lessons += _halves_of(lesson_of_recording(utterance))
+        lessons.append(lesson_of_recording(utterance))
     tell(heed, 0.5)
     return replace(preset, model=adapt(preset.model, lessons).model)
 
@@ -106,17 +104,6 @@ def _with_templates(preset: Preset, takes: Takes, _room: RoomNoise | None, heed:
     """Let the takes be the templates of the sounds that they hold."""
     tell(heed, 0.0)
     return replace(preset, templates=templates_of(takes, preset.templates))
-
-
-def _halves_of(lesson: Lesson) -> tuple[Lesson, Lesson]:
-    """Cut a take in two: one half is held back while the other teaches, even where each sound was said once."""
-    certain = np.flatnonzero(lesson.certainties > 0)
-    middle = int(certain[len(certain) // 2]) if len(certain) else len(lesson) // 2
-    first, second = (
-        Lesson(lesson.log_powers[span], lesson.phonemes[span], lesson.certainties[span])
-        for span in (slice(middle), slice(middle, None))
-    )
-    return first, second
 
 
 CALIBRATIONS: dict[str, Callable[[Preset, Takes, RoomNoise | None, Heed], Preset]] = {

@@ -169,10 +169,10 @@ def test_a_voice_with_other_formants_is_learned_from_ten_seconds(model):
     from dataclasses import replace
 
     trained, voices = model
-    trained = replace(trained, anchors=anchors_of(trained, voices, 1))
+    trained = replace(trained, anchors=anchors_of(voices, 1))
     strange = [said([Phoneme.A, Phoneme.U, Phoneme.I] * 2, 300, 1.5) for _ in range(4)]
     outcome = adapt(trained, strange)
-    assert outcome.boldness > 0
+    assert outcome.gains
     assert outcome.after > outcome.before + 0.05
     other = Voice("same", ((said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5),),))
     before, after = (
@@ -188,8 +188,7 @@ def test_nothing_changes_where_nothing_helps(model):
     trained, voices = model
     mine = [recording[0] for recording in voices[0].recordings]
     outcome = adapt(trained, mine)
-    if outcome.boldness == 0:
-        assert outcome.model == trained
+    assert outcome.gains or outcome.model == trained
     assert outcome.after >= outcome.before
 
 

@@ -22,7 +22,7 @@ from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.recognition.model import Model
 
-HESITATION = 0.5
+HESITATION = 0.2
 """How much more an unidentified sound must be the likeliest, in units of the logarithm of its probability: its frames
 are many and of all sorts, and a mouth that stands still where somebody speaks is noticed."""
 HOLD = 0.03
@@ -129,7 +129,7 @@ def _train_without(
 
     heard = [v for v in voices if v.name not in left_out]
     model = _hesitant(train(heard, course, count))
-    model = replace(model, anchors=anchors_of(model, heard, course.seed)).rounded()
+    model = replace(model, anchors=anchors_of(heard, course.seed)).rounded()
     return model, answers_of(model, [v for v in voices if v.name in left_out], HOLD)
 
 

@@ -10,14 +10,13 @@ from engine.calibration.learning.lesson_book import Voice
 from engine.calibration.learning.lessons import CERTAINTIES, Lesson
 from engine.calibration.scoring import Codes
 from engine.dsp.log_mel import FLOOR, N_BANDS
-from engine.phonemes import Phoneme
 from engine.recognition.learned import network_of
 from engine.recognition.model import Model
 from engine.recognition.statistics import UNREPLACED, Statistics
 
 CERTAIN = CERTAINTIES["core"]
-N_HEARD, N_FRAMES, N_ANCHORS = 600, 60, 120
-"""Recordings that are looked through for anchors, frames of each, and anchors of each phoneme."""
+N_ANCHORS, N_FRAMES = 32, 150
+"""Anchors, and frames of each."""
 
 
 def folds_of(names: Sequence[str], n_folds: int) -> list[set[str]]:
@@ -36,23 +35,19 @@ def answers_of(model: Model, voices: Iterable[Voice], hold: float) -> list[tuple
     ]
 
 
-def anchors_of(model: Model, voices: Sequence[Voice], seed: int) -> NDArray[np.float32]:
-    """Give what the network finds in frames of all voices, as many of each phoneme, shape (n, n_channels)."""
+def anchors_of(voices: Sequence[Voice], seed: int) -> NDArray[np.float32]:
+    """Draw stretches of the speech, shape (n, n_frames, 40): of voices that count more, more often."""
     generator = np.random.default_rng(seed)
-    recordings = [recording[0] for voice in voices for recording in voice.recordings]
-    chosen = [recordings[k] for k in generator.permutation(len(recordings))[:N_HEARD]]
-    n_ahead = len(model.heads) - 1
-    found, phonemes = [], []
-    for lesson in chosen:
-        hidden = hidden_of(model, lesson)[n_ahead:]
-        certain = np.flatnonzero(lesson.certainties == CERTAIN)
-        at = generator.permutation(certain)[:N_FRAMES]
-        found.append(hidden[at])
-        phonemes.append(lesson.phonemes[at])
-    codes = np.concatenate(phonemes)
-    kept = np.concatenate([np.flatnonzero(codes == p)[:N_ANCHORS] for p in Phoneme])
-    anchors: NDArray[np.float32] = np.concatenate(found)[kept]
-    return anchors
+    long = [[r[0] for r in voice.recordings if len(r[0]) >= N_FRAMES] for voice in voices]
+    weights = np.array([voice.weight * bool(some) for voice, some in zip(voices, long, strict=True)])
+    if not weights.any():
+        return np.zeros((0, N_FRAMES, N_BANDS), np.float32)
+    found = []
+    for k in generator.choice(len(voices), N_ANCHORS, p=weights / weights.sum()):
+        lesson = long[k][generator.integers(len(long[k]))]
+        first = int(generator.integers(len(lesson) - N_FRAMES + 1))
+        found.append(np.asarray(lesson.log_powers[first : first + N_FRAMES], np.float32))
+    return np.stack(found)
 
 
 def hidden_of(model: Model, lesson: Lesson) -> NDArray[np.float32]:
