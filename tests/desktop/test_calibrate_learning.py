@@ -7,15 +7,13 @@ import numpy as np
 import pytest
 
 from engine.calibration.corpus import Utterance
-from engine.calibration.learning.lessons import Lesson
 from engine.calibration.room_noise import measure_room
 from engine.calibration.take_check import check_take
 from engine.calibration.take_project import TakeProject
 from engine.errors import CorpusError, PresetError
-from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset
 from phonemeanalyser.models.calibration_guide import STEPS
-from phonemeanalyser.models.calibration_of import _halves_of, calibration_of, outcome_of
+from phonemeanalyser.models.calibration_of import calibration_of, outcome_of
 from tests.desktop.calibrating import ROOM, in_room, said
 from tests.sounds import silence
 
@@ -59,14 +57,6 @@ def test_what_cannot_learn_says_so(takes: tuple[Utterance, ...]):
         calibration_of(replace(preset, model=None), takes)
     with pytest.raises(CorpusError, match="no take to calibrate with"):
         outcome_of(preset, ())
-
-
-def test_one_half_of_a_take_can_be_held_back_while_the_other_teaches():
-    certain = np.array([0, 0, 1, 1, 1, 1, 0, 0, 0, 0], np.float16)
-    lesson = Lesson(np.zeros((10, 40), np.float16), np.full(10, Phoneme.A, np.uint8), certain)
-    halves = _halves_of(lesson)
-    assert [len(half) for half in halves] == [4, 6]
-    assert [float(half.certainties.sum()) for half in halves] == [2.0, 2.0]
 
 
 def test_files_of_takes_stay_as_they_are(takes: tuple[Utterance, ...]):

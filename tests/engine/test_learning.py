@@ -1,5 +1,6 @@
 """Training and adapting: gradients against differences, lessons against physics, made-up voices against the truth."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -166,8 +167,6 @@ def test_silence_reads_the_floor():
 
 
 def test_a_voice_with_other_formants_is_learned_from_ten_seconds(model):
-    from dataclasses import replace
-
     trained, voices = model
     trained = replace(trained, anchors=anchors_of(voices, 1))
     strange = [said([Phoneme.A, Phoneme.U, Phoneme.I] * 2, 300, 1.5) for _ in range(4)]
@@ -182,6 +181,13 @@ def test_a_voice_with_other_formants_is_learned_from_ten_seconds(model):
     assert after > before + 0.05
     known = scores_of((labels, codes) for _, labels, codes in answers_of(outcome.model, voices, 0.0)).ten_acc
     assert known > 0.8  # the anchors keep what was learned before
+
+
+def test_takes_teach_even_where_each_sound_was_said_once(model):
+    trained, voices = model
+    trained = replace(trained, anchors=anchors_of(voices, 1))
+    takes = [said([phoneme] * 4, 300, 1.5) for phoneme in (Phoneme.A, Phoneme.U, Phoneme.I)]
+    assert adapt(trained, takes).gains
 
 
 def test_nothing_changes_where_nothing_helps(model):
