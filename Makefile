@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test bench soak screenshots fit
+.PHONY: setup run test bench fuzz soak screenshots fit
 
 setup: .venv/ready
 
@@ -27,6 +27,9 @@ test: setup
 bench: setup
 	@$(BIN)/python -c 'import librosa' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[bench]'
 	$(BIN)/python -m tests.bench
+
+fuzz: setup
+	$(BIN)/python -m tests.fuzz
 
 soak: setup
 	$(BIN)/python -m pytest -q -m long

@@ -1,4 +1,4 @@
-"""The ear of PhonemeAnalyser: sound in, phonemes and intensities out, every 10 ms.
+"""The ear and the mouth of PhonemeAnalyser: sound in, phonemes, intensities and mouth shapes out, every 10 ms.
 
 A game plays a file, or listens to a microphone, and asks whenever it likes; no call waits for sound::
 
@@ -14,6 +14,12 @@ A program with samples of its own pushes them::
     analyser = Analyser(preset)
     analysis = analyser.push(samples)       # float32, mono, 44.1 kHz
     analysis.phonemes, analysis.intensities  # one for each 10 ms that are complete
+
+A face follows what was heard, and may be looked at whenever a picture is drawn::
+
+    morpher = Morpher(load_table("arkit"), seed=character)
+    morpher.hear(now, phoneme, intensity)   # seconds, of a clock of yours
+    weights = morpher.weights(now)          # 0..1, one for each of morpher.movestates
 """
 
 from engine.analyser import Analyser, Analysis, analyses_of
@@ -27,6 +33,7 @@ from engine.errors import (
     CurveError,
     DeviceError,
     EngineError,
+    MouthError,
     PresetError,
     RecogniserError,
     RecordingError,
@@ -35,6 +42,10 @@ from engine.errors import (
 from engine.live.heard import Heard
 from engine.live.listener import Listener
 from engine.live.sound import Sound
+from engine.mouth.blinks import Blinker
+from engine.mouth.head_motion import HeadMotion
+from engine.mouth.morpher import Detail, Morpher
+from engine.mouth.table import MouthTable, load_table
 from engine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from engine.presets.files import load_preset, save_preset
 from engine.presets.preset import Preset
@@ -46,15 +57,21 @@ __all__ = [
     "Analyser",
     "Analysis",
     "AudioError",
+    "Blinker",
     "Channel",
     "CurveError",
+    "Detail",
     "Device",
     "DeviceError",
     "EngineError",
+    "HeadMotion",
     "Heard",
     "InputChoice",
     "Listener",
+    "Morpher",
+    "MouthError",
     "MouthShape",
+    "MouthTable",
     "Phoneme",
     "Preset",
     "PresetError",
@@ -69,6 +86,7 @@ __all__ = [
     "devices",
     "high_pass_gains",
     "load_preset",
+    "load_table",
     "low_pass_gains",
     "normalise",
     "save_preset",

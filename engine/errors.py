@@ -9,6 +9,9 @@ EngineError
 ├── ModelError      a trained model that cannot be used
 ├── RecogniserError a recogniser of another package that fails
 ├── CurveError      an averaged-spectrum file that cannot be read
+├── MeshError       a mesh, or movestates, that cannot be used
+├── MouthError      a mouth table that cannot be used
+│   └── ExportError     speech that cannot be written in the form that was asked for
 └── CorpusError     labelled recordings that cannot be read
     ├── UnknownPhonemes names of sounds that stand for no phoneme
     └── TakeError       takes that cannot be kept or used
@@ -53,6 +56,18 @@ class RecogniserError(EngineError):
 
 class CurveError(EngineError, ValueError):
     """A file of averaged spectra cannot be used."""
+
+
+class MouthError(EngineError, ValueError):
+    """A mouth table, or how a mouth shall move, cannot be used."""
+
+
+class ExportError(MouthError):
+    """Speech cannot be written in the form that was asked for."""
+
+
+class MeshError(EngineError, ValueError):
+    """A mesh, or movestates, cannot be used, or their file."""
 
 
 class CorpusError(EngineError, ValueError):

@@ -2,39 +2,26 @@
 
 import csv
 import json
-import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TextIO
 
-from tqdm import tqdm
-
-from engine.analyser import Analysis, analyses_of
-from engine.audio.files import SUFFIXES, SoundReader
-from engine.audio.opening import shown_name
+from engine.analyser import Analysis
+from engine.audio.files import SoundReader
 from engine.calibration.labels.audacity import format_audacity
 from engine.calibration.labels.label import Label, labels_of_runs
 from engine.calibration.labels.textgrid import format_textgrid
-from engine.errors import AudioError, EngineError
+from engine.errors import EngineError
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
 from engine.recognition.runs import RUN_COLUMNS, Run, runs_of
-from engine.settings import FRAME_PERIOD, SAMPLE_RATE
+from engine.settings import FRAME_PERIOD
+from phonemeanalyser.jobs import Job, is_single, sound_of, watched, work_through
 from phonemeanalyser.writing import print_whole, write_whole
 
-BLOCK = 5 * SAMPLE_RATE
-"""Samples that are read at a time."""
 SUFFIX_OF = {"csv": ".csv", "json": ".json", "textgrid": ".TextGrid", "audacity": ".txt"}
 """What the names of tables end with, by their format."""
-
-
-@dataclass(frozen=True)
-class Job:
-    """A sound file (or a folder without any), and where its table goes; None means standard output."""
-
-    source: Path
-    target: Path | None
 
 
 @dataclass(frozen=True)
@@ -64,103 +51,27 @@ class Table:
 
 def kind_for(inputs: list[Path], out: Path | None) -> str:
     """Give the format that the name of a single table asks for; ``csv`` where it asks for none."""
-    if out is None or not _is_table(inputs, out):
+    if out is None or not is_single(inputs, out):
         return "csv"
     return {suffix.lower(): kind for kind, suffix in SUFFIX_OF.items()}.get(out.suffix.lower(), "csv")
 
 
-def jobs_of(inputs: list[Path], out: Path | None, kind: str) -> Iterator[Job]:
-    """List the files to analyse: files as they are, folders walked, their tree mirrored under `out`.
-
-    Raises
-    ------
-    EngineError : several files but no place for their tables.
-    """
-    found = [(file, relative) for path in inputs for file, relative in _files_under(path)]
-    if out is None:
-        if len(found) > 1 or any(_is_folder(path) for path in inputs):
-            raise EngineError("several files need a folder for their tables; name one with -o")
-        yield from (Job(file, None) for file, _ in found)
-        return
-    single = _is_table(inputs, out)
-    for file, relative in found:
-        yield Job(file, out if single else out / relative.with_suffix(SUFFIX_OF[kind]))
-
-
 def analyse_all(jobs: Iterable[Job], preset: Preset, table: Table) -> int:
     """Analyse every file; report those that fail on standard error and go on. Returns how many failed."""
-    jobs = list(jobs)
-    failures = 0
-    taken: dict[Path, Path] = {}
-    with tqdm(total=len(jobs), unit="file", disable=None if len(jobs) > 1 else True, file=sys.stderr) as progress:
-        for job in jobs:
-            try:
-                _refuse_collision(job, taken)
-                _analyse(job, preset, table)
-            except EngineError as error:
-                progress.write(f"phonemeanalyser: {error}", file=sys.stderr)
-                failures += 1
-            progress.update()
-    return failures
-
-
-def _files_under(path: Path) -> Iterator[tuple[Path, Path]]:
-    inside = sorted(path.rglob("*")) if _is_folder(path) else []
-    found = [file for file in inside if file.is_file() and file.suffix.lower() in SUFFIXES]
-    if found:
-        yield from ((file, file.relative_to(path)) for file in found)
-    else:
-        yield path, Path(path.name or "folder")
-
-
-def _is_table(inputs: list[Path], out: Path) -> bool:
-    """Say whether what is asked for is one table of one file, not a folder of them."""
-    return len(inputs) == 1 and out.suffix != "" and not _is_folder(inputs[0]) and not _is_folder(out)
-
-
-def _is_folder(path: Path) -> bool:
-    try:
-        return path.is_dir()
-    except OSError:  # a name too long, or a folder that may not be entered: whoever opens it says so
-        return False
-
-
-def _refuse_collision(job: Job, taken: dict[Path, Path]) -> None:
-    if job.target is None:
-        return
-    if job.target in taken:
-        raise AudioError(
-            f"{job.source.name}: its table {job.target.name} is already that of {taken[job.target].name}; "
-            "rename one of them"
-        )
-    taken[job.target] = job.source
+    return work_through(jobs, lambda job: _analyse(job, preset, table))
 
 
 def _analyse(job: Job, preset: Preset, table: Table) -> None:
-    name = shown_name(job.source)
-    if _is_folder(job.source):
-        raise AudioError(f"{name}: there is no sound file in this folder; name another")
-    with SoundReader(job.source) as reader:
-        for note in reader.notes:
-            tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
+    with sound_of(job) as reader:
 
         def write(file: TextIO) -> None:
-            _WRITERS[table.kind, table.features](file, _watched(reader, preset, table, name), reader, preset)
+            found = watched(reader, preset, pitch=table.features)
+            _WRITERS[table.kind, table.features](file, found, reader, preset)
 
         if job.target is None:
             print_whole(write)
         else:
             write_whole(job.target, write)
-
-
-def _watched(reader: SoundReader, preset: Preset, table: Table, name: str) -> Iterator[Analysis]:
-    """Analyse with a progress bar, which appears only where the work is long."""
-    with tqdm(
-        total=round(reader.duration), unit="s", desc=name, delay=1, leave=False, disable=None, file=sys.stderr
-    ) as progress:
-        for analysis in analyses_of(reader.blocks(BLOCK), preset, pitch=table.features):
-            progress.update(len(analysis) * FRAME_PERIOD)
-            yield analysis
 
 
 Writer = Callable[[TextIO, Iterator[Analysis], SoundReader, Preset], None]

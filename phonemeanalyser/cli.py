@@ -13,11 +13,16 @@ from types import ModuleType
 from engine.audio.devices import InputChoice
 from engine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from engine.errors import EngineError
+from engine.mouth.osc import OscAddress, OscSettings
+from engine.mouth.table import load_table
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeanalyser.adapting import adapt
-from phonemeanalyser.batch import SUFFIX_OF, Table, analyse_all, jobs_of, kind_for
+from phonemeanalyser.batch import SUFFIX_OF, Table, analyse_all, kind_for
 from phonemeanalyser.display import why_no_qt, why_no_window
+from phonemeanalyser.exporting import export
+from phonemeanalyser.jobs import jobs_of
 from phonemeanalyser.listening import list_devices, listen, record
+from phonemeanalyser.movestates import movestates
 from phonemeanalyser.score import score
 from phonemeanalyser.training import train
 
@@ -74,7 +79,7 @@ def _analyse(words: list[str]) -> int:
     options = parser.parse_args(words)
     table = Table(options.kind or kind_for(options.inputs, options.out), options.features)
     preset = load_preset(options.preset)
-    jobs = jobs_of(options.inputs, options.out, table.kind)
+    jobs = jobs_of(options.inputs, options.out, SUFFIX_OF[table.kind])
     return 1 if analyse_all(jobs, preset, table) else 0
 
 
@@ -86,11 +91,14 @@ def _listen(words: list[str]) -> int:
     _add_input(parser)
     parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind")
     parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
+    parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")
+    parser.add_argument("--table", default="vrm", metavar="T", help="mouth table of --osc: vrm, arkit, ... or a file")
     options = parser.parse_args(words)
     if options.list_devices:
         list_devices()
     else:
-        listen(load_preset(options.preset), _choice_of(options), options.seconds, options.kind)
+        osc = None if options.osc is None else OscSettings(OscAddress.of(options.osc), load_table(options.table))
+        listen(load_preset(options.preset), _choice_of(options), options.seconds, options.kind, osc)
     return 0
 
 
@@ -178,7 +186,7 @@ def _app() -> ModuleType:
 
 
 COMMANDS: dict[str, Callable[[list[str]], int]] = {
-    "adapt": adapt, "analyse": _analyse, "listen": _listen, "record": _record, "score": score,
-    "screenshot": _screenshot, "train": train,
+    "adapt": adapt, "analyse": _analyse, "export": export, "listen": _listen, "movestates": movestates,
+    "record": _record, "score": score, "screenshot": _screenshot, "train": train,
 }  # fmt: skip
 """Every command, and what runs it."""

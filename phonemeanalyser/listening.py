@@ -19,6 +19,7 @@ from engine.audio.takes import free_path
 from engine.errors import DeviceError, RecordingError
 from engine.live.listener import Listener
 from engine.live.tape import Tape
+from engine.mouth.osc import OscMouth, OscSettings
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
 from engine.settings import FRAME_PERIOD
@@ -44,21 +45,31 @@ def list_devices() -> None:
         print(f"{star} {device.label}  ({device.n_inputs} channels, {device.rate} Hz)")
 
 
-def listen(preset: Preset, choice: InputChoice, seconds: float | None, kind: str) -> None:
+def listen(
+    preset: Preset, choice: InputChoice, seconds: float | None, kind: str, osc: OscSettings | None = None
+) -> None:
     """Print a line at each change of phoneme, for some seconds or until Ctrl-C.
 
     Parameters
     ----------
     kind : ``text``, or ``json`` for a JSON object on each line.
+    osc : where the mouth is sent to as well.
 
     Raises
     ------
     DeviceError : the microphone is not there.
+    MouthError : the receiver of the mouth is unknown.
     """
     chosen_input(choice, devices())
     changes = _Changes(_as_json if kind == "json" else _as_text)
-    with _quiet_libraries(), _ended_by_signals():
-        changes.listener = listener = Listener(preset, choice, on_heard=changes.follow)
+    with _sending(osc) as mouth, _quiet_libraries(), _ended_by_signals():
+
+        def follow(analysis: Analysis) -> None:
+            changes.follow(analysis)
+            if mouth is not None:
+                mouth.follow(analysis)
+
+        changes.listener = listener = Listener(preset, choice, on_heard=follow)
         try:
             _attend(listener, seconds, lambda: None)
         finally:
@@ -92,6 +103,21 @@ def record(path: Path, preset: Preset, choice: InputChoice, seconds: float | Non
         raise RecordingError(
             f"{path.name}: no sound came from the microphone, so nothing was recorded; check its plug"
         )
+
+
+@contextmanager
+def _sending(osc: OscSettings | None) -> Iterator[OscMouth | None]:
+    """Send the mouth meanwhile, and say at the end if nothing could be sent."""
+    if osc is None:
+        yield None
+        return
+    mouth = OscMouth(osc.address, osc.table)
+    try:
+        yield mouth
+    finally:
+        mouth.close()
+        if mouth.failure:
+            print(f"phonemeanalyser: {mouth.failure}", file=sys.stderr)
 
 
 class _Changes:

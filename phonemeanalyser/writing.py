@@ -4,9 +4,9 @@ import io
 import os
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import TextIO
+from typing import BinaryIO, TextIO
 
 from engine.errors import EngineError
 
@@ -30,11 +30,31 @@ def write_whole(target: Path, write: Callable[[TextIO], None]) -> None:
     ------
     EngineError : it cannot be written.
     """
+
+    def encode(file: BinaryIO) -> None:
+        text = io.TextIOWrapper(file, encoding="utf-8", newline="")
+        write(text)
+        text.detach()
+
+    _write_whole(target, encode)
+
+
+def write_whole_bytes(target: Path, parts: Iterable[bytes]) -> None:
+    """Write the parts of a file so that it is there complete, or not at all; its folder is made if need be.
+
+    Raises
+    ------
+    EngineError : it cannot be written.
+    """
+    _write_whole(target, lambda file: file.writelines(parts))
+
+
+def _write_whole(target: Path, write: Callable[[BinaryIO], None]) -> None:
     name = ""
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=target.parent, prefix=target.name, suffix=".part")
-        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+        with os.fdopen(handle, "wb") as file:
             write(file)
         Path(name).chmod(0o644)
         Path(name).replace(target)

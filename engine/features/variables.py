@@ -66,7 +66,7 @@ class Variable:
     def __post_init__(self) -> None:
         if not _NAME.fullmatch(self.name):
             raise SettingsError(
-                f"a variable's name must be lower-case letters, digits and underscores, got {self.name!r}"
+                f"a variable's name must be lower-case letters, digits and underscores, got {self.name[:60]!r}"
             )
         if not 0 <= self.low <= self.high <= SAMPLE_RATE / 2:
             raise SettingsError(
@@ -121,12 +121,12 @@ def check_user_variables(variables: tuple[Variable, ...]) -> None:
     seen = {*BUILT_IN_NAMES, *TABLE_COLUMNS, *SCORES}
     for variable in variables:
         if variable.name in seen:
-            raise SettingsError(f"a variable named {variable.name} exists already; choose another name")
+            raise SettingsError(f"a variable named {variable.name[:60]} exists already; choose another name")
         seen.add(variable.name)
     divisors = {*BUILT_IN_NAMES, *(v.name for v in variables if not v.per)}
     for variable in variables:
         if variable.per and variable.per not in divisors:
             raise SettingsError(
-                f"{variable.name} is divided by {variable.per!r}, which is not measured or is divided itself; name a "
-                "variable that stands by itself"
+                f"{variable.name[:40]} is divided by {variable.per[:40]!r}, which is not measured or is divided "
+                "itself; name a variable that stands by itself"
             )

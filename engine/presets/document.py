@@ -95,7 +95,7 @@ def preset_from_toml(text: str, folder: Path) -> Preset:
     except (ValueError, RecursionError) as error:
         raise PresetError(f"this is no TOML file: {error}") from error
     if document.get("format") != FORMAT:
-        raise PresetError(f"a preset begins with format = {FORMAT!r}, found {document.get('format')!r}")
+        raise PresetError(f"a preset begins with format = {FORMAT!r}, found {_shown(document.get('format'))}")
     try:
         return _preset_of(document, folder)
     except SettingsError as error:
@@ -104,7 +104,7 @@ def preset_from_toml(text: str, folder: Path) -> Preset:
 
 def _preset_of(document: dict[str, Any], folder: Path) -> Preset:
     for key in document.keys() - {*_PLAIN, *_TABLES}:
-        raise PresetError(f"a preset does not know {key}")
+        raise PresetError(f"a preset does not know {key[:60]}")
     texts = _checked({key: document[key] for key in _PLAIN if key in document})
     front_end = _table(document, "front_end", _FRONT_END)
     front_end["filters"] = frozenset(_choice(Filter, f, "filters") for f in front_end["filters"])
@@ -135,7 +135,7 @@ def _table(
     if not isinstance(table, dict):
         raise PresetError(f"the table [{name}] is missing")
     for key in (table.keys() ^ set(keys)) - set(optional):
-        raise PresetError(f"[{name}] lacks {key}" if key in keys else f"[{name}] does not know {key}")
+        raise PresetError(f"[{name}] lacks {key}" if key in keys else f"[{name}] does not know {key[:60]}")
     return _checked(table)
 
 

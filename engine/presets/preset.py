@@ -88,6 +88,6 @@ def _check_rules(rules: tuple[Rule, ...], known: set[str]) -> None:
         for condition in rule.conditions:
             if condition.variable not in known:
                 raise PresetError(
-                    f"a rule for {rule.phoneme.label} asks for the variable {condition.variable}, which nobody "
+                    f"a rule for {rule.phoneme.label} asks for the variable {condition.variable[:60]}, which nobody "
                     "measures; add it, or change the rule"
                 )

@@ -1,8 +1,6 @@
 """A trained model and its file: arrays in an ``.npz``, never anything that is executed."""
 
 import json
-import zipfile
-import zlib
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -16,6 +14,7 @@ from numpy.typing import NDArray
 from engine.dsp.log_mel import N_BANDS
 from engine.errors import ModelError
 from engine.phonemes import Phoneme
+from engine.recognition.archive import arrays_in
 from engine.recognition.network import TAPS, Layer
 
 FORMAT = 1
@@ -115,24 +114,15 @@ def load_model(path: Path) -> Model:
                 f"{path.name}: a model is smaller than 8 MB, this has {path.stat().st_size / 1e6:.0f} MB; "
                 "choose another"
             )
-        return _model_of(_read(path))
+        return _model_of(arrays_in(path, LARGEST_FILE))
     except OSError as error:
         raise ModelError(
             f"{path.name}: the model cannot be read ({error.strerror}); put it beside its preset"
         ) from error
     except ModelError as error:
         raise ModelError(f"{path.name}: {str(error).removeprefix(path.name + ': ')}") from error
-    except (ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error, NotImplementedError) as error:
+    except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
         raise ModelError(f"{path.name}: the model's file is damaged; get it anew, or train it again") from error
-
-
-def _read(path: Path) -> dict[str, NDArray[Any]]:
-    """Read the arrays, after looking at how large they say they are."""
-    with zipfile.ZipFile(path) as archive:
-        if sum(entry.file_size for entry in archive.infolist()) > LARGEST_FILE:
-            raise ModelError("its arrays are larger than any model's; get it anew")
-    with np.load(path, allow_pickle=False) as file:
-        return {name: file[name] for name in file.files}
 
 
 def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:

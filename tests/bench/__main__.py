@@ -3,7 +3,19 @@
 import argparse
 from collections.abc import Callable
 
-from tests.bench import dragging, learned, memory, microphone, one_frame, playing, recording, start, whole_file
+from tests.bench import (
+    dragging,
+    learned,
+    memory,
+    microphone,
+    mouth,
+    movestates,
+    one_frame,
+    playing,
+    recording,
+    start,
+    whole_file,
+)
 from tests.bench.figures import Figure, table_of
 
 FIGURES: dict[str, Callable[[], list[Figure]]] = {
@@ -16,6 +28,8 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "memory": memory.figures,
     "dragging": dragging.figures,
     "learned": learned.figures,
+    "mouth": mouth.figures,
+    "movestates": movestates.figures,
 }
 
 

@@ -80,7 +80,7 @@ def test_two_files_that_would_share_a_table_are_told_apart(
 ) -> None:
     soundfile.write(tmp_path / "speech.flac", vowel((700, 1200), 0.2), SAMPLE_RATE)
     sentence = refused(capsys, "analyse", sound, tmp_path / "speech.flac", "-o", tmp_path / "out")
-    assert sentence == ("speech.flac: its table speech.csv is already that of speech.wav; rename one of them")
+    assert sentence == ("speech.flac: its file speech.csv is already that of speech.wav; rename one of them")
     gapless(rows_of((tmp_path / "out" / "speech.csv").read_text()), soundfile.info(sound).duration)
 
 

@@ -1,0 +1,1 @@
+"""Mouth cues and movements in the files of other programs."""

@@ -1,0 +1,95 @@
+"""Every format, by name: how its file ends, who reads it, and what it asks for."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from engine.mouth.cues import MOST_ANTICIPATION
+from engine.mouth.exports import (
+    annosoft,
+    audacity,
+    curves,
+    gltf,
+    livelink,
+    moho,
+    oculus,
+    papagayo,
+    rhubarb,
+    textgrid,
+)
+from engine.mouth.exports.export import Export
+from engine.mouth.names import ARKIT, OCULUS
+
+DRAWINGS_AHEAD = 0.04
+"""Seconds by which drawings, which change at once, are ahead of the sound: a frame of film."""
+
+
+@dataclass(frozen=True)
+class Format:
+    """A kind of file.
+
+    Attributes
+    ----------
+    ending : of its files, such as ``.tsv``.
+    write : gives the file, in parts of text or as bytes.
+    table : the mouth table that it is written with, unless told otherwise.
+    words : what it is, for people.
+    rate : frames per second, unless told otherwise; 0 where it counts none.
+    whole_rate : whether that must be a whole number.
+    anticipation : by how much the mouth is ahead of the sound, seconds, unless told otherwise.
+    shapes : the mouth shapes that it knows; empty where it takes any.
+    movestates : the columns that it has; empty where it takes any.
+    separated : whether names of shapes may hold no spaces.
+    moves_head : whether it holds the pose of the head.
+    needs_mesh : whether it moves a face that must be given.
+    """
+
+    ending: str
+    write: Callable[[Export], Iterator[str] | bytes]
+    table: str
+    words: str
+    rate: float = 0.0
+    whole_rate: bool = False
+    anticipation: float = 0.0
+    shapes: frozenset[str] = frozenset()
+    movestates: tuple[str, ...] = ()
+    separated: bool = False
+    moves_head: bool = False
+    needs_mesh: bool = False
+
+
+def _letters(ending: str, write: Callable[[Export], Iterator[str]]) -> Format:
+    return Format(ending, write, "rhubarb", "Rhubarb Lip Sync", anticipation=DRAWINGS_AHEAD, shapes=rhubarb.SHAPES)
+
+
+FORMATS: dict[str, Format] = {
+    "rhubarb-tsv": _letters(".tsv", rhubarb.write_tsv),
+    "rhubarb-xml": _letters(".xml", rhubarb.write_xml),
+    "rhubarb-json": _letters(".json", rhubarb.write_json),
+    "moho-dat": Format(
+        ".dat", moho.write, "preston-blair", "Moho, OpenToonz", rate=24, anticipation=DRAWINGS_AHEAD, separated=True
+    ),
+    "papagayo-pgo": Format(
+        ".pgo", papagayo.write, "preston-blair", "Papagayo, Papagayo-NG", rate=24, whole_rate=True,
+        anticipation=DRAWINGS_AHEAD, separated=True,
+    ),
+    "anno": Format(".anno", annosoft.write, "annosoft", "Annosoft", separated=True),
+    "textgrid": Format(".TextGrid", textgrid.write, "eleven", "Praat"),
+    "audacity": Format(".txt", audacity.write, "eleven", "Audacity label track"),
+    "livelink-csv": Format(
+        ".csv", livelink.write, "arkit", "Live Link Face, ARKit 52", rate=60, anticipation=MOST_ANTICIPATION,
+        movestates=ARKIT, moves_head=True,
+    ),
+    "oculus-csv": Format(
+        ".csv", oculus.write, "oculus", "weights of 15 visemes", rate=60, anticipation=MOST_ANTICIPATION,
+        movestates=OCULUS,
+    ),
+    "gltf": Format(
+        ".glb", gltf.write, "arkit", "a face of yours, animated", rate=30, anticipation=MOST_ANTICIPATION,
+        needs_mesh=True,
+    ),
+    "curves-json": Format(
+        ".json", curves.write, "arkit", "curves for Unity, Godot, pages", rate=60, anticipation=MOST_ANTICIPATION,
+        moves_head=True,
+    ),
+}  # fmt: skip
+"""What can be written."""

@@ -1,0 +1,100 @@
+"""A face's GLB with an animation of its morph weights: the file that was given, with the movement added to it.
+
+Everything else in the file stays as it is. See section 3.11 of the glTF 2.0 specification.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.errors import ExportError
+from engine.mouth.animation import Animation
+from engine.mouth.exports.export import Export
+from engine.mouth.exports.glb import Glb, read_glb
+
+FLOAT = 5126
+"""glTF's code for float32."""
+NAME = "speech"
+
+
+def write(export: Export) -> bytes:
+    """Give the GLB with one more animation.
+
+    Raises
+    ------
+    ExportError : the mesh is missing, cannot be read, or has none of the table's movestates.
+    """
+    if export.mesh is None:
+        raise ExportError("gltf moves a face of yours; name its file with --mesh FACE.glb")
+    glb = read_glb(export.mesh)
+    faces = _faces_of(glb.document)
+    known = {name for _, names in faces for name in names}
+    if not known & set(export.table.movestates):
+        wanted = ", ".join(export.table.movestates[:3])
+        raise ExportError(
+            f"{export.mesh.name}: it has no morph target of the table {export.table.name!r} ({wanted}, ...); choose "
+            "a table for its names with --table, or name the targets in your modelling program"
+        )
+    _animate(glb, faces, export.animation)
+    return glb.content()
+
+
+def _animate(glb: Glb, faces: Sequence[tuple[int, Sequence[str]]], animation: Animation) -> None:
+    times = animation.times.astype("<f4")
+    input_ = _accessor(glb, times, {"min": [float(times[0])], "max": [float(times[-1])]})
+    samplers: list[dict[str, Any]] = []
+    channels: list[dict[str, Any]] = []
+    for node, names in faces:
+        weights = _weights_for(names, animation)
+        if weights is not None:
+            output = _accessor(glb, weights.ravel(), {})
+            channels.append({"sampler": len(samplers), "target": {"node": node, "path": "weights"}})
+            samplers.append({"input": input_, "output": output, "interpolation": "LINEAR"})
+    glb.list_of("animations").append({"name": NAME, "samplers": samplers, "channels": channels})
+
+
+def _weights_for(names: Sequence[str], animation: Animation) -> NDArray[np.float32] | None:
+    """Give the weights of a mesh's targets, shape (n_frames, n_targets); None where none of them moves."""
+    columns = {name: k for k, name in enumerate(animation.movestates)}
+    if not columns.keys() & set(names):
+        return None
+    weights = np.zeros((len(animation.weights), len(names)), "<f4")
+    for target, name in enumerate(names):
+        if name in columns:
+            weights[:, target] = animation.weights[:, columns[name]]
+    return weights
+
+
+def _accessor(glb: Glb, values: NDArray[np.float32], limits: dict[str, Any]) -> int:
+    views, accessors = glb.list_of("bufferViews"), glb.list_of("accessors")
+    offset = glb.append(values.tobytes())
+    views.append({"buffer": 0, "byteOffset": offset, "byteLength": values.nbytes})
+    accessors.append(
+        {"bufferView": len(views) - 1, "componentType": FLOAT, "count": values.size, "type": "SCALAR", **limits}
+    )
+    return len(accessors) - 1
+
+
+def _faces_of(document: dict[str, Any]) -> list[tuple[int, list[str]]]:
+    """Give the nodes whose meshes have morph targets with names, and those names."""
+    try:
+        meshes = document.get("meshes", [])
+        named = [_targets_of(mesh) for mesh in meshes]
+        return [
+            (number, named[node["mesh"]])
+            for number, node in enumerate(document.get("nodes", []))
+            if "mesh" in node and named[node["mesh"]]
+        ]
+    except (TypeError, KeyError, IndexError, AttributeError) as error:
+        raise ExportError("the mesh is a damaged glTF file; export it anew from your modelling program") from error
+
+
+def _targets_of(mesh: dict[str, Any]) -> list[str]:
+    """Give the names of a mesh's targets; exporters write them as extras, since glTF itself has none."""
+    n_targets = min((len(primitive.get("targets", [])) for primitive in mesh["primitives"]), default=0)
+    extras = mesh.get("extras")
+    names = extras.get("targetNames", []) if isinstance(extras, dict) else []
+    names = [name if isinstance(name, str) else "" for name in names][:n_targets]
+    return names + [""] * (n_targets - len(names)) if names else []

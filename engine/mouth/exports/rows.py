@@ -1,0 +1,14 @@
+"""Weights as lines of numbers, fast: columns that never move cost nothing."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def lines_of(weights: NDArray[np.float32], separator: str = ",", digits: int = 5) -> Iterator[str]:
+    """Give each row of weights, shape (n, n_columns), as text with a fixed number of digits."""
+    moving = np.any(weights != 0, axis=0)
+    pattern = separator.join(f"%.{digits}f" if moves else f"{0:.{digits}f}" for moves in moving.tolist())
+    for row in weights[:, moving].tolist():
+        yield pattern % tuple(row)

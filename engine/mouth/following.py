@@ -1,0 +1,29 @@
+"""Following a value that holds between its changes."""
+
+import math
+
+
+class Follower:
+    """Approaches a goal by the exact answer of a low-pass of first order: it does not matter how often one looks.
+
+    Parameters
+    ----------
+    time_constant : seconds after which 63 % of a change is followed; 0 follows at once.
+    value : where it begins.
+    """
+
+    def __init__(self, time_constant: float, value: float = 0.0) -> None:
+        self._time_constant = time_constant
+        self._time, self._value, self._goal = 0.0, value, value
+
+    def push(self, time: float, goal: float) -> None:
+        """Set another goal from a time on, seconds; times never go back."""
+        self._value = self.at(time)
+        self._time, self._goal = time, goal
+
+    def at(self, time: float) -> float:
+        """Give the value at a time."""
+        if self._time_constant <= 0.0 or self._value == self._goal:
+            return self._goal
+        passed = max(time - self._time, 0.0)
+        return self._goal + (self._value - self._goal) * math.exp(-passed / self._time_constant)

@@ -1,0 +1,31 @@
+"""The names of the movestates that avatars are made with, as other programs know them."""
+
+ARKIT = (
+    "eyeBlinkLeft", "eyeLookDownLeft", "eyeLookInLeft", "eyeLookOutLeft", "eyeLookUpLeft", "eyeSquintLeft",
+    "eyeWideLeft", "eyeBlinkRight", "eyeLookDownRight", "eyeLookInRight", "eyeLookOutRight", "eyeLookUpRight",
+    "eyeSquintRight", "eyeWideRight", "jawForward", "jawRight", "jawLeft", "jawOpen", "mouthClose", "mouthFunnel",
+    "mouthPucker", "mouthRight", "mouthLeft", "mouthSmileLeft", "mouthSmileRight", "mouthFrownLeft",
+    "mouthFrownRight", "mouthDimpleLeft", "mouthDimpleRight", "mouthStretchLeft", "mouthStretchRight",
+    "mouthRollLower", "mouthRollUpper", "mouthShrugLower", "mouthShrugUpper", "mouthPressLeft", "mouthPressRight",
+    "mouthLowerDownLeft", "mouthLowerDownRight", "mouthUpperUpLeft", "mouthUpperUpRight", "browDownLeft",
+    "browDownRight", "browInnerUp", "browOuterUpLeft", "browOuterUpRight", "cheekPuff", "cheekSquintLeft",
+    "cheekSquintRight", "noseSneerLeft", "noseSneerRight", "tongueOut",
+)  # fmt: skip
+"""The 52 blend shapes of ARKit, in the order in which Live Link Face writes them."""
+
+OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
+"""The 15 visemes of Oculus Lipsync, in its order."""
+
+VRM = ("A", "I", "U", "E", "O")
+"""The mouths of a VRM avatar, as VMC programs name them."""
+
+NAMES: dict[str, tuple[str, ...]] = {"arkit": ARKIT, "oculus": OCULUS, "vrm": VRM}
+"""The sets that a mouth table may name instead of a list of its own."""
+
+EYELIDS = ("eyeBlinkLeft", "eyeBlinkRight")
+"""The movestates that a blink closes."""
+
+
+def both_sides(name: str) -> tuple[str, str]:
+    """Give the two movestates for which a name without a side stands, such as ``mouthSmile``."""
+    return f"{name}Left", f"{name}Right"

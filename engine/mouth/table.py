@@ -1,0 +1,218 @@
+"""Mouth tables: which shape the mouth takes for a phoneme, and which movestates make that shape.
+
+They are TOML files that an animator edits, read strictly.
+"""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.audio.opening import shown_name
+from engine.errors import MouthError
+from engine.mouth.manner import Manner
+from engine.mouth.names import NAMES, both_sides
+from engine.phonemes import Phoneme
+
+FORMAT = "phonemeanalyser mouth 1"
+TABLES = Path(__file__).resolve().parent / "tables"
+"""The folder of the tables that ship with the program."""
+LARGEST_FILE = 1 << 20
+MOST_MOVESTATES = 1000
+STRONGEST = 400.0
+"""Percent: a shape may exaggerate, but not without end."""
+
+_KEYS = {"format": str, "name": str, "notes": str, "firm": list, "phonemes": dict, "shapes": dict, "manner": dict}
+_OPTIONAL = {"name", "notes", "firm", "manner"}
+_WORDS = {str: "text", list: "a list", dict: "a table"}
+_PHONEMES = {p.label: p for p in Phoneme}
+
+
+@dataclass(frozen=True)
+class MouthTable:
+    """What the mouth does for each phoneme.
+
+    Attributes
+    ----------
+    name : what people call it.
+    movestates : the names of the movestates, in the order of all weights.
+    phonemes : the mouth shape of every phoneme.
+    shapes : for each mouth shape the percentages of its movestates, 100 for the whole movement.
+    firm : phonemes at which the lips meet: fast, and whole at any loudness. Silence is always whole.
+    manner : how the mouth moves.
+    notes : for people.
+    """
+
+    name: str
+    movestates: tuple[str, ...]
+    phonemes: Mapping[Phoneme, str]
+    shapes: Mapping[str, Mapping[str, float]]
+    firm: frozenset[Phoneme] = frozenset({Phoneme.M, Phoneme.P})
+    manner: Manner = field(default_factory=Manner)
+    notes: str = ""
+
+    def weights(self) -> NDArray[np.float32]:
+        """Give the weights of every phoneme's shape, shape (11, n_movestates), 1 for the whole movement."""
+        columns = {name: k for k, name in enumerate(self.movestates)}
+        rows = np.zeros((len(Phoneme), len(columns)), np.float32)
+        for phoneme, shape in self.phonemes.items():
+            for movestate, percent in self.shapes[shape].items():
+                rows[phoneme, columns[movestate]] = percent / 100
+        return rows
+
+
+def shipped_tables() -> tuple[str, ...]:
+    """Name the tables that ship with the program."""
+    return tuple(sorted(path.stem for path in TABLES.glob("*.toml")))
+
+
+def load_table(name: str | Path) -> MouthTable:
+    """Load a mouth table: one that ships with the program by its name, such as ``arkit``, or a file.
+
+    Raises
+    ------
+    MouthError : there is none, or it says something impossible; the message names the file, the entry and what to do.
+    """
+    shipped = TABLES / f"{name}.toml"
+    path = shipped if str(name) in shipped_tables() else Path(name)
+    shown = shown_name(path)
+    try:
+        return table_of(_text_of(path))
+    except MouthError as error:
+        raise MouthError(f"{shown}: {error}") from error
+
+
+def table_of(text: str) -> MouthTable:
+    """Read a mouth table from the text of a TOML file.
+
+    Raises
+    ------
+    MouthError : not TOML, not of this format, an unknown or missing name, or a value out of range.
+    """
+    try:
+        document = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise MouthError(f"this is no TOML file ({error}); correct it there") from error
+    if document.get("format") != FORMAT:
+        raise MouthError(f"a mouth table begins with format = {FORMAT!r}, found {_shown(document.get('format'))}")
+    _check_keys(document)
+    movestates = _movestates_of(document["movestates"])
+    shapes = {name: _shape_of(name, entry, movestates) for name, entry in document["shapes"].items()}
+    return MouthTable(
+        name=document.get("name", "untitled"),
+        movestates=movestates,
+        phonemes=_phonemes_of(document["phonemes"], shapes),
+        shapes=shapes,
+        firm=frozenset(_phoneme(name, "firm") for name in document.get("firm", ["m", "p"])),
+        manner=_manner_of(document.get("manner", {})),
+        notes=document.get("notes", ""),
+    )
+
+
+def _text_of(path: Path) -> str:
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise MouthError("a mouth table is smaller than 1 MB; choose another file")
+        return path.read_text(encoding="utf-8-sig")
+    except FileNotFoundError as error:
+        known = ", ".join(shipped_tables())
+        raise MouthError(f"there is no such mouth table; name a file, or one of {known}") from error
+    except UnicodeDecodeError as error:
+        raise MouthError("this is no text file; choose a mouth table (.toml)") from error
+    except (OSError, ValueError) as error:
+        reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+        raise MouthError(f"it cannot be read ({reason}); check the file") from error
+
+
+def _check_keys(document: dict[str, Any]) -> None:
+    known = [*_KEYS, "movestates"]
+    for key in document.keys() - set(known):
+        raise MouthError(f"a mouth table does not know {_shown(key)}; known are {', '.join(known)}")
+    for key in known:
+        if key not in document and key not in _OPTIONAL:
+            raise MouthError(f"{key} is missing; add it")
+    for key, kind in _KEYS.items():
+        if not isinstance(document.get(key, kind()), kind):
+            raise MouthError(f"{key} must be {_WORDS[kind]}, found {_shown(document[key])}; correct it")
+
+
+def _movestates_of(entry: Any) -> tuple[str, ...]:
+    if isinstance(entry, str) and entry in NAMES:
+        return NAMES[entry]
+    names = entry if isinstance(entry, list) else [None]
+    if len(names) > MOST_MOVESTATES or any(not isinstance(name, str) or not name for name in names):
+        raise MouthError(
+            f"movestates must be one of {', '.join(NAMES)}, or a list of at most {MOST_MOVESTATES} names, "
+            f"found {_shown(entry)}; correct it"
+        )
+    for name in names:
+        if names.count(name) > 1:
+            raise MouthError(f"movestates names {_shown(name)} twice; remove one")
+    return tuple(names)
+
+
+def _shape_of(shape: str, entry: Any, movestates: tuple[str, ...]) -> dict[str, float]:
+    if not isinstance(entry, dict):
+        raise MouthError(f"[shapes.{shape}] must be a table of movestates and percentages, found {_shown(entry)}")
+    percentages: dict[str, float] = {}
+    for name, percent in entry.items():
+        _check_percent(shape, name, percent)
+        sides = (name,) if name in movestates else both_sides(name)
+        for side in sides:
+            if side not in movestates:
+                raise MouthError(
+                    f"[shapes.{shape}] moves {_shown(name)}, which is no movestate; use one of movestates, or add it"
+                )
+            if side in percentages:
+                raise MouthError(f"[shapes.{shape}] says twice what {_shown(side)} does; remove one")
+            percentages[side] = float(percent)
+    return percentages
+
+
+def _check_percent(shape: str, name: str, percent: Any) -> None:
+    number = isinstance(percent, int | float) and not isinstance(percent, bool)
+    if not number or not -STRONGEST <= percent <= STRONGEST:
+        raise MouthError(
+            f"[shapes.{shape}] {name} must be a percentage in -{STRONGEST:g}..{STRONGEST:g}, "
+            f"found {_shown(percent)}; correct it"
+        )
+
+
+def _phonemes_of(entry: dict[str, Any], shapes: Mapping[str, Any]) -> dict[Phoneme, str]:
+    found = {_phoneme(name, "[phonemes]"): shape for name, shape in entry.items()}
+    for phoneme in Phoneme:
+        if phoneme not in found:
+            raise MouthError(f"[phonemes] lacks {phoneme.label}; name its mouth shape")
+        shape = found[phoneme]
+        if not isinstance(shape, str) or shape not in shapes:
+            raise MouthError(
+                f"[phonemes] {phoneme.label} has the shape {_shown(shape)}, which [shapes] lacks; add it there"
+            )
+    return {phoneme: found[phoneme] for phoneme in Phoneme}
+
+
+def _phoneme(name: Any, place: str) -> Phoneme:
+    if not isinstance(name, str) or name not in _PHONEMES:
+        raise MouthError(f"{place} knows no phoneme {_shown(name)}; known are {', '.join(_PHONEMES)}")
+    return _PHONEMES[name]
+
+
+def _manner_of(entry: dict[str, Any]) -> Manner:
+    known = [f.name for f in fields(Manner)]
+    for name, value in entry.items():
+        if name not in known:
+            raise MouthError(f"[manner] does not know {_shown(name)}; known are {', '.join(known)}")
+        if not isinstance(value, int | float) or isinstance(value, bool) or not abs(value) <= 1:
+            raise MouthError(f"[manner] {name} must be a number within 0..1, found {_shown(value)}; correct it")
+    try:
+        return Manner(**entry)
+    except MouthError as error:
+        raise MouthError(f"[manner] {error}") from error
+
+
+def _shown(value: Any) -> str:
+    return f"{value!r:.40}" if not isinstance(value, int) or abs(value) < 10**30 else "an endless number"

@@ -1,0 +1,174 @@
+"""`phonemeanalyser export`: sound files in, files of other programs out."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+from pygltflib import GLTF2
+
+from engine.mouth.exports.formats import FORMATS
+from engine.mouth.names import ARKIT
+from engine.mouth.table import TABLES
+from engine.settings import SAMPLE_RATE
+from phonemeanalyser.cli import DEMO, main
+from tests.bad_files import ODD_FILES
+from tests.glb_faces import face_with_targets
+from tests.sounds import silence
+from tests.tables import refused
+
+TEXTS = [name for name, form in FORMATS.items() if not form.needs_mesh]
+
+
+def exported(*words: object) -> None:
+    assert main(["export", *(str(word) for word in words)]) == 0
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_every_format_is_printed_or_written_alike(
+    name: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    exported(sound, "--format", name)
+    said = capsys.readouterr()
+    assert said.err == ""
+    exported(sound, "--format", name, "-o", tmp_path / "out")
+    target = tmp_path / "out" / f"speech{FORMATS[name].ending}"
+    assert target.read_text(encoding="utf-8") == said.out
+    assert [path for path in (tmp_path / "out").rglob("*") if path.is_file()] == [target]
+
+
+def test_the_demo_opens_and_closes_the_mouth_of_rhubarb(capsys: pytest.CaptureFixture[str]) -> None:
+    exported(DEMO, "--format", "rhubarb-json")
+    document = json.loads(capsys.readouterr().out)
+    assert document["metadata"]["soundFile"] == "demo.flac"
+    assert {cue["value"] for cue in document["mouthCues"]} >= set("ABDX")
+
+
+def test_a_face_is_animated(sound: Path, tmp_path: Path) -> None:
+    face = tmp_path / "face.glb"
+    face.write_bytes(face_with_targets(ARKIT))
+    exported(sound, "--format", "gltf", "--mesh", face, "--fps", 25, "-o", tmp_path / "talking.glb")
+    gltf = GLTF2().load(str(tmp_path / "talking.glb"))
+    assert gltf is not None
+    (sampler,) = gltf.animations[0].samplers
+    n_frames = int(soundfile.info(sound).duration * 25) + 1
+    assert gltf.accessors[sampler.input].count == n_frames
+    assert gltf.accessors[sampler.output].count == n_frames * 52
+    assert gltf.meshes[0].extras["targetNames"] == list(ARKIT)
+
+
+def test_wishes_reach_the_format(sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (sound, "--format", "curves-json", "--fps", 25, "--minimum", 0.1, "--anticipation", 0, "--table", "five")
+    exported(*words, "--no-blinks", "--no-head", "--seed", 3)
+    document = json.loads(capsys.readouterr().out)
+    assert (document["rate"], document["table"], document["head"]) == (25, "Five mouth shapes", [])
+    assert all(cue["end"] - cue["start"] > 0.0999 for cue in document["cues"])
+    assert not any(curve["name"].startswith("eye") for curve in document["curves"])
+    exported(*words, "--no-blinks", "--no-head", "--seed", 4)
+    other = json.loads(capsys.readouterr().out)
+    assert other["cues"] == document["cues"]
+    assert other["curves"] != document["curves"]
+
+
+def test_a_folder_is_walked_and_what_cannot_be_read_is_said_and_passed_over(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "sounds"
+    (folder / "deep").mkdir(parents=True)
+    (folder / "a.wav").write_bytes(sound.read_bytes())
+    (folder / "b.wav").write_bytes(b"no sound at all")
+    (folder / "deep" / "c.wav").write_bytes(sound.read_bytes())
+    assert main(["export", str(folder), "--format", "textgrid", "-o", str(tmp_path / "out")]) == 1
+    said = capsys.readouterr()
+    lines = [line for line in said.err.splitlines() if line.startswith("phonemeanalyser: ")]
+    assert len(lines) == 1
+    assert lines[0].startswith("phonemeanalyser: b.wav: ")
+    found = {path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*.*")}
+    assert found == {"a.TextGrid", "deep/c.TextGrid"}
+
+
+@pytest.mark.parametrize("name", ODD_FILES)
+def test_an_unusual_file_can_be_exported_too(name: str, tmp_path: Path) -> None:
+    path = ODD_FILES[name](tmp_path)
+    for form in ("rhubarb-xml", "papagayo-pgo", "oculus-csv"):
+        exported(path, "--format", form, "-o", tmp_path / "out" / form)
+
+
+def test_silence_is_a_mouth_at_rest(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    soundfile.write(tmp_path / "silence.wav", silence(0.5), SAMPLE_RATE)
+    exported(tmp_path / "silence.wav", "--format", "rhubarb-tsv")
+    assert capsys.readouterr().out == "0.00\tX\n0.50\tX\n"
+    exported(tmp_path / "silence.wav", "--format", "moho-dat")
+    assert capsys.readouterr().out == "MohoSwitch1\n1 rest\n13 rest\n"
+
+
+def test_a_table_of_ones_own_is_used(sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = (TABLES / "preston-blair.toml").read_text(encoding="utf-8")
+    (tmp_path / "mine.toml").write_text(text.replace("rest", "mouth_closed"), encoding="utf-8")
+    exported(sound, "--format", "moho-dat", "--table", tmp_path / "mine.toml")
+    assert capsys.readouterr().out.splitlines()[1] == "1 mouth_closed"
+
+
+def test_a_file_that_cannot_be_written_is_said_and_leaves_nothing(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("mine")
+    said = refused(capsys, "export", sound, "--format", "anno", "-o", tmp_path / "file" / "a.anno")
+    assert "cannot be written" in said
+    assert (tmp_path / "file").read_text() == "mine"
+
+
+def test_two_sounds_of_one_name_do_not_overwrite_each_other(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    samples, rate = soundfile.read(sound)
+    soundfile.write(tmp_path / "speech.flac", np.clip(samples, -1, 1), rate)
+    said = refused(
+        capsys, "export", sound, tmp_path / "speech.flac", "--format", "rhubarb-tsv", "-o", tmp_path / "out"
+    )
+    assert said == "speech.flac: its file speech.tsv is already that of speech.wav; rename one of them"
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--format", "gltf"), "gltf moves a face of yours; name its file with --mesh FACE.glb"),
+        (("--format", "gltf", "--mesh", "a.glb"), "gltf is no text to be printed; name a file or a folder with -o"),
+        (
+            ("--format", "gltf", "--mesh", "a.glb", "-o", "o.glb"),
+            "a.glb: it cannot be read (No such file or directory)",
+        ),
+        (("--format", "anno", "--fps", "25"), "anno counts no frames, so it has no frame rate; leave it out"),
+        (("--format", "anno", "--minimum", "7"), "minimum must lie in 0..1 s, got 7; choose another"),
+        (("--format", "anno", "--anticipation", "1"), "anticipation must lie in 0..0.12 s, got 1; choose another"),
+        (("--format", "anno", "--table", "gone"), "gone: there is no such mouth table; name a file, or one of"),
+        (("--format", "anno", "--preset", "gone.toml"), "gone.toml: cannot be read"),
+    ],
+)
+def test_what_cannot_be_done_is_said_in_one_sentence(
+    words: tuple[str, ...], sentence: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    assert refused(capsys, "export", sound, *words).startswith(sentence)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [[], ["a.wav"], ["--format", "anno"], ["a.wav", "--format", "fbx"], ["a.wav", "--format", "anno", "--fps", "x"]],
+)
+def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(["export", *words])
+    assert end.value.code == 2
+    assert capsys.readouterr().err.startswith("usage: phonemeanalyser export")
+
+
+def test_help_names_every_format_and_what_reads_it(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(["export", "--help"])
+    assert end.value.code == 0
+    said = capsys.readouterr().out
+    assert all(f"  {name}" in said for name in FORMATS)
+    assert "Papagayo-NG (24 fps, ahead 0.04 s, table preston-blair)" in said

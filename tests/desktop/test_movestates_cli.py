@@ -1,0 +1,136 @@
+"""``phonemeanalyser movestates``, as an animator types it."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from engine.mouth.face import Figure, face_of
+from engine.mouth.files.gltf_writing import format_glb
+from engine.mouth.files.obj import format_obj
+from engine.mouth.files.opening import load_face, load_figure, save_face
+from engine.mouth.mesh import mesh_of
+from phonemeanalyser.cli import main
+from tests.meshes import CORNERS, GLTF_TEXT, TRIANGLES, figure_of_cube, moved_by
+
+SMILE, OPEN = moved_by((1, 3), (0.5, 0, 0.25)), moved_by((2,), (0, -1, 0))
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A cube at rest, smiling, and open, as a modelling program exports them."""
+    for name, offsets in (("base", 0), ("smile", SMILE), ("open", OPEN)):
+        (tmp_path / f"{name}.obj").write_bytes(format_obj(mesh_of(CORNERS + offsets, TRIANGLES)))
+    return tmp_path
+
+
+def run(folder: Path, *words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, str, str]:
+    """Run the command with names of files in a folder; gives its exit code, and what it printed."""
+    code = main(["movestates", *(str(folder / word) if "." in word else word for word in words)])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def test_targets_become_movestates_of_their_files_names(folder: Path, capsys: pytest.CaptureFixture[str]):
+    code, out, _ = run(folder, "export", "base.obj", "smile.obj", "open.obj", "-o", "face.3dm", capsys=capsys)
+    assert code == 0
+    assert out.startswith("face.3dm: 2 movestates, 3 vertices move, ")
+    smile, opened = load_face(folder / "face.3dm").states
+    assert (smile.name, smile.numbers.tolist()) == ("smile", [1, 3])
+    np.testing.assert_allclose(smile.offsets, SMILE[[1, 3]])
+    assert (opened.name, opened.numbers.tolist()) == ("open", [2])
+
+
+def test_the_morph_targets_of_a_gltf_count_as_targets(folder: Path, capsys: pytest.CaptureFixture[str]):
+    (folder / "cube.gltf").write_bytes(GLTF_TEXT)
+    assert run(folder, "export", "cube.gltf", "-o", "face.3dma", capsys=capsys)[0] == 0
+    assert [state.name for state in load_face(folder / "face.3dma").states] == ["lid up", "wide"]
+    (folder / "more.glb").write_bytes(format_glb(figure_of_cube()))
+    assert run(folder, "export", "base.obj", "open.obj", "more.glb", "-o", "all.3dm", capsys=capsys)[0] == 0
+    assert [state.name for state in load_face(folder / "all.3dm").states] == ["open", "lid up", "größer", "still"]
+
+
+def test_info_tells_what_a_file_holds(folder: Path, capsys: pytest.CaptureFixture[str]):
+    run(folder, "export", "base.obj", "smile.obj", "open.obj", "-o", "face.3dm", capsys=capsys)
+    _, out, _ = run(folder, "info", "face.3dm", capsys=capsys)
+    assert out.splitlines()[1:] == [
+        "movestate  vertices  farthest",
+        "smile             2    0.5590",
+        "open              1    1.0000",
+    ]
+    _, out, _ = run(folder, "info", "base.obj", capsys=capsys)
+    assert out == "base.obj: 8 vertices, 12 triangles, 1 material\n"
+
+
+def test_converting_round_and_back_keeps_every_byte(folder: Path, capsys: pytest.CaptureFixture[str]):
+    run(folder, "export", "base.obj", "smile.obj", "open.obj", "-o", "face.3dm", capsys=capsys)
+    for source, target in (("face.3dm", "face.3dma"), ("face.3dma", "face.glb"), ("face.glb", "again.3dm")):
+        assert run(folder, "convert", source, target, capsys=capsys)[0] == 0
+    assert (folder / "again.3dm").read_bytes() == (folder / "face.3dm").read_bytes()
+
+
+def test_converting_to_glb_with_the_mesh_shows_the_mesh(folder: Path, capsys: pytest.CaptureFixture[str]):
+    run(folder, "export", "base.obj", "smile.obj", "-o", "face.3dm", capsys=capsys)
+    assert run(folder, "convert", "face.3dm", "face.glb", "--mesh", "base.obj", capsys=capsys)[0] == 0
+    figure = load_figure(folder / "face.glb")
+    np.testing.assert_array_equal(figure.mesh.positions, CORNERS)
+    assert len(figure.mesh.triangles) == 12
+
+
+def test_a_mesh_in_another_order_gets_its_own_numbers(folder: Path, capsys: pytest.CaptureFixture[str]):
+    run(folder, "export", "base.obj", "smile.obj", "-o", "face.3dm", capsys=capsys)
+    (folder / "turned.obj").write_bytes(format_obj(mesh_of(CORNERS[::-1])))
+    code, out, _ = run(folder, "convert", "face.3dm", "new.3dm", "--mesh", "turned.obj", capsys=capsys)
+    assert code == 0
+    assert "face.3dm: the vertices are renumbered as turned.obj has them" in out
+    assert load_face(folder / "new.3dm").states[0].numbers.tolist() == [4, 6]
+
+
+REFUSED = {
+    "no targets": (("export", "base.obj", "-o", "a.3dm"), "base.obj: there are no morph targets in it"),
+    "another mesh": (("export", "base.obj", "small.obj", "-o", "a.3dm"), "small.obj: it has 7 vertices, and"),
+    "the base again": (("export", "base.obj", "same.obj", "-o", "a.3dm"), "same.obj: no vertex moves"),
+    "twice": (("export", "base.obj", "smile.obj", "smile.obj", "-o", "a.3dm"), "two movestates are called 'smile'"),
+    "garbage": (("info", "garbage.3dm"), "garbage.3dm: a .3dm file begins with"),
+    "missing": (("info", "missing.glb"), "missing.glb: cannot be read (No such file or directory)"),
+    "unknown ending": (("info", "face.fbx"), "face.fbx: its ending must be one of"),
+    "a mesh alone": (("convert", "base.obj", "a.3dm"), "this is a mesh without morph targets"),
+    "elsewhere": (("convert", "good.3dm", "b.3dm", "--mesh", "far.obj"), "2 of the 2 vertices that move are not in"),
+    "no place": (("convert", "good.3dm", "none/b.3dm"), "b.3dm: cannot be written (No such file or directory)"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("words", "said"), REFUSED.values(), ids=REFUSED)
+def test_what_cannot_be_done_is_said_in_one_sentence(
+    words: tuple[str, ...], said: str, folder: Path, capsys: pytest.CaptureFixture[str]
+):
+    (folder / "small.obj").write_bytes(format_obj(mesh_of(CORNERS[:7])))
+    (folder / "far.obj").write_bytes(format_obj(mesh_of(CORNERS + 9)))
+    (folder / "same.obj").write_bytes((folder / "base.obj").read_bytes())
+    (folder / "garbage.3dm").write_bytes(bytes(range(256)))
+    smile = load_figure(folder / "smile.obj").mesh.positions - CORNERS
+    figure = figure_of_cube()
+    save_face(face_of(figure.mesh, figure.states[1:2]), folder / "good.3dm")
+    assert smile.any()
+    code, out, err = run(folder, *words, capsys=capsys)
+    assert (code, out) == (1, "")
+    assert err.startswith("phonemeanalyser: ")
+    assert said in err
+    assert err.count("\n") == 1
+    assert not (folder / "a.3dm").exists()
+
+
+def test_the_command_needs_no_qt(folder: Path):
+    program = "import sys; from phonemeanalyser.cli import main; main(sys.argv[1:]); print('PySide6' in sys.modules)"
+    words = ["movestates", "info", str(folder / "base.obj")]
+    done = subprocess.run([sys.executable, "-c", program, *words], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "False"
+
+
+def test_the_whole_figure_survives_a_figure_of_our_own(folder: Path, capsys: pytest.CaptureFixture[str]):
+    figure = figure_of_cube()
+    (folder / "in.glb").write_bytes(format_glb(Figure(figure.mesh, figure.states)))
+    assert run(folder, "convert", "in.glb", "out.glb", capsys=capsys)[0] == 0
+    assert len(load_figure(folder / "out.glb").mesh.triangles) == 12

@@ -1,0 +1,29 @@
+"""Speech that is known beforehand, for what is written of it."""
+
+import numpy as np
+
+from engine.mouth.speech import Speech
+from engine.phonemes import Phoneme
+from engine.recognition.runs import Run
+from engine.settings import FRAME_PERIOD
+
+PARTS = (
+    (Phoneme.SILENCE, 0.30), (Phoneme.M, 0.09), (Phoneme.A, 0.21), (Phoneme.SZ, 0.02), (Phoneme.A, 0.12),
+    (Phoneme.P, 0.07), (Phoneme.O, 0.25), (Phoneme.SCH, 0.11), (Phoneme.UNIDENTIFIED, 0.08), (Phoneme.I, 0.19),
+    (Phoneme.SILENCE, 0.41), (Phoneme.SZ, 0.10), (Phoneme.E, 0.15), (Phoneme.U, 0.20), (Phoneme.SILENCE, 0.205),
+)  # fmt: skip
+DURATION = sum(length for _, length in PARTS)
+
+
+def speech(name: str = "masapo.wav") -> Speech:
+    """A few syllables of 2.5 s, which rise and fall in pitch."""
+    runs, at = [], 0.0
+    for phoneme, length in PARTS:
+        runs.append(Run(round(at, 6), round(at + length, 6), phoneme, 0.0 if phoneme == Phoneme.SILENCE else 0.7))
+        at += length
+    times = np.arange(round(DURATION / FRAME_PERIOD)) * FRAME_PERIOD
+    ends = np.array([run.end for run in runs])
+    loud = np.array([run.intensity for run in runs], np.float32)[
+        np.minimum(np.searchsorted(ends, times, "right"), 14)
+    ]
+    return Speech(name, DURATION, tuple(runs), loud, np.where(loud > 0, 120 + 40 * times, 0).astype(np.float32))

@@ -1,0 +1,180 @@
+"""Mouth tables: what ships says what the subject says, and a broken file is refused in one sentence."""
+
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from engine.errors import MouthError
+from engine.mouth.names import ARKIT, OCULUS, VRM
+from engine.mouth.table import TABLES, MouthTable, load_table, shipped_tables, table_of
+from engine.phonemes import MOUTH_SHAPES, Phoneme
+
+GOOD = (TABLES / "vrm.toml").read_text(encoding="utf-8")
+COLUMNS = {"arkit": ARKIT, "eleven": ARKIT, "five": ARKIT, "oculus": OCULUS, "vrm": VRM}
+
+
+def weight(table: MouthTable, phoneme: Phoneme, movestate: str) -> float:
+    return float(table.weights()[phoneme, table.movestates.index(movestate)])
+
+
+@pytest.mark.parametrize("name", shipped_tables())
+def test_every_shipped_table_knows_all_phonemes_and_stays_within_the_movement(name: str) -> None:
+    table = load_table(name)
+    assert set(table.phonemes) == set(Phoneme)
+    assert table.notes
+    weights = table.weights()
+    assert weights.shape == (11, len(table.movestates))
+    assert (weights >= 0).all()
+    assert (weights <= 1).all()
+
+
+@pytest.mark.parametrize(("name", "columns"), COLUMNS.items())
+def test_the_sets_of_other_programs_have_their_movestates_in_their_order(name: str, columns: tuple[str, ...]) -> None:
+    assert load_table(name).movestates == columns
+
+
+def test_arkit_has_52_names_of_which_each_left_has_a_right() -> None:
+    assert len(set(ARKIT)) == 52
+    sided = {name.removesuffix("Left") for name in ARKIT if name.endswith("Left")} - {"jaw", "mouth"}
+    assert all(f"{name}Right" in ARKIT for name in sided)
+
+
+def test_the_five_shapes_are_those_of_the_vocabulary() -> None:
+    assert dict(load_table("five").phonemes) == {p: str(shape) for p, shape in MOUTH_SHAPES.items()}
+
+
+def test_the_eleven_shapes_are_one_for_each_phoneme() -> None:
+    shapes = load_table("eleven").phonemes
+    assert dict(shapes) == {p: p.label for p in Phoneme}
+
+
+@pytest.mark.parametrize("name", ["arkit", "eleven"])
+def test_shapes_are_made_as_a_phonetician_says(name: str) -> None:
+    """a is the most open vowel and i and u the closest; o and u are rounded, i and e spread; m and p shut."""
+    table = load_table(name)
+    jaw = {p: weight(table, p, "jawOpen") for p in Phoneme}
+    assert jaw[Phoneme.A] > jaw[Phoneme.O] > jaw[Phoneme.U]
+    assert jaw[Phoneme.A] > jaw[Phoneme.E] > jaw[Phoneme.I]
+    assert jaw[Phoneme.M] == jaw[Phoneme.P] == jaw[Phoneme.SILENCE] == 0
+    for rounded in (Phoneme.O, Phoneme.U, Phoneme.SCH):
+        assert weight(table, rounded, "mouthFunnel") + weight(table, rounded, "mouthPucker") > 0.8
+    for spread in (Phoneme.I, Phoneme.E):
+        assert weight(table, spread, "mouthSmileLeft") == weight(table, spread, "mouthSmileRight") > 0
+        assert weight(table, spread, "mouthPucker") == 0
+    for shut in (Phoneme.M, Phoneme.P):
+        assert weight(table, shut, "mouthPressLeft") > 0.2
+
+
+def test_the_shapes_of_the_shipped_tables_are_told_apart() -> None:
+    rows = load_table("eleven").weights()
+    distances = np.abs(rows[:, None] - rows[None]).sum(axis=2)
+    assert distances[~np.eye(11, dtype=bool)].min() > 0.2
+
+
+def test_a_name_without_a_side_moves_both_sides() -> None:
+    text = GOOD.replace('movestates = "vrm"', 'movestates = ["A", "I", "U", "E", "O", "lidLeft", "lidRight"]')
+    table = table_of(text.replace("[shapes.A]\n", "[shapes.A]\nlid = 40\n"))
+    assert weight(table, Phoneme.A, "lidLeft") == weight(table, Phoneme.A, "lidRight") == pytest.approx(0.4)
+
+
+def test_a_side_and_both_sides_at_once_are_refused() -> None:
+    text = GOOD.replace('movestates = "vrm"', 'movestates = ["A", "I", "U", "E", "O", "lidLeft", "lidRight"]')
+    with pytest.raises(MouthError, match=r"\[shapes.A\] says twice what 'lidLeft' does; remove one"):
+        table_of(text.replace("[shapes.A]\n", "[shapes.A]\nlid = 40\nlidLeft = 10\n"))
+
+
+def test_a_table_may_exaggerate_and_pull_the_other_way() -> None:
+    table = table_of(GOOD.replace("A = 100", "A = 150\nU = -20"))
+    assert weight(table, Phoneme.A, "A") == pytest.approx(1.5)
+    assert weight(table, Phoneme.A, "U") == pytest.approx(-0.2)
+
+
+def test_an_animator_sets_the_manner_in_the_table() -> None:
+    table = table_of(GOOD + "\n[manner]\nattack = 0.2\nrandomness = 0\n")
+    assert (table.manner.attack, table.manner.randomness) == (0.2, 0)
+
+
+# name: (what stands in the file, what is put there instead, what the refusal says)
+CHANGES = {
+    "no format": (
+        'format = "phonemeanalyser mouth 1"',
+        "",
+        "begins with format = 'phonemeanalyser mouth 1', found None",
+    ),
+    "not TOML": ("firm =", "firm", "this is no TOML file"),
+    "unknown key": ("firm =", "speed = 1\nfirm =", "does not know 'speed'; known are"),
+    "notes as number": ('notes = """', 'notes = 7\nname2 = """', "name2|notes"),
+    "name as number": ('name = "VRM A I U E O"', "name = 5", "name must be text, found 5"),
+    "phonemes as text": ("[phonemes]", "[phoneme]", "does not know 'phoneme'"),
+    "lacking phoneme": ('sz = "teeth"\n', "", r"\[phonemes\] lacks sz; name its mouth shape"),
+    "unknown phoneme": ('sz = "teeth"', 'sz = "teeth"\nth = "teeth"', r"\[phonemes\] knows no phoneme 'th'"),
+    "unknown shape": (
+        'sz = "teeth"',
+        'sz = "tooth"',
+        r"\[phonemes\] sz has the shape 'tooth', which \[shapes\] lacks",
+    ),
+    "shape as number": ('sz = "teeth"', "sz = 4", r"\[phonemes\] sz has the shape 4"),
+    "unknown movestate": ("I = 35", "jawOpen = 35", r"\[shapes.teeth\] moves 'jawOpen', which is no movestate"),
+    "text as percentage": ("I = 35", 'I = "35"', r"\[shapes.teeth\] I must be a percentage in -400..400, found '35'"),
+    "switch as percentage": ("I = 35", "I = true", r"\[shapes.teeth\] I must be a percentage .* found True"),
+    "not a number": ("I = 35", "I = nan", r"\[shapes.teeth\] I must be a percentage .* found nan"),
+    "too far": ("I = 35", "I = 401", r"\[shapes.teeth\] I must be a percentage .* found 401"),
+    "endless": ("I = 35", "I = " + "9" * 400, r"\[shapes.teeth\] I must be a percentage .* found an endless number"),
+    "unknown set": ('movestates = "vrm"', 'movestates = "vrm2"', "movestates must be one of arkit, oculus, vrm"),
+    "set as number": ('movestates = "vrm"', "movestates = 5", "movestates must be one of .* found 5"),
+    "name twice": ('movestates = "vrm"', 'movestates = ["A", "A"]', "movestates names 'A' twice; remove one"),
+    "name as list": ('movestates = "vrm"', "movestates = [[]]", "movestates must be one of"),
+    "no movestates": ('movestates = "vrm"\n', "", "movestates is missing; add it"),
+    "firm unknown": ('firm = ["m", "p"]', 'firm = ["b"]', "firm knows no phoneme 'b'"),
+    "firm as text": ('firm = ["m", "p"]', 'firm = "m"', "firm must be a list, found 'm'"),
+    "unknown manner": ("[shapes.A]", "[manner]\nspeed = 1\n[shapes.A]", r"\[manner\] does not know 'speed'"),
+    "manner as text": ("[shapes.A]", '[manner]\nattack = "fast"\n[shapes.A]', r"\[manner\] attack must be a number"),
+    "manner too slow": (
+        "[shapes.A]",
+        "[manner]\nattack = 0\n[shapes.A]",
+        r"\[manner\] attack must lie in 0.005..1 s",
+    ),
+    "manner not a number": (
+        "[shapes.A]",
+        "[manner]\nattack = nan\n[shapes.A]",
+        r"\[manner\] attack must be a number",
+    ),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_broken_table_is_refused_with_the_file_and_the_entry(change: str, tmp_path: Path) -> None:
+    old, new, said = CHANGES[change]
+    assert old in GOOD
+    path = tmp_path / "mine.toml"
+    path.write_text(GOOD.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(MouthError, match=said) as refusal:
+        load_table(path)
+    assert str(refusal.value).startswith("mine.toml: ")
+    assert str(refusal.value).isprintable()
+
+
+def test_a_table_that_is_not_there_is_refused_with_those_that_are(tmp_path: Path) -> None:
+    with pytest.raises(
+        MouthError, match=r"gone: there is no such mouth table; name a file, or one of annosoft, arkit"
+    ):
+        load_table("gone")
+    (tmp_path / "large.toml").write_bytes(b"#" * ((1 << 20) + 1))
+    with pytest.raises(MouthError, match="smaller than 1 MB"):
+        load_table(tmp_path / "large.toml")
+    (tmp_path / "picture.toml").write_bytes(b"\x89PNG\xff\xfe")
+    with pytest.raises(MouthError, match="no text file"):
+        load_table(tmp_path / "picture.toml")
+    with pytest.raises(MouthError, match="cannot be read"):
+        load_table(tmp_path)
+
+
+@given(st.integers(0, len(GOOD) - 1), st.integers(0, 30), st.text(max_size=12))
+def test_no_damage_to_a_table_is_more_than_refused(start: int, length: int, instead: str) -> None:
+    with suppress(MouthError):
+        table = table_of(GOOD[:start] + instead + GOOD[start + length :])
+        assert np.isfinite(table.weights()).all()

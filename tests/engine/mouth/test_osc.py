@@ -1,0 +1,195 @@
+"""The mouth over the network: what a real receiver hears on the loopback address."""
+
+import socket
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from engine.analyser import Analysis
+from engine.errors import MouthError
+from engine.mouth import osc
+from engine.mouth.names import VRM
+from engine.mouth.osc import OscAddress, OscMouth
+from engine.mouth.table import load_table
+from engine.phonemes import Phoneme
+from tests.microphones import offline
+from tests.osc_receiver import Receiver
+from tests.players import PRESET, wait_for
+from tests.sounds import silence
+
+FRAMES = offline(silence(0.5), PRESET)
+
+
+@pytest.fixture
+def receiver() -> Iterator[Receiver]:
+    receiver = Receiver()
+    yield receiver
+    receiver.close()
+
+
+@contextmanager
+def mouth_to(receiver: Receiver, table: str = "vrm") -> Iterator[OscMouth]:
+    mouth = OscMouth(receiver.address, load_table(table))
+    try:
+        yield mouth
+    finally:
+        mouth.close()
+
+
+def heard(phoneme: Phoneme, intensity: float = 1.0, n: int = 2) -> Analysis:
+    block = FRAMES.part(slice(n))
+    codes, loud = np.full(n, phoneme, np.uint8), np.full(n, intensity, np.float32)
+    return replace(block, phonemes=codes, recognised=codes, intensities=loud)
+
+
+@contextmanager
+def speaking(mouth: OscMouth, phoneme: Phoneme, intensity: float = 1.0) -> Iterator[None]:
+    """Have it hear a phoneme as a microphone would, until the end."""
+    done = threading.Event()
+
+    def speak() -> None:
+        while not done.wait(0.01):
+            mouth.follow(heard(phoneme, intensity))
+
+    thread = threading.Thread(target=speak)
+    thread.start()
+    try:
+        yield
+    finally:
+        done.set()
+        thread.join()
+
+
+def test_a_receiver_hears_phonemes_and_mouth_shapes(receiver: Receiver) -> None:
+    with mouth_to(receiver) as mouth, speaking(mouth, Phoneme.SCH, 0.5):
+        wait_for(lambda: ("sch", 0.5) in receiver.of("/phoneme"), "the phoneme")
+        wait_for(lambda: ("lips", 0.5) in receiver.of("/viseme"), "the shape")
+    assert receiver.of("/phoneme")[0] == ("silence", 0.0)
+
+
+def test_a_vtuber_program_opens_the_mouth_for_a_and_shuts_it_at_the_end(receiver: Receiver) -> None:
+    with mouth_to(receiver) as mouth:
+        with speaking(mouth, Phoneme.A):
+            wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an open mouth")
+            assert max(value for name, value in receiver.weights().items() if name != "A") < 0.05
+        assert receiver.weights()["A"] > 0.3
+    wait_for(lambda: receiver.weights()["A"] == 0, "a shut mouth")
+    assert set(receiver.weights()) == set(VRM)
+
+
+def test_weights_are_applied_after_all_of_them_were_sent(receiver: Receiver) -> None:
+    with mouth_to(receiver):
+        wait_for(lambda: len(receiver.of("/VMC/Ext/Blend/Apply")) >= 3, "three pictures")
+    names = [name for name, _ in receiver.messages if name.startswith("/VMC")]
+    picture = ["/VMC/Ext/OK", "/VMC/Ext/T", *["/VMC/Ext/Blend/Val"] * 5, "/VMC/Ext/Blend/Apply"]
+    assert names[: 3 * len(picture)] == 3 * picture
+    assert all(arguments == () for arguments in receiver.of("/VMC/Ext/Blend/Apply"))
+    assert set(receiver.of("/VMC/Ext/OK")) == {(1,)}
+
+
+def test_a_face_with_many_movestates_fits_into_packets_of_a_network(
+    receiver: Receiver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sizes = []
+    bundle = osc._bundle
+    monkeypatch.setattr(osc, "_bundle", lambda messages: sizes.append(len(bundle(messages))) or bundle(messages))
+    with mouth_to(receiver, "arkit") as mouth, speaking(mouth, Phoneme.I):
+        wait_for(lambda: receiver.weights().get("mouthSmileLeft", 0) > 0.2, "a smile")
+    assert max(sizes) < 1473
+    assert set(receiver.weights()) < set(load_table("arkit").movestates)
+
+
+def test_the_mouth_closes_when_the_microphone_gives_nothing_any_more(
+    receiver: Receiver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(osc, "QUIET", 0.1)
+    with mouth_to(receiver) as mouth:
+        with speaking(mouth, Phoneme.A):
+            wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an open mouth")
+        wait_for(lambda: receiver.weights()["A"] == 0, "a shut mouth")
+        assert receiver.of("/phoneme")[-1] == ("silence", 0.0)
+
+
+def test_a_phoneme_that_stays_is_said_again_for_those_who_come_late(receiver: Receiver) -> None:
+    with mouth_to(receiver):
+        wait_for(lambda: len(receiver.of("/phoneme")) >= 4, "repetitions")
+    assert set(receiver.of("/phoneme")) == {("silence", 0.0)}
+
+
+def test_nobody_waits_for_the_network(monkeypatch: pytest.MonkeyPatch) -> None:
+    """While a packet hangs in the network, a minute of frames is taken in, in no time at all."""
+    hanging, released = threading.Event(), threading.Event()
+
+    class Hanging:
+        def sendto(self, _content: bytes, _receiver: object) -> None:
+            hanging.set()
+            if not released.wait(60):
+                raise AssertionError
+
+        def close(self) -> None:
+            pass
+
+    monkeypatch.setattr(osc, "_opened", lambda _address: (Hanging(), None))
+    mouth = OscMouth(OscAddress("127.0.0.1", 9), load_table("vrm"))
+    assert hanging.wait(2)
+    for _ in range(3000):
+        mouth.follow(heard(Phoneme.A))
+    assert len(mouth._frames) == osc.MOST_WAITING
+    released.set()
+    mouth.close()
+
+
+def test_a_receiver_that_is_not_there_harms_nobody() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    mouth = OscMouth(OscAddress("127.0.0.1", port), load_table("vrm"))
+    wait_for(lambda: mouth.n_sent > 3 or mouth.failure != "", "messages")
+    mouth.close()
+    assert not mouth._thread.is_alive()
+
+
+def test_a_network_that_is_down_is_said_in_one_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Down:
+        def sendto(self, _content: bytes, _receiver: object) -> None:
+            raise OSError(101, "Network is unreachable")
+
+        def close(self) -> None:
+            pass
+
+    monkeypatch.setattr(osc, "_opened", lambda _address: (Down(), None))
+    mouth = OscMouth(OscAddress("10.0.0.1", 9), load_table("vrm"))
+    wait_for(lambda: mouth.failure != "", "the failure")
+    mouth.close()
+    assert mouth.failure == "the OSC receiver cannot be reached (Network is unreachable); check its address"
+
+
+@pytest.mark.parametrize(
+    ("text", "host", "port"),
+    [("127.0.0.1:39539", "127.0.0.1", 39539), ("localhost:1", "localhost", 1), ("[::1]:65535", "::1", 65535)],
+)
+def test_a_receiver_is_a_host_and_a_port(text: str, host: str, port: int) -> None:
+    assert OscAddress.of(text) == OscAddress(host, port)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "localhost", ":9000", "localhost:", "localhost:0", "a:65536", "a:9x", "a:-1", "a:٣"]
+)
+def test_anything_else_is_refused(text: str) -> None:
+    with pytest.raises(MouthError, match=r"an OSC receiver is HOST:PORT, such as 127\.0\.0\.1:39539, found"):
+        OscAddress.of(text)
+
+
+def test_a_name_that_nobody_knows_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    def unknown(*_: object, **__: object) -> None:
+        raise socket.gaierror(-2, "Name or service not known")
+
+    monkeypatch.setattr(socket, "getaddrinfo", unknown)
+    with pytest.raises(
+        MouthError, match=r"the OSC receiver nowhere is unknown .*; check its name, or give its number"
+    ):
+        OscMouth(OscAddress("nowhere", 9000), load_table("vrm"))

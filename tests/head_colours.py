@@ -1,0 +1,90 @@
+"""Paints the head: skin, lips, brows, teeth, tongue, the dark inside, and the rings of an eye."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Colours = NDArray[np.uint8]
+Floats = NDArray[np.float32]
+Numbers = NDArray[np.int64]
+
+SKIN, LIPS, BROWS, INSIDE = (214, 168, 146), (186, 112, 104), (118, 82, 66), (84, 32, 32)
+TEETH, TONGUE = (236, 230, 214), (176, 86, 86)
+EYE = {"pupil": (0, 2), "iris": (3, 6), "white": (7, 12)}
+"""First and last ring of each."""
+PUPIL, IRIS, LIMBUS, WHITE = (16, 14, 14), (104, 138, 156), (44, 62, 78), (238, 236, 232)
+
+MOUTH_WIDTH, MOUTH_HEIGHT, LIPS_FRONT = 0.235, 7.492, 1.28
+UPPER_LIP, LOWER_LIP = 0.088, 0.100
+"""Half the width of the mouth, where its corners are, and how high the lips are above and below them."""
+
+
+def painted(points: Floats, triangles: Numbers, part: NDArray[np.uint8]) -> Colours:
+    """Give each vertex of skin, teeth and tongue its colour, uint8, shape (n, 3)."""
+    colours = np.tile(np.float32(SKIN), (len(points), 1))
+    _tint(colours, BROWS, 0.75 * _brows(points))
+    _tint(colours, LIPS, _lips(points))
+    _tint(colours, INSIDE, _hidden(points, triangles).astype(np.float32))
+    depth = 0.35 + 0.65 * np.clip((points[:, 2:] - 1.05) / 0.4, 0, 1)
+    colours = np.where(np.isin(part, (2, 5))[:, np.newaxis], np.float32(TEETH) * depth, colours)
+    colours = np.where((part == 4)[:, np.newaxis], np.float32(TONGUE) * depth, colours)
+    return np.round(colours).astype(np.uint8)
+
+
+def eye_colours(ring: Numbers) -> Colours:
+    """Give the colours of an eye's vertices, which lie in rings around the gaze."""
+    colours = np.tile(np.float32(WHITE), (len(ring), 1))
+    colours[ring <= EYE["pupil"][1]] = PUPIL
+    first, last = EYE["iris"]
+    share = np.clip((ring - first) / (last - first), 0, 1)[:, np.newaxis] ** 2
+    iris = (1 - share) * np.float32(IRIS) + share * np.float32(LIMBUS)
+    among = (ring >= first) & (ring <= last)
+    colours[among] = iris[among]
+    return np.round(colours).astype(np.uint8)
+
+
+def _tint(colours: Floats, colour: tuple[int, int, int], share: Floats) -> None:
+    colours += share[:, np.newaxis] * (np.float32(colour) - colours)
+
+
+def _lips(points: Floats) -> Floats:
+    x, y, z = points.T
+    bow = np.clip(1 - (x / MOUTH_WIDTH) ** 2, 0, None)
+    above = (y - MOUTH_HEIGHT) / (UPPER_LIP * bow**0.6 + 1e-6)
+    below = (MOUTH_HEIGHT - y) / (LOWER_LIP * bow**0.5 + 1e-6)
+    inside = np.clip((1.25 - np.maximum(above, below)) / 0.25, 0, 1)
+    return np.where(z > LIPS_FRONT, inside, 0).astype(np.float32)
+
+
+def _brows(points: Floats) -> Floats:
+    x, y, z = points.T
+    along = (np.abs(x) - 0.10) / 0.38
+    arch = 8.415 + 0.075 * np.sin(np.pi * np.clip(along, 0, 1) ** 0.8 * 0.8)
+    across = np.abs(y - arch) / (0.048 * (1 - 0.45 * np.clip(along, 0, 1)))
+    inside = np.clip(1.5 - across, 0, 1) * np.clip(6 * along + 0.6, 0, 1) * np.clip(6 * (1 - along) + 0.4, 0, 1)
+    return np.where(z > 1.0, inside, 0).astype(np.float32)
+
+
+def _hidden(points: Floats, triangles: Numbers, size: int = 400) -> NDArray[np.bool_]:
+    """Tell which vertices no eye outside sees, from the front and the sides: mouth, nostrils, sockets."""
+    seen = np.zeros(len(points), bool)
+    for yaw in np.radians(np.arange(-180, 180, 30)):
+        for pitch in np.radians((-50, 0, 50)):
+            c, s, u, v = np.cos(yaw), np.sin(yaw), np.cos(pitch), np.sin(pitch)
+            turn = np.array([[1, 0, 0], [0, u, -v], [0, v, u]]) @ np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+            seen |= _seen(points @ turn.T, triangles, size)
+    return ~seen
+
+
+def _seen(points: Floats, triangles: Numbers, size: int) -> NDArray[np.bool_]:
+    """Tell which vertices stand in front of everything, as seen from far along z."""
+    low, span = points.min(axis=0), np.ptp(points[:, :2], axis=0).max()
+    at = (points - low) / span * (size - 1)
+    depth = np.full((size, size), -np.inf)
+    for steps in range(12):  # points within each triangle: finer than the picture's grid
+        for k in range(12 - steps):
+            weights = np.array([steps, k, 11 - steps - k]) / 11
+            inside = np.tensordot(weights, at[triangles].transpose(1, 0, 2), axes=1)
+            row, column = np.round(inside[:, 1]).astype(int), np.round(inside[:, 0]).astype(int)
+            np.maximum.at(depth, (row, column), inside[:, 2])
+    row, column = np.round(at[:, 1]).astype(int), np.round(at[:, 0]).astype(int)
+    return at[:, 2] > depth[row, column] - 2.5

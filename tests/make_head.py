@@ -1,0 +1,176 @@
+"""Makes the head that ships with the program: `python -m tests.make_head ORIGINAL`, where ORIGINAL is its source.
+
+The original (CC0) has a ragged neck, eyes without irises, and no colours. Its arrays: P positions, F triangles,
+part of each vertex, names of the blend shapes, M their offsets.
+"""
+
+import argparse
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tests.head_colours import eye_colours, painted
+
+Floats = NDArray[np.float32]
+Numbers = NDArray[np.int64]
+
+OUT = Path(__file__).resolve().parents[1] / "engine" / "mouth" / "head.npz"
+PARTS = ("skin", "left eye", "lower teeth", "right eye", "tongue", "upper teeth")
+PIVOT = np.array([0.0, 7.75, 0.25], np.float32)
+"""Where the head turns on the neck, in the original's coordinates; becomes the origin."""
+NECK, SLOPE, FLARE = 6.74, -0.16, 0.30
+"""The cut through the neck: its height, how it falls towards the front, how it rises towards the shoulders."""
+REST = {
+    "jawOpen": -0.05, "mouthShrugLower": 0.12, "mouthSmileLeft": 0.04, "mouthSmileRight": 0.04,
+    "eyeWideLeft": 0.45, "eyeWideRight": 0.45,
+}  # fmt: skip
+"""What closes the lips, which stand a little apart in the original, and wakes the eyes."""
+INSIDE_OF_NECK = (60, 44, 40)
+N_AROUND = 32
+RINGS = np.radians([0, 6, 11, 11, 16, 21, 26.5, 26.5, 33, 45, 60, 80, 100])
+"""Angles from the gaze; where two are alike the colour changes at an edge: pupil and iris."""
+
+
+@dataclass
+class Clay:
+    """A mesh in the making: positions, triangles, the part of each vertex, and the offsets of each blend shape."""
+
+    points: Floats
+    triangles: Numbers
+    part: NDArray[np.uint8]
+    offsets: Floats
+
+    def kept(self, keep: NDArray[np.bool_]) -> "Clay":
+        """Give the triangles that are to be kept, and only the vertices that they use."""
+        triangles = self.triangles[keep]
+        used, renumbered = np.unique(triangles, return_inverse=True)
+        shape = renumbered.reshape(triangles.shape)
+        return Clay(self.points[used], shape, self.part[used], self.offsets[:, used])
+
+    def with_vertices(self, begin: Numbers, end: Numbers, share: Floats) -> "Clay":
+        """Add vertices that lie a share of the way from one vertex to another."""
+        t = share[:, np.newaxis]
+        points = (1 - t) * self.points[begin] + t * self.points[end]
+        offsets = (1 - t) * self.offsets[:, begin] + t * self.offsets[:, end]
+        return Clay(
+            np.concatenate((self.points, points)), self.triangles, np.concatenate((self.part, self.part[begin])),
+            np.concatenate((self.offsets, offsets), axis=1),
+        )  # fmt: skip
+
+    def joined(self, other: "Clay") -> "Clay":
+        """Give both as one."""
+        return Clay(
+            np.concatenate((self.points, other.points)),
+            np.concatenate((self.triangles, other.triangles + len(self.points))),
+            np.concatenate((self.part, other.part)),
+            np.concatenate((self.offsets, other.offsets), axis=1),
+        )
+
+
+def trimmed(clay: Clay, height: Floats) -> Clay:
+    """Cut off what lies below height 0; triangles that cross it are cut through."""
+    edges: dict[tuple[int, int], int] = {}
+    triangles: list[tuple[int, int, int]] = []
+    for triangle in clay.triangles[np.any(height[clay.triangles] >= 0, axis=1)].tolist():
+        corners: list[int] = []
+        for a, b in zip(triangle, triangle[1:] + triangle[:1], strict=True):
+            if height[a] >= 0:
+                corners.append(a)
+            if (height[a] >= 0) != (height[b] >= 0):
+                edge = (min(a, b), max(a, b))
+                corners.append(edges.setdefault(edge, len(clay.points) + len(edges)))
+        triangles += [(corners[0], corners[k], corners[k + 1]) for k in range(1, len(corners) - 1)]
+    begin, end = np.array(list(edges)).T
+    share = (height[begin] / (height[begin] - height[end])).astype(np.float32)
+    longer = clay.with_vertices(begin, end, share)
+    longer.triangles = np.array(triangles)
+    return longer.kept(np.ones(len(triangles), bool))
+
+
+def capped(clay: Clay, rim: NDArray[np.bool_]) -> Clay:
+    """Close the hole whose edge runs along the rim, with vertices of its own, so that its edge stays sharp."""
+    directed = np.concatenate([clay.triangles[:, (k, (k + 1) % 3)] for k in range(3)])
+    known = set(map(tuple, directed.tolist()))
+    loop = np.array([(a, b) for a, b in directed.tolist() if (b, a) not in known and rim[a] and rim[b]])
+    n = len(clay.points)
+    edge = np.unique(loop)
+    place = {int(vertex): n + k for k, vertex in enumerate(edge)}
+    closed = clay.with_vertices(edge, edge, np.zeros(len(edge), np.float32))
+    centre = closed.points[n:].mean(axis=0)
+    closed = closed.with_vertices(edge[:1], edge[:1], np.zeros(1, np.float32))
+    closed.points[-1], closed.offsets[:, -1] = centre, 0
+    fan = [(place[b], place[a], n + len(edge)) for a, b in loop.tolist()]
+    closed.triangles = np.concatenate((closed.triangles, fan))
+    return closed
+
+
+def eyeball(clay: Clay, part: int) -> Clay:
+    """Make an eye that looks ahead, with rings where pupil and iris end; it turns as the original's eye does."""
+    old = clay.part == part
+    centre = (clay.points[old].min(axis=0) + clay.points[old].max(axis=0)) / 2
+    radius = np.linalg.norm(clay.points[old] - centre, axis=1).mean()
+    around = 2 * np.pi * np.arange(N_AROUND) / N_AROUND
+    polar, turn = (grid.ravel() for grid in np.meshgrid(RINGS, around, indexing="ij"))
+    ball = np.stack((np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), np.cos(polar)), axis=1)
+    points = (centre + radius * ball).astype(np.float32)
+    known = np.column_stack((clay.points[old], np.ones(old.sum())))
+    moved = np.column_stack((points, np.ones(len(points))))
+    offsets = np.stack([moved @ np.linalg.lstsq(known, state[old], rcond=None)[0] for state in clay.offsets])
+    offsets[np.abs(clay.offsets[:, old]).max(axis=(1, 2)) < 1e-4] = 0
+    triangles = []
+    for ring in np.flatnonzero(np.diff(RINGS) > 0):
+        for k in range(N_AROUND):
+            a, b = ring * N_AROUND + k, ring * N_AROUND + (k + 1) % N_AROUND
+            triangles += [(a, a + N_AROUND, b + N_AROUND), (a, b + N_AROUND, b)]
+    triangles = [t for t in triangles if len({tuple(points[v].tolist()) for v in t}) == 3]
+    return Clay(points, np.array(triangles), np.full(len(points), part, np.uint8), offsets.astype(np.float32))
+
+
+def rested(clay: Clay, names: list[str]) -> Clay:
+    """Close the lips and wake the eyes; a closed eye stays where it was."""
+    points, offsets = clay.points, clay.offsets.copy()
+    for name, share in REST.items():
+        moved = np.float32(share) * clay.offsets[names.index(name)]
+        points = points + moved
+        if name.startswith("eyeWide"):
+            offsets[names.index(name.replace("Wide", "Blink"))] -= moved
+    return Clay(points, clay.triangles, clay.part, offsets)
+
+
+def bust(clay: Clay) -> tuple[Clay, NDArray[np.uint8]]:
+    """Give the trimmed and closed head without eyes, and its colours."""
+    x, y, z = clay.points.T
+    clay = trimmed(clay, y - np.float32(NECK) - np.float32(SLOPE) * z - np.float32(FLARE) * x**2)
+    colours = painted(clay.points, clay.triangles, clay.part)
+    closed = capped(clay, clay.points[:, 1] < NECK + 0.5)
+    cap = np.tile(np.array(INSIDE_OF_NECK, np.uint8), (len(closed.points) - len(clay.points), 1))
+    return closed, np.concatenate((colours, cap))
+
+
+def main() -> None:
+    """Write the head."""
+    parser = argparse.ArgumentParser(prog="python -m tests.make_head", description=__doc__)
+    parser.add_argument("original", type=Path)
+    parser.add_argument("-o", "--out", type=Path, default=OUT)
+    options = parser.parse_args()
+    with np.load(options.original, allow_pickle=False) as file:
+        names = file["names"]
+        clay = Clay(file["P"], file["F"].astype(np.int64), file["part"], file["M"].astype(np.float32))
+    clay = rested(clay, names.tolist())
+    eyes = [PARTS.index(f"{side} eye") for side in ("left", "right")]
+    head, colours = bust(clay.kept(~np.isin(clay.part[clay.triangles[:, 0]], eyes)))
+    rings = np.repeat(np.arange(len(RINGS)), N_AROUND)
+    for eye in eyes:
+        head = head.joined(eyeball(clay, eye))
+        colours = np.concatenate((colours, eye_colours(rings)))
+    np.savez_compressed(
+        options.out, allow_pickle=False, positions=head.points - PIVOT, triangles=head.triangles.astype(np.uint16),
+        colours=colours, part=head.part, names=names, offsets=head.offsets.astype(np.float16),
+    )  # fmt: skip
+    print(f"{options.out}: {len(head.points)} vertices, {options.out.stat().st_size / 1000:.0f} kB")
+
+
+if __name__ == "__main__":
+    main()
