@@ -1,5 +1,6 @@
 """Is a take good enough to calibrate with, what is to be done if not, and which stretch of it is steady sound."""
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -86,6 +87,11 @@ class TakeReport:
     def good(self) -> bool:
         """Whether nothing is wrong."""
         return not self.faults
+
+    def within(self, start: float, duration: float) -> "TakeReport":
+        """Give the report of this take, as a part of a longer sound in which something is heard throughout."""
+        first, last = (self.start, self.end) if self.start < self.end else (0.0, duration)
+        return replace(self, onset=0.0, offset=math.inf, start=start + first, end=start + last)
 
 
 def check_take(samples: Sound, noise: float, phoneme: Phoneme) -> TakeReport:

@@ -24,6 +24,8 @@ Block = NDArray[np.float32]
 
 LEAST_SECONDS = 0.05
 """What is shorter was no take but a slip of the finger, seconds."""
+AROUND = 0.3
+"""What is kept before and after a stretch of a file, seconds: so it is recognised as it was said."""
 UNNAMED = "me"
 """The speaker, until somebody is named."""
 
@@ -154,14 +156,22 @@ class TakesModel(QObject):
         self._change(act, self._tell_added)
 
     def add_stretch(self, path: Path, start: float, end: float, phoneme: Phoneme) -> None:
-        """Make a stretch of a file, in seconds, a take of its own."""
+        """Make a stretch of a file, in seconds, a take; what lies around it is kept, and does not count."""
 
         def act(project: TakeProject) -> Take:
+            before = min(start, AROUND)
             with SoundReader(path) as reader:
-                reader.seek(round(start * SAMPLE_RATE))
-                samples = reader.read(round((end - start) * SAMPLE_RATE))
-            report = check_take(in_house_form(samples, SAMPLE_RATE), self._noise_now(project), phoneme)
-            take = project.add(samples, self.speaker.strip() or UNNAMED, phoneme, report=report, device=path.name)
+                reader.seek(round((start - before) * SAMPLE_RATE))
+                samples = reader.read(round((before + end - start + AROUND) * SAMPLE_RATE))
+            marked = samples[round(before * SAMPLE_RATE) : round((before + end - start) * SAMPLE_RATE)]
+            report = check_take(in_house_form(marked, SAMPLE_RATE), self._noise_now(project), phoneme)
+            take = project.add(
+                samples,
+                self.speaker.strip() or UNNAMED,
+                phoneme,
+                report=report.within(before, end - start),
+                device=path.name,
+            )
             self._reports[take.number] = report
             return take
 

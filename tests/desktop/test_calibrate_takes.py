@@ -10,8 +10,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget
 
 from engine.calibration.corpus import read_corpus
+from engine.calibration.labels.label import CORE
 from engine.phonemes import Phoneme
 from engine.settings import SAMPLE_RATE
+from phonemeanalyser.models.calibration_takes import AROUND
 from phonemeanalyser.models.session import Source
 from phonemeanalyser.views.calibration_keys import KEYS
 from tests.desktop.calibrating import CONTROL, Calibrator, in_room, said
@@ -161,7 +163,9 @@ def test_a_marked_stretch_of_the_file_becomes_a_take_at_a_key(calibrator: Calibr
     calibrator.settle()
     (take,) = calibrator.takes
     assert (take.phoneme, take.device) == (Phoneme.O, "demo.flac")
-    assert take.duration == pytest.approx(0.6, abs=0.011)
+    assert take.duration == pytest.approx(0.6 + 2 * AROUND, abs=0.011)
+    assert AROUND <= take.start < take.end <= AROUND + 0.611
+    assert {label.phoneme for label in take.to_labels() if label.certainty == CORE} == {Phoneme.O}
     heard, _ = soundfile.read(calibrator.model.takes.path_of(take), dtype="float32")
     whole, rate = soundfile.read(DEMO, dtype="float32")
     first = start_of(heard, whole, rate)
@@ -169,8 +173,8 @@ def test_a_marked_stretch_of_the_file_becomes_a_take_at_a_key(calibrator: Calibr
 
 
 def start_of(heard: np.ndarray, whole: np.ndarray, rate: int) -> int:
-    """Find where a stretch lies in a sound, near 1 s."""
-    around = range(round(0.98 * rate), round(1.02 * rate))
+    """Find where a stretch lies in a sound, a little before 1 s."""
+    around = range(round((0.98 - AROUND) * rate), round((1.02 - AROUND) * rate))
     return min(around, key=lambda k: float(np.abs(whole[k : k + 2000] - heard[:2000]).sum()))
 
 
@@ -194,7 +198,7 @@ def test_a_key_held_while_the_file_plays_takes_what_was_played(calibrator: Calib
     ended = session.position
     calibrator.settle()
     (take,) = calibrator.takes
-    assert take.duration == pytest.approx(ended - began, abs=0.1)
+    assert take.duration == pytest.approx(ended - began + AROUND + min(began, AROUND), abs=0.1)
     assert take.phoneme is Phoneme.E
 
 
