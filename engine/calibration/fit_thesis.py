@@ -40,6 +40,8 @@ LEAST_GAIN = 0.005
 
 MINIMUM_HOLD = 0.02
 """Each 10 ms more take about four changes a second away, and half a hundredth of the macro F1."""
+HYSTERESIS = 0.27
+"""The least by which the phonemes change at most 1.5 times as often as the labels."""
 
 PRESETS = (
     ("thesis", "Thesis", Decimation.PLAIN),
@@ -206,8 +208,10 @@ def _features_of(sound: Sound, settings: AnalysisSettings, n_frames: int) -> Fea
 
 
 def _recognised(features: Features, fit: Fit, settings: AnalysisSettings) -> Codes:
-    codes = ThesisRules(fit.thresholds).recognise(features).phonemes
-    return Statistics(settings.minimum_hold, fit.successors).push(codes) if settings.statistics else codes
+    rules = ThesisRules(fit.thresholds)
+    codes = rules.recognise(features).phonemes
+    calm = Statistics(settings.minimum_hold, fit.successors, settings.hysteresis)
+    return calm.push(codes, rules.shortfalls(features)) if settings.statistics else codes
 
 
 def _recordings_of(folder: Path, seed: int) -> Iterator[Recording]:
@@ -227,7 +231,7 @@ def _fit_all(corpus: Path, out: Path, seed: int, n_starts: int) -> None:
     out.mkdir(parents=True, exist_ok=True)
     for stem, name, decimation in PRESETS:
         print(stem, flush=True)
-        settings = AnalysisSettings(decimation=decimation, minimum_hold=MINIMUM_HOLD)
+        settings = AnalysisSettings(decimation=decimation, minimum_hold=MINIMUM_HOLD, hysteresis=HYSTERESIS)
         fitted = fitter.fit(Preset(name=name, settings=settings))
         save_preset(fitted, out / f"{stem}.toml")
         if decimation is Decimation.PLAIN:
