@@ -5,9 +5,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from engine.calibration.adaptation import adapt as adapted
-from engine.calibration.corpus import Utterance, read_recordings
 from engine.calibration.labels.names import Mapping, load_mapping
 from engine.calibration.learning.lessons import lesson_of_recording
+from engine.calibration.scores.corpus import Utterance, read_recordings
 from engine.errors import PresetError
 from engine.presets.files import DEFAULT_PRESET, load_preset, save_preset
 

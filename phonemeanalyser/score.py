@@ -9,11 +9,11 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from engine.calibration.added_noise import HIGHEST_SNR, LOWEST_SNR, Noise, NoiseAdder, NoiseKind
-from engine.calibration.comparison import compare
-from engine.calibration.corpus import Utterance, read_recordings
-from engine.calibration.evaluation import CorpusScores, score_corpus
 from engine.calibration.labels.names import Mapping, load_mapping
+from engine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, Noise, NoiseAdder, NoiseKind
+from engine.calibration.scores.comparison import compare
+from engine.calibration.scores.corpus import Utterance, read_recordings
+from engine.calibration.scores.evaluation import CorpusScores, score_corpus
 from engine.errors import AudioError, CorpusError, PresetError
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.presets.preset import Preset

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from engine.calibration.corpus import Utterance
 from engine.calibration.labels.label import Label
+from engine.calibration.scores.corpus import Utterance
 from engine.phonemes import Phoneme
 from engine.settings import SAMPLE_RATE
 from tests.sounds import Sound, noise, silence, vowel

@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from engine.calibration.confusion import Confusion, Passage
-from engine.calibration.corpus import Utterance
-from engine.calibration.distributions import Distribution, RankedVariable, distribution_of, ranked_variables
+from engine.calibration.bench.distributions import Distribution, RankedVariable, distribution_of, ranked_variables
+from engine.calibration.bench.workbench import Workbench
+from engine.calibration.fits.suggestions import Suggestion, suggested_variables
 from engine.calibration.heed import Heed
-from engine.calibration.suggestions import Suggestion, suggested_variables
-from engine.calibration.workbench import Workbench
+from engine.calibration.scores.confusion import Confusion, Passage
+from engine.calibration.scores.corpus import Utterance
 from engine.errors import EngineError
 from engine.phonemes import Phoneme
 from engine.recognition.rules import CONDITIONS

@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from engine.calibration.comparison import Comparison, compare
-from engine.calibration.confusion import Confusion
-from engine.calibration.corpus import FrameLabels, Utterance
-from engine.calibration.evaluation import Answers, CorpusScores, group_scores_of
-from engine.calibration.fitting import FITTED, FitReport, fit_preset
+from engine.calibration.bench.workbench import Workbench
+from engine.calibration.fits.fitting import FITTED, FitReport, fit_preset
 from engine.calibration.heed import Heed, part_of
-from engine.calibration.workbench import Workbench
+from engine.calibration.scores.comparison import Comparison, compare
+from engine.calibration.scores.confusion import Confusion
+from engine.calibration.scores.corpus import FrameLabels, Utterance
+from engine.calibration.scores.evaluation import Answers, CorpusScores, group_scores_of
 from engine.errors import EngineError
 from engine.presets.files import FACTORY, load_preset
 from engine.presets.preset import Preset

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from engine.calibration.room_noise import RoomNoise, measure_room
-from engine.calibration.take_check import check_take
+from engine.calibration.takes.check import check_take
+from engine.calibration.takes.room_noise import RoomNoise, measure_room
 from engine.errors import EngineError
 from engine.phonemes import Phoneme
 from phonemeanalyser.models.backroom import Backroom

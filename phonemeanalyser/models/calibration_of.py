@@ -4,14 +4,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from engine.calibration.adaptation import adapt
-from engine.calibration.corpus import Utterance
-from engine.calibration.fitting import fit_preset
+from engine.calibration.bench.workbench import Workbench
+from engine.calibration.fits.fitting import fit_preset
+from engine.calibration.fits.templates_of import templates_of
 from engine.calibration.heed import Heed, go_on, part_of, tell
 from engine.calibration.learning.lessons import Lesson, lesson_of_recording
-from engine.calibration.room_noise import RoomNoise
-from engine.calibration.scoring import Scores
-from engine.calibration.templates_of import templates_of
-from engine.calibration.workbench import Workbench
+from engine.calibration.scores.corpus import Utterance
+from engine.calibration.scores.scoring import Scores
+from engine.calibration.takes.room_noise import RoomNoise
 from engine.errors import CorpusError, PresetError
 from engine.presets.preset import Preset
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from engine.calibration.corpus import Utterance, read_recordings
 from engine.calibration.labels.names import Mapping
+from engine.calibration.scores.corpus import Utterance, read_recordings
 from engine.errors import AudioError, UnknownPhonemes
 from engine.phonemes import Phoneme
 from phonemeanalyser.models.backroom import Backroom

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from engine.audio.files import SoundReader
-from engine.calibration.corpus import Utterance
-from engine.calibration.take import TAKES, Take
-from engine.calibration.take_check import TakeReport, check_take
-from engine.calibration.take_project import TakeProject
+from engine.calibration.scores.corpus import Utterance
+from engine.calibration.takes.check import TakeReport, check_take
+from engine.calibration.takes.project import TakeProject
+from engine.calibration.takes.take import TAKES, Take
 from engine.errors import TakeError
 from engine.phonemes import Phoneme
 from engine.settings import SAMPLE_RATE

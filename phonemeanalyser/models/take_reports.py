@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.audio.files import SoundReader, mono_of
-from engine.calibration.take import Take
-from engine.calibration.take_check import TakeReport, check_take
-from engine.calibration.take_project import TakeProject
+from engine.calibration.takes.check import TakeReport, check_take
+from engine.calibration.takes.project import TakeProject
+from engine.calibration.takes.take import Take
 from engine.phonemes import Phoneme
 
 Block = NDArray[np.float32]

@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.comparison import Comparison
-from engine.calibration.evaluation import GroupScores
-from engine.calibration.scoring import TEN, Counts
+from engine.calibration.scores.comparison import Comparison
+from engine.calibration.scores.evaluation import GroupScores
+from engine.calibration.scores.scoring import TEN, Counts
 from engine.phonemes import Phoneme
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.markup import element, text

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.evaluation import Answers
+from engine.calibration.scores.evaluation import Answers
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 from phonemeanalyser.colours import PHONEME_COLOURS

@@ -5,9 +5,9 @@ import math
 from dataclasses import asdict
 from typing import Any
 
-from engine.calibration.comparison import Comparison, Difference, Stretch
-from engine.calibration.evaluation import Answers, GroupScores
-from engine.calibration.scoring import Counts, scores_of
+from engine.calibration.scores.comparison import Comparison, Difference, Stretch
+from engine.calibration.scores.evaluation import Answers, GroupScores
+from engine.calibration.scores.scoring import Counts, scores_of
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 from phonemeanalyser.reports.report import Report, ScoredPreset

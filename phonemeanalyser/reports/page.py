@@ -5,9 +5,9 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from engine.calibration.comparison import Comparison
-from engine.calibration.evaluation import Answers, GroupScores
-from engine.calibration.scoring import TEN
+from engine.calibration.scores.comparison import Comparison
+from engine.calibration.scores.evaluation import Answers, GroupScores
+from engine.calibration.scores.scoring import TEN
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 from phonemeanalyser.reports.charts import difference_map, f1_bars, heat_map

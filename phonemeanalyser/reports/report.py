@@ -4,11 +4,11 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
-from engine.calibration.added_noise import Noise
-from engine.calibration.comparison import Comparison
-from engine.calibration.corpus import Utterance
-from engine.calibration.evaluation import CorpusScores, GroupScores
-from engine.calibration.scoring import TEN
+from engine.calibration.scores.added_noise import Noise
+from engine.calibration.scores.comparison import Comparison
+from engine.calibration.scores.corpus import Utterance
+from engine.calibration.scores.evaluation import CorpusScores, GroupScores
+from engine.calibration.scores.scoring import TEN
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from engine.calibration.comparison import Comparison, Stretch
-from engine.calibration.evaluation import GroupScores
-from engine.calibration.scoring import TEN
+from engine.calibration.scores.comparison import Comparison, Stretch
+from engine.calibration.scores.evaluation import GroupScores
+from engine.calibration.scores.scoring import TEN
 from engine.phonemes import Phoneme
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.markup import element, text

@@ -7,7 +7,7 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from engine.calibration.scoring import TEN, Counts
+from engine.calibration.scores.scoring import TEN, Counts
 from engine.phonemes import Phoneme
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_keys import name_of

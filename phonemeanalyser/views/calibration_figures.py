@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from engine.calibration.scoring import Scores
+from engine.calibration.scores.scoring import Scores
 from phonemeanalyser.theme import Theme
 
 ROWS: tuple[tuple[str, str, bool, str], ...] = (

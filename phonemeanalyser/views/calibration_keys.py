@@ -1,12 +1,11 @@
-"""The key of each phoneme: held down, it records a take."""
+"""The key of each phoneme: held down, it records a take, or tests a mouth."""
 
-from typing import Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 from engine.phonemes import Phoneme
-from phonemeanalyser.models.calibration import Calibration
 
 KEYS: dict[Phoneme, str] = {
     Phoneme.SILENCE: "Q",
@@ -32,17 +31,35 @@ def name_of(phoneme: Phoneme) -> str:
     return NAMES.get(phoneme, phoneme.label)
 
 
-class HeldKeys(QObject):
-    """Watches the keys that reach the window, and holds a phoneme for as long as its key is down."""
+class Holder(Protocol):
+    """Does something for as long as a phoneme is held."""
 
-    def __init__(self, calibration: Calibration, page: QWidget) -> None:
+    def press(self, phoneme: Phoneme) -> None:
+        """Begin."""
+        ...
+
+    def release(self) -> None:
+        """End."""
+        ...
+
+
+class HeldKeys(QObject):
+    """Watches the keys that reach the window, and holds a phoneme for as long as its key is down.
+
+    Parameters
+    ----------
+    holder : told what is held.
+    page : where the keys count.
+    """
+
+    def __init__(self, holder: Holder, page: QWidget) -> None:
         super().__init__(page)
-        self._calibration = calibration
+        self._holder = holder
         self._page = page
         self._down: int | None = None
 
     def eventFilter(self, _watched: QObject, event: Any) -> bool:
-        """Begin and end takes; without the window's focus nothing is held."""
+        """Begin and end; without the window's focus nothing is held."""
         kind = event.type()
         if kind == QEvent.Type.WindowDeactivate:
             self._let_go()
@@ -64,13 +81,13 @@ class HeldKeys(QObject):
             return False
         if not event.isAutoRepeat() and self._down is None:
             self._down = event.key()
-            self._calibration.press(phoneme)
+            self._holder.press(phoneme)
         return True
 
     def _let_go(self) -> None:
         if self._down is not None:
             self._down = None
-            self._calibration.release()
+            self._holder.release()
 
 
 class LettersPassed(QObject):

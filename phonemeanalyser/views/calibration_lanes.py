@@ -8,7 +8,7 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QMouseEvent, QPainter, QWheelEvent
 from PySide6.QtWidgets import QScrollBar, QSizePolicy, QVBoxLayout, QWidget
 
-from engine.calibration.confusion import Confusion
+from engine.calibration.scores.confusion import Confusion
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme

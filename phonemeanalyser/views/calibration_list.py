@@ -6,7 +6,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from engine.calibration.take import Take
+from engine.calibration.takes.take import Take
 from phonemeanalyser.models.calibration_takes import TakesModel
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.views.calibration_keys import LettersPassed, name_of

@@ -5,7 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QTabWidget, QVBoxLayout, QWidget
 
-from engine.calibration.comparison import Stretch
+from engine.calibration.scores.comparison import Stretch
 from phonemeanalyser.models.calibration_fit import RivalModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_figures import FiguresTable

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from engine.calibration.distributions import Distribution, Spread
+from engine.calibration.bench.distributions import Distribution, Spread
 from engine.phonemes import Phoneme
 from phonemeanalyser.models.calibration_bench import BenchModel, Line
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme

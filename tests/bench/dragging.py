@@ -10,9 +10,9 @@ import numpy as np
 import soundfile
 
 from engine.audio.files import SoundReader
-from engine.calibration.corpus import Utterance
+from engine.calibration.bench.workbench import Workbench
 from engine.calibration.labels.files import read_labels
-from engine.calibration.workbench import Workbench
+from engine.calibration.scores.corpus import Utterance
 from engine.presets.files import FACTORY, load_preset
 from engine.presets.preset import Preset
 from engine.settings import SAMPLE_RATE

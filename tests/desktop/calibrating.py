@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from engine.calibration.take import Take
+from engine.calibration.takes.take import Take
 from engine.phonemes import Phoneme
 from engine.settings import HOP, SAMPLE_RATE
 from phonemeanalyser.models.calibration import Calibration

@@ -10,8 +10,8 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from engine.calibration.corpus import read_recordings
-from engine.calibration.workbench import Workbench
+from engine.calibration.bench.workbench import Workbench
+from engine.calibration.scores.corpus import read_recordings
 from engine.features.variables import Kind
 from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.calibration.corpus import Utterance
-from engine.calibration.room_noise import measure_room
-from engine.calibration.take_check import check_take
-from engine.calibration.take_project import TakeProject
+from engine.calibration.scores.corpus import Utterance
+from engine.calibration.takes.check import check_take
+from engine.calibration.takes.project import TakeProject
+from engine.calibration.takes.room_noise import measure_room
 from engine.errors import CorpusError, PresetError
 from engine.presets.files import FACTORY, load_preset
 from phonemeanalyser.models.calibration_guide import STEPS

@@ -9,8 +9,8 @@ from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget
 
-from engine.calibration.corpus import read_corpus
 from engine.calibration.labels.label import CORE
+from engine.calibration.scores.corpus import read_corpus
 from engine.phonemes import Phoneme
 from engine.settings import SAMPLE_RATE
 from phonemeanalyser.models.calibration_takes import AROUND

@@ -14,7 +14,7 @@ import pytest
 import soundfile
 
 from engine.calibration.labels.label import Label
-from engine.calibration.scoring import Scores
+from engine.calibration.scores.scoring import Scores
 from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset, save_preset
 from engine.settings import SAMPLE_RATE

@@ -7,10 +7,10 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from engine.calibration.comparison import compare
-from engine.calibration.corpus import read_corpus
-from engine.calibration.evaluation import score_corpus
 from engine.calibration.labels.label import Label
+from engine.calibration.scores.comparison import compare
+from engine.calibration.scores.corpus import read_corpus
+from engine.calibration.scores.evaluation import score_corpus
 from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset
 from phonemeanalyser.cli import main

@@ -13,9 +13,9 @@ import pytest
 import soundfile
 
 from engine.analyser import Analyser, analyses_of
-from engine.calibration import fit_thesis
-from engine.calibration.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
-from engine.calibration.scoring import TEN, Scores, confusion_of, scores_of
+from engine.calibration.fits import fit_thesis
+from engine.calibration.scores.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
+from engine.calibration.scores.scoring import TEN, Scores, confusion_of, scores_of
 from engine.errors import CorpusError
 from engine.features.measure import Features
 from engine.phonemes import Phoneme

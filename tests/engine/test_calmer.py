@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.calmer import Calmer
+from engine.calibration.bench.calmer import Calmer
 from engine.phonemes import Phoneme
 from engine.recognition.statistics import Statistics
 

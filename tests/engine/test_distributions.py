@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.distributions import N_BINS, distribution_of, ranked_variables
+from engine.calibration.bench.distributions import N_BINS, distribution_of, ranked_variables
+from engine.calibration.bench.separation import best_threshold, mean_separation, separation_of, separations_of
+from engine.calibration.bench.workbench import Workbench
 from engine.calibration.heed import Cancelled
 from engine.calibration.labels.label import Label
-from engine.calibration.separation import best_threshold, mean_separation, separation_of, separations_of
-from engine.calibration.workbench import Workbench
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset

@@ -8,12 +8,12 @@ import pytest
 import soundfile
 
 from engine.analyser import analyses_of
-from engine.calibration import fit_rules, templates_of
-from engine.calibration.corpus import Label, Utterance, frame_labels_of, read_corpus
+from engine.calibration.fits import fit_rules, templates_of
+from engine.calibration.fits.rule_material import candidates, voice_of
+from engine.calibration.fits.rule_search import MOST_CONDITIONS
 from engine.calibration.labels.label import CORE
-from engine.calibration.rule_material import candidates, voice_of
-from engine.calibration.rule_search import MOST_CONDITIONS
-from engine.calibration.scoring import Scores, scores_of
+from engine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
+from engine.calibration.scores.scoring import Scores, scores_of
 from engine.features.variables import check_user_variables
 from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset

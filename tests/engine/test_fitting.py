@@ -5,13 +5,13 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 
-from engine.calibration.confusion import Confusion
-from engine.calibration.fitting import fit_preset
-from engine.calibration.folds import groups_of, held_out
+from engine.calibration.bench.workbench import Workbench
+from engine.calibration.fits.fitting import fit_preset
+from engine.calibration.fits.folds import groups_of, held_out
+from engine.calibration.fits.limit_search import LimitSearch
 from engine.calibration.heed import Cancelled
-from engine.calibration.limit_search import LimitSearch
-from engine.calibration.scoring import TEN, confusion_of, macro_f1_of
-from engine.calibration.workbench import Workbench
+from engine.calibration.scores.confusion import Confusion
+from engine.calibration.scores.scoring import TEN, confusion_of, macro_f1_of
 from engine.errors import CorpusError
 from engine.features.measure import Features
 from engine.phonemes import Phoneme

@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from parselmouth.praat import call, run
 
-from engine.calibration.corpus import frame_labels_of
 from engine.calibration.labels.files import read_labels, write_labels
 from engine.calibration.labels.label import Label, labels_of
 from engine.calibration.labels.names import Mapping
+from engine.calibration.scores.corpus import frame_labels_of
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 

@@ -17,7 +17,7 @@ from engine.calibration.learning.trained_network import TrainedNetwork, silence
 from engine.calibration.learning.training import Course, train
 from engine.calibration.learning.validation import anchors_of, answers_of, folds_of
 from engine.calibration.learning.varied import Variation, varied
-from engine.calibration.scoring import scores_of
+from engine.calibration.scores.scoring import scores_of
 from engine.dsp.log_mel import N_BANDS
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.calibration.corpus import read_corpus, read_recordings
 from engine.calibration.labels.files import write_labels
 from engine.calibration.labels.label import Label
 from engine.calibration.labels.names import Mapping
+from engine.calibration.scores.corpus import read_corpus, read_recordings
 from engine.errors import AudioError, CorpusError, UnknownPhonemes
 from engine.phonemes import Phoneme
 from engine.settings import SAMPLE_RATE

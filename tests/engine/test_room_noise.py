@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from engine.analyser import Analyser
-from engine.calibration.room_noise import MARGIN, SHARE, measure_room
+from engine.calibration.takes.room_noise import MARGIN, SHARE, measure_room
 from engine.errors import TakeError
 from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset

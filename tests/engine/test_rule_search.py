@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from engine.calibration.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
+from engine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.recognition.phoneme_data import Thresholds

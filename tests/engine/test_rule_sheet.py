@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.rule_sheet import RuleSheet
+from engine.calibration.fits.rule_sheet import RuleSheet
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.recognition.phoneme_data import Thresholds

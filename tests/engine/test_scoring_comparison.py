@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.calibration.comparison import Stretch, compare
-from engine.calibration.corpus import FrameLabels, Utterance, read_corpus
-from engine.calibration.evaluation import Answers, CorpusScores, group_scores_of, score_corpus
-from engine.calibration.scoring import TEN
+from engine.calibration.scores.comparison import Stretch, compare
+from engine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
+from engine.calibration.scores.evaluation import Answers, CorpusScores, group_scores_of, score_corpus
+from engine.calibration.scores.scoring import TEN
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset

@@ -11,10 +11,10 @@ import soundfile
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.corpus import FrameLabels, Utterance, read_corpus
-from engine.calibration.evaluation import Answers, group_scores_of, kind_of, score_corpus
 from engine.calibration.labels.label import Label
-from engine.calibration.scoring import scores_of
+from engine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
+from engine.calibration.scores.evaluation import Answers, group_scores_of, kind_of, score_corpus
+from engine.calibration.scores.scoring import scores_of
 from engine.errors import AudioError, CorpusError
 from engine.features.measure import Features
 from engine.phonemes import Phoneme

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.calibration.added_noise import Noise, NoiseAdder, NoiseKind, speech_level_of
-from engine.calibration.corpus import Utterance, read_corpus
-from engine.calibration.evaluation import score_corpus
 from engine.calibration.labels.label import Label
+from engine.calibration.scores.added_noise import Noise, NoiseAdder, NoiseKind, speech_level_of
+from engine.calibration.scores.corpus import Utterance, read_corpus
+from engine.calibration.scores.evaluation import score_corpus
 from engine.errors import CorpusError, SettingsError
 from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset

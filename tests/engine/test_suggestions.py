@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.calibration.corpus import Utterance
-from engine.calibration.distributions import distribution_of
+from engine.calibration.bench.distributions import distribution_of
+from engine.calibration.bench.separation import separation_of
+from engine.calibration.bench.workbench import Workbench
+from engine.calibration.fits.spectrum_sample import MOST_FRAMES, sampled_spectra
+from engine.calibration.fits.suggestions import MOST_SUGGESTIONS, suggested_variables, suggestions_from
 from engine.calibration.heed import Cancelled
 from engine.calibration.labels.label import Label
-from engine.calibration.separation import separation_of
-from engine.calibration.spectrum_sample import MOST_FRAMES, sampled_spectra
-from engine.calibration.suggestions import MOST_SUGGESTIONS, suggested_variables, suggestions_from
-from engine.calibration.workbench import Workbench
+from engine.calibration.scores.corpus import Utterance
 from engine.errors import CorpusError
 from engine.features.variables import Spectrum, Variable, check_user_variables
 from engine.phonemes import Phoneme

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from engine.calibration.take_check import Fault, check_take
+from engine.calibration.takes.check import Fault, check_take
 from engine.phonemes import Phoneme
 from tests.sounds import noise, silence, tone, vowel
 

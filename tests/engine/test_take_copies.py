@@ -10,12 +10,12 @@ import parselmouth
 import pytest
 from parselmouth.praat import call
 
-from engine.calibration.corpus import read_recordings
 from engine.calibration.labels.files import read_labels, write_labels
 from engine.calibration.labels.label import Label
-from engine.calibration.take_check import check_take
-from engine.calibration.take_copies import COPY_SUFFIXES
-from engine.calibration.take_project import TakeProject
+from engine.calibration.scores.corpus import read_recordings
+from engine.calibration.takes.check import check_take
+from engine.calibration.takes.copies import COPY_SUFFIXES
+from engine.calibration.takes.project import TakeProject
 from engine.errors import EngineError
 from engine.phonemes import Phoneme
 from tests.sounds import noise, silence, vowel

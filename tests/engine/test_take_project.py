@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.calibration.corpus import frame_labels_of, read_corpus
-from engine.calibration.scoring import scores_of
-from engine.calibration.take import Take, folder_for
-from engine.calibration.take_check import check_take
-from engine.calibration.take_project import TakeProject
+from engine.calibration.scores.corpus import frame_labels_of, read_corpus
+from engine.calibration.scores.scoring import scores_of
+from engine.calibration.takes.check import check_take
+from engine.calibration.takes.project import TakeProject
+from engine.calibration.takes.take import Take, folder_for
 from engine.errors import CorpusError, RecordingError, TakeError
 from engine.phonemes import Phoneme
 from engine.settings import SAMPLE_RATE

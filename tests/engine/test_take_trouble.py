@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 import soundfile
 
-from engine.calibration.corpus import read_corpus
-from engine.calibration.take_project import TakeProject
+from engine.calibration.scores.corpus import read_corpus
+from engine.calibration.takes.project import TakeProject
 from engine.errors import EngineError, TakeError
 from engine.phonemes import Phoneme
 from tests.sounds import noise, vowel

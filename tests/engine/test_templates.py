@@ -8,9 +8,9 @@ import pytest
 import soundfile
 
 from engine.analyser import Analyser
-from engine.calibration.corpus import Label, Utterance
+from engine.calibration.fits.templates_of import heard_in, preset_of, templates_from, templates_of
 from engine.calibration.labels.label import CORE
-from engine.calibration.templates_of import heard_in, preset_of, templates_from, templates_of
+from engine.calibration.scores.corpus import Label, Utterance
 from engine.dsp.cepstra import N_CEPSTRA, cepstra_of
 from engine.dsp.log_mel import N_BANDS
 from engine.errors import CorpusError, EngineError, PresetError, SettingsError

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.calibration.scoring import TEN, confusion_of, macro_f1_of
-from engine.calibration.successors import counted_table, last_identified, successors_of
-from engine.calibration.threshold_search import LEAST_FOUND, Fit, ThresholdSearch
+from engine.calibration.fits.successors import counted_table, last_identified, successors_of
+from engine.calibration.fits.threshold_search import LEAST_FOUND, Fit, ThresholdSearch
+from engine.calibration.scores.scoring import TEN, confusion_of, macro_f1_of
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.recognition.phoneme_data import Thresholds

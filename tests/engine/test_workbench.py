@@ -9,12 +9,12 @@ import soundfile
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from engine.calibration.confusion import Passage
-from engine.calibration.corpus import Utterance
-from engine.calibration.evaluation import answers_to, score_corpus
+from engine.calibration.bench.workbench import Workbench
 from engine.calibration.heed import Cancelled
-from engine.calibration.scoring import confusion_of
-from engine.calibration.workbench import Workbench
+from engine.calibration.scores.confusion import Passage
+from engine.calibration.scores.corpus import Utterance
+from engine.calibration.scores.evaluation import answers_to, score_corpus
+from engine.calibration.scores.scoring import confusion_of
 from engine.dsp.log_mel import N_BANDS
 from engine.errors import AudioError, CorpusError
 from engine.features.variables import Variable

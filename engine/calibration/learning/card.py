@@ -6,7 +6,7 @@ from dataclasses import fields
 from engine.calibration.learning.provenance import Source
 from engine.calibration.learning.teaching import HESITATION, HOLD, Taught
 from engine.calibration.learning.training import Course
-from engine.calibration.scoring import Scores
+from engine.calibration.scores.scoring import Scores
 
 KINDS = {"human": "people", "synthetic-formant": "formant synthesis"}
 

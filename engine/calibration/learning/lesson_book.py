@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from engine.calibration.corpus import Utterance
 from engine.calibration.learning.lessons import Lesson, lessons_of
+from engine.calibration.scores.corpus import Utterance
 from engine.dsp.log_mel import N_BANDS
 
 Sounds = tuple[tuple[Lesson, ...], ...]

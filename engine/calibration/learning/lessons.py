@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.audio.files import SoundReader
-from engine.calibration.corpus import Utterance, frame_labels_of
 from engine.calibration.labels.label import Label
 from engine.calibration.learning.varied import Variation, drawn_variation, varied
+from engine.calibration.scores.corpus import Utterance, frame_labels_of
 from engine.dsp.framing import Framer
 from engine.dsp.log_mel import FLOOR, bank_of, mel_powers_of
 from engine.errors import EngineError

@@ -12,12 +12,12 @@ from typing import Any
 
 import numpy as np
 
-from engine.calibration.corpus import FrameLabels, read_corpus
 from engine.calibration.learning.lesson_book import read_book, write_book
 from engine.calibration.learning.provenance import Source, sources_of
 from engine.calibration.learning.training import Course, train
 from engine.calibration.learning.validation import anchors_of, answers_of, folds_of
-from engine.calibration.scoring import Codes, Scores, scores_of
+from engine.calibration.scores.corpus import FrameLabels, read_corpus
+from engine.calibration.scores.scoring import Codes, Scores, scores_of
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.recognition.model import Model

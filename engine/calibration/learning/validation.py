@@ -5,10 +5,10 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.corpus import FrameLabels
 from engine.calibration.learning.lesson_book import Voice
 from engine.calibration.learning.lessons import CERTAINTIES, Lesson
-from engine.calibration.scoring import Codes
+from engine.calibration.scores.corpus import FrameLabels
+from engine.calibration.scores.scoring import Codes
 from engine.dsp.log_mel import FLOOR, N_BANDS
 from engine.recognition.learned import network_of
 from engine.recognition.model import Model

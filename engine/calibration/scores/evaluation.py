@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from engine.analyser import BLOCK, Analyser, analyses_of
 from engine.audio.files import SoundReader
-from engine.calibration.added_noise import NoiseAdder
-from engine.calibration.corpus import FrameLabels, PassedOver, Utterance, frame_labels_of
-from engine.calibration.scoring import N_CODES, Codes, Counts, Scores, confusion_of, macro_f1_of, scores_of
+from engine.calibration.scores.added_noise import NoiseAdder
+from engine.calibration.scores.corpus import FrameLabels, PassedOver, Utterance, frame_labels_of
+from engine.calibration.scores.scoring import N_CODES, Codes, Counts, Scores, confusion_of, macro_f1_of, scores_of
 from engine.errors import AudioError, CorpusError
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset

@@ -19,7 +19,7 @@ from engine.calibration.labels.files import read_labels
 from engine.calibration.labels.label import CORE
 from engine.calibration.labels.table import format_table, rows_of, table_of
 from engine.calibration.labels.textfile import read_text, write_text
-from engine.calibration.take import DELETED, TAKES, Take, named_in, take_of
+from engine.calibration.takes.take import DELETED, TAKES, Take, named_in, take_of
 from engine.errors import AudioError, CorpusError, TakeError
 
 LIST, MANIFEST = "takes.json", "manifest.csv"

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.corpus import FrameLabels
+from engine.calibration.scores.corpus import FrameLabels
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 

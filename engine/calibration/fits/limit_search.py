@@ -12,10 +12,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.calibration.fits.rule_sheet import RuleSheet
+from engine.calibration.fits.successors import last_identified
 from engine.calibration.heed import Heed, go_on, tell
-from engine.calibration.rule_sheet import RuleSheet
-from engine.calibration.scoring import N_CODES, TEN, Codes, Counts, confusion_of, macro_f1_of
-from engine.calibration.successors import last_identified
+from engine.calibration.scores.scoring import N_CODES, TEN, Codes, Counts, confusion_of, macro_f1_of
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.recognition.phoneme_data import Thresholds

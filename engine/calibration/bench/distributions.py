@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.calibration.bench.separation import mean_separation, separations_of
+from engine.calibration.bench.workbench import Workbench
 from engine.calibration.heed import Heed, go_on, tell
-from engine.calibration.scoring import TEN, Codes
-from engine.calibration.separation import mean_separation, separations_of
-from engine.calibration.workbench import Workbench
+from engine.calibration.scores.scoring import TEN, Codes
 from engine.phonemes import Phoneme
 
 N_BINS = 60
@@ -54,8 +54,8 @@ class Distribution:
         counted in the end bins.
     logarithmic : whether the bins are equally wide on a logarithmic scale; `edges` are values all the same.
     spreads : one for each phoneme of which there are frames.
-    separations : shape (11, 11): how well one threshold parts each pair, 0.5..1, as `engine.calibration.separation`
-        defines it; NaN where there are no frames.
+    separations : shape (11, 11): how well one threshold parts each pair, 0.5..1, as
+        `engine.calibration.bench.separation` defines it; NaN where there are no frames.
     """
 
     variable: str

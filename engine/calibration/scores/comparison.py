@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.corpus import Utterance
-from engine.calibration.evaluation import Answers, CorpusScores
-from engine.calibration.scoring import N_CODES, TEN, Counts
+from engine.calibration.scores.corpus import Utterance
+from engine.calibration.scores.evaluation import Answers, CorpusScores
+from engine.calibration.scores.scoring import N_CODES, TEN, Counts
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD

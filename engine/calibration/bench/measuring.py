@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from engine.analyser import BLOCK, Analyser, Analysis
 from engine.audio.files import SoundReader
 from engine.calibration.heed import Heed, go_on, tell
-from engine.calibration.scoring import Codes
+from engine.calibration.scores.scoring import Codes
 from engine.features.variables import BUILT_IN_NAMES
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from engine.analyser import Analyser
 from engine.audio.files import SoundReader
-from engine.calibration.added_noise import Noise, NoiseAdder, NoiseKind
-from engine.calibration.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
+from engine.calibration.scores.added_noise import Noise, NoiseAdder, NoiseKind
+from engine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
 from engine.dsp.mel import frequency_of, mel_of
 from engine.features.measure import Features
 from engine.features.variables import Variable

@@ -21,7 +21,7 @@ from engine.calibration.labels.label import CORE, Label, Mark
 from engine.calibration.labels.names import Mapping, labels_named
 from engine.calibration.labels.table import rows_of
 from engine.calibration.labels.textfile import read_text
-from engine.calibration.take_list import LIST
+from engine.calibration.takes.listing import LIST
 from engine.errors import AudioError, CorpusError
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD

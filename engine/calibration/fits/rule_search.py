@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.scoring import N_CODES, TEN, Codes
+from engine.calibration.scores.scoring import N_CODES, TEN, Codes
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.recognition.rules import Condition, Rule

@@ -6,8 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.corpus import FrameLabels
-from engine.calibration.scoring import TEN, Codes, Counts, Scores, confusion_of, macro_f1_of, scores_of
+from engine.calibration.scores.corpus import FrameLabels
+from engine.calibration.scores.scoring import TEN, Codes, Counts, Scores, confusion_of, macro_f1_of, scores_of
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 

@@ -13,13 +13,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from engine.calibration.confusion import Confusion, confusion_between
-from engine.calibration.folds import Chosen, groups_of, held_out
+from engine.calibration.bench.workbench import Workbench
+from engine.calibration.fits.folds import Chosen, groups_of, held_out
+from engine.calibration.fits.limit_search import LimitSearch
+from engine.calibration.fits.threshold_search import ThresholdSearch
 from engine.calibration.heed import Heed, go_on, part_of, tell
-from engine.calibration.limit_search import LimitSearch
-from engine.calibration.scoring import Codes, Scores
-from engine.calibration.threshold_search import ThresholdSearch
-from engine.calibration.workbench import Workbench
+from engine.calibration.scores.confusion import Confusion, confusion_between
+from engine.calibration.scores.scoring import Codes, Scores
 from engine.errors import CorpusError
 from engine.features.measure import Features
 from engine.phonemes import Phoneme

@@ -15,9 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.calibration.fits.successors import Table, counted_table, last_identified, successors_of
 from engine.calibration.heed import Heed, go_on, part_of, tell
-from engine.calibration.scoring import N_CODES, TEN, Codes
-from engine.calibration.successors import Table, counted_table, last_identified, successors_of
+from engine.calibration.scores.scoring import N_CODES, TEN, Codes
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.recognition.phoneme_data import Thresholds

@@ -9,8 +9,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.scoring import Codes
-from engine.calibration.successors import last_identified
+from engine.calibration.fits.successors import last_identified
+from engine.calibration.scores.scoring import Codes
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.scoring import N_CODES, TEN, Codes
+from engine.calibration.scores.scoring import N_CODES, TEN, Codes
 from engine.phonemes import Phoneme
 
 PRIOR = 50

@@ -3,7 +3,7 @@
 Thousands of ranges are tried, of the filtered and of the normalised spectrum, for sums and for maxima (a mean parts
 exactly as well as the sum of the same range). The sums of all ranges that begin at a frequency come from one running
 sum, their maxima from one running maximum. How well a range parts two phonemes is their separation, as
-`engine.calibration.separation` defines it, over some frames of each.
+`engine.calibration.bench.separation` defines it, over some frames of each.
 """
 
 from collections.abc import Iterator, Sequence
@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.calibration.bench.separation import best_threshold, separation_of
+from engine.calibration.bench.workbench import Workbench
+from engine.calibration.fits.spectrum_sample import SpectrumSample, sampled_spectra
 from engine.calibration.heed import Heed, go_on, part_of, tell
-from engine.calibration.separation import best_threshold, separation_of
-from engine.calibration.spectrum_sample import SpectrumSample, sampled_spectra
-from engine.calibration.workbench import Workbench
 from engine.dsp.mel import frequency_of, mel_of
 from engine.errors import CorpusError, SettingsError
 from engine.features.variables import Kind, Spectrum, Variable, check_user_variables

@@ -10,10 +10,10 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.take import Take
-from engine.calibration.take_check import TakeReport
-from engine.calibration.take_copies import write_copy
-from engine.calibration.take_folder import TakeFolder
+from engine.calibration.takes.check import TakeReport
+from engine.calibration.takes.copies import write_copy
+from engine.calibration.takes.folder import TakeFolder
+from engine.calibration.takes.take import Take
 from engine.errors import TakeError
 from engine.phonemes import Phoneme
 from engine.settings import SAMPLE_RATE

@@ -18,13 +18,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.calmer import Calmer
-from engine.calibration.confusion import Confusion, confusion_between
-from engine.calibration.corpus import FrameLabels, Utterance, frame_labels_of
+from engine.calibration.bench.calmer import Calmer
+from engine.calibration.bench.measuring import Measurement, front_end_of, knowledge_of, measure, names_of, rules_in
+from engine.calibration.fits.rule_sheet import RuleSheet
 from engine.calibration.heed import Heed, go_on, part_of, tell
-from engine.calibration.measuring import Measurement, front_end_of, knowledge_of, measure, names_of, rules_in
-from engine.calibration.rule_sheet import RuleSheet
-from engine.calibration.scoring import Codes
+from engine.calibration.scores.confusion import Confusion, confusion_between
+from engine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
+from engine.calibration.scores.scoring import Codes
 from engine.errors import CorpusError
 from engine.features.measure import Features
 from engine.phonemes import Phoneme

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.audio.files import SoundReader
-from engine.calibration.corpus import Utterance, frame_labels_of
+from engine.calibration.scores.corpus import Utterance, frame_labels_of
 from engine.errors import AudioError, CorpusError, SettingsError
 from engine.phonemes import Phoneme
 from engine.settings import HOP, SAMPLE_RATE

@@ -1,4 +1,4 @@
-"""Fit the extended rules to labelled speech: ``python -m engine.calibration.fit_rules CORPUS -o presets/``.
+"""Fit the extended rules to labelled speech: ``python -m engine.calibration.fits.fit_rules CORPUS -o presets/``.
 
 The rules are the leaves of a decision tree over bands of the spectrum, and over bands divided by one another; the
 tree chooses which. With ``--more FOLDER`` further speech helps. The figures that the preset states come from leaving
@@ -14,8 +14,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.folds import groups_of, held_out
-from engine.calibration.rule_material import (
+from engine.calibration.fits.folds import groups_of, held_out
+from engine.calibration.fits.rule_material import (
     COPIES,
     FRONT_END,
     SNRS,
@@ -26,8 +26,8 @@ from engine.calibration.rule_material import (
     material_of,
     voice_of,
 )
-from engine.calibration.rule_search import MOST_CONDITIONS, RuleSearch
-from engine.calibration.scoring import Scores, scores_of
+from engine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch
+from engine.calibration.scores.scoring import Scores, scores_of
 from engine.errors import EngineError
 from engine.features.measure import Features
 from engine.features.variables import BAND_VARIABLES, Variable
@@ -159,7 +159,7 @@ class RuleFitter:
 
 
 NOTES = """\
-{n_rules} rules over {n_variables} variables, fitted by engine.calibration.fit_rules to {n_voices} voices, human
+{n_rules} rules over {n_variables} variables, fitted by engine.calibration.fits.fit_rules to {n_voices} voices, human
 and synthetic. The first rule whose comparisons all hold names the phoneme; no rule has more than {conditions}
 comparisons.
 A variable that begins with b is the sum over a band of the mel scale, its bounds in hertz; one that begins with r
@@ -193,7 +193,7 @@ def _recognised(features: Features, rules: Rules, hysteresis: float) -> NDArray[
 
 def main() -> int:
     """Run the fit from the command line."""
-    parser = argparse.ArgumentParser(prog="python -m engine.calibration.fit_rules", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m engine.calibration.fits.fit_rules", description=__doc__)
     parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the preset")
     parser.add_argument("--more", type=Path, metavar="FOLDER", help="further speech in the same format")

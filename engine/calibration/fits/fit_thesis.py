@@ -1,4 +1,4 @@
-"""Fit the factory presets to a labelled corpus: ``python -m engine.calibration.fit_thesis CORPUS -o presets/``.
+"""Fit the factory presets to a labelled corpus: ``python -m engine.calibration.fits.fit_thesis CORPUS -o presets/``.
 
 For each kind of decimation: the front end is chosen by scoring on speakers that were held out (speakers in groups),
 the thresholds and the table of successors are then fitted to all speakers, and the figures that the preset states
@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 
 from engine.analyser import Analyser
 from engine.audio.files import SoundReader
-from engine.calibration.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
-from engine.calibration.folds import groups_of, held_out
-from engine.calibration.scoring import Codes, Scores, scores_of
-from engine.calibration.threshold_search import LEAST_EXCLUDED, LEAST_FOUND, Fit, ThresholdSearch
+from engine.calibration.fits.folds import groups_of, held_out
+from engine.calibration.fits.threshold_search import LEAST_EXCLUDED, LEAST_FOUND, Fit, ThresholdSearch
+from engine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
+from engine.calibration.scores.scoring import Codes, Scores, scores_of
 from engine.errors import EngineError
 from engine.features.measure import Features
 from engine.presets.files import save_preset
@@ -171,10 +171,10 @@ class PresetFitter:
 
 
 NOTES = """\
-The thesis rules, fitted by engine.calibration.fit_thesis (seed {seed}, {n_starts} starts) to {minutes:.1f} minutes
-of labelled speech of {n_speakers} speakers, human and synthetic. The search maximises the macro F1 over ten classes,
-under three demands: u_o1 > o_o1 > i_o1; each rule finds at least {found:.0%} of its own phoneme's frames; each
-threshold keeps at least {excluded:.2%} of all frames from its rules.
+The thesis rules, fitted by engine.calibration.fits.fit_thesis (seed {seed}, {n_starts} starts) to {minutes:.1f}
+minutes of labelled speech of {n_speakers} speakers, human and synthetic. The search maximises the macro F1
+over ten classes, under three demands: u_o1 > o_o1 > i_o1; each rule finds at least {found:.0%} of its own phoneme's
+frames; each threshold keeps at least {excluded:.2%} of all frames from its rules.
 Each recording counts twice, as it is and with another level (-6..+6 dB) and a noise floor of -75..-65 dB, since the
 pauses of synthetic speech are digital zeros and those of real rooms are not; white noise crosses zero some 1020
 times in a window, so silence must allow about as much.
@@ -242,7 +242,7 @@ def _fit_all(corpus: Path, out: Path, seed: int, n_starts: int) -> None:
 
 def main() -> int:
     """Run the fit from the command line."""
-    parser = argparse.ArgumentParser(prog="python -m engine.calibration.fit_thesis", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m engine.calibration.fits.fit_thesis", description=__doc__)
     parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the presets")
     parser.add_argument("--seed", type=int, default=1, help="of every random choice (default 1)")

@@ -12,7 +12,7 @@ from engine.audio.opening import shown_name
 from engine.audio.takes import free_path, reason_of
 from engine.calibration.labels.files import read_labels, write_labels
 from engine.calibration.labels.label import Label
-from engine.calibration.take import Take
+from engine.calibration.takes.take import Take
 from engine.errors import CorpusError, TakeError
 from engine.phonemes import Phoneme
 

@@ -1,4 +1,4 @@
-"""Templates from labelled recordings or takes: ``python -m engine.calibration.templates_of CORPUS -o presets/``.
+"""Templates from labelled recordings or takes: ``python -m engine.calibration.fits.templates_of CORPUS -o presets/``.
 
 Of each stretch with a certain label the middle third counts, so that neither the transition from the sound before
 nor that to the next one blurs the template; each speaker counts alike.
@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from engine.analyser import analyses_of
 from engine.audio.files import SoundReader
-from engine.calibration.corpus import Label, Utterance, frame_labels_of, read_corpus
 from engine.calibration.labels.label import CORE
-from engine.calibration.scoring import Codes, Scores, scores_of
+from engine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
+from engine.calibration.scores.scoring import Codes, Scores, scores_of
 from engine.dsp.cepstra import cepstra_of
 from engine.dsp.framing import Framer
 from engine.dsp.log_mel import log_mels_of
@@ -152,8 +152,9 @@ def _recognised(path: Path, preset: Preset) -> Codes:
 
 
 NOTES = """\
-Mean cepstra of {n} speakers, human and synthetic, each counting alike, made by engine.calibration.templates_of from
-the middle thirds of all sounds with a certain label. Silence is told by its level alone.
+Mean cepstra of {n} speakers, human and synthetic, each counting alike, made by
+engine.calibration.fits.templates_of from the middle thirds of all sounds with a certain label.
+Silence is told by its level alone.
 Each speaker left out in turn: macro F1 {s.ten_f1:.3f}, vowels {s.vowel5:.3f}, mouth accuracy {s.mouth_acc:.3f},
 silence found {s.silence_recall:.3f}, false silence {s.false_silence:.3f}, {s.changes_per_s:.1f} changes a second
 (labels: {s.label_changes_per_s:.1f}).
@@ -162,7 +163,7 @@ silence found {s.silence_recall:.3f}, false silence {s.false_silence:.3f}, {s.ch
 
 def main() -> int:
     """Make the templates of a corpus from the command line."""
-    parser = argparse.ArgumentParser(prog="python -m engine.calibration.templates_of", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m engine.calibration.fits.templates_of", description=__doc__)
     parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the preset")
     args = parser.parse_args()

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from engine.analyser import BLOCK, analyses_of
 from engine.audio.files import SoundReader
-from engine.calibration.corpus import FrameLabels, Utterance, frame_labels_of
 from engine.calibration.heed import Heed, go_on, part_of, tell
-from engine.calibration.scoring import Codes
+from engine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
+from engine.calibration.scores.scoring import Codes
 from engine.dsp.filters import denoise, normalise
 from engine.features.variables import Spectrum
 from engine.phonemes import Phoneme

@@ -14,7 +14,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.scoring import N_CODES, Codes
+from engine.calibration.scores.scoring import N_CODES, Codes
 from engine.phonemes import Phoneme
 
 Values = NDArray[np.float32]

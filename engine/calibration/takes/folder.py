@@ -21,15 +21,15 @@ from engine.audio.flac import write_flac
 from engine.audio.locking import lock_at
 from engine.audio.opening import shown_name
 from engine.audio.takes import free_path, reason_of
-from engine.calibration.take import DELETED, TAKES, Take, folder_for
-from engine.calibration.take_copies import remove_copies, write_copies
-from engine.calibration.take_list import (
+from engine.calibration.takes.copies import remove_copies, write_copies
+from engine.calibration.takes.listing import (
     SOUND_SUFFIX,
     read_take_list,
     write_manifest,
     write_take_labels,
     write_take_list,
 )
+from engine.calibration.takes.take import DELETED, TAKES, Take, folder_for
 from engine.errors import CorpusError, TakeError
 from engine.phonemes import Phoneme
 

@@ -1,0 +1,1 @@
+"""Searches: for thresholds, limits, rules, templates and variables."""

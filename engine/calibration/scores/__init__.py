@@ -1,0 +1,1 @@
+"""Labelled recordings, and how right what a preset answers in them is."""

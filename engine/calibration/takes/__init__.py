@@ -1,0 +1,1 @@
+"""Takes of single sounds: kept, checked, listed; and the room in which they were made."""
