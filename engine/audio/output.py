@@ -16,7 +16,7 @@ from engine.audio.stream import CardStream
 from engine.errors import DeviceError
 from engine.settings import SAMPLE_RATE
 
-AHEAD = SAMPLE_RATE // 8
+AHEAD = SAMPLE_RATE // 5
 """Samples that are written at most before they are heard."""
 LATENCY = 0.05
 """What is asked of the card, seconds."""

@@ -168,6 +168,18 @@ class Player:
                 due.append(self._waiting.popleft()[1])
         return due
 
+    def ahead(self) -> list[tuple[float, Analysis]]:
+        """Give what is analysed and not heard yet: `take` gives it later.
+
+        Returns
+        -------
+        each block with the seconds until it is taken, negative ones where it waits for that: the middle of its last
+        frame is heard then.
+        """
+        heard = self._output.heard
+        with self._handover:
+            return [((due - heard) / SAMPLE_RATE, analysis) for due, analysis in self._waiting]
+
     def close(self) -> None:
         """Stop, and let file and device go; a device that hangs is left to itself."""
         self._closing = True

@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from engine.errors import MeshError
 from engine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh, Numbers, Vectors
@@ -124,6 +123,8 @@ def reorganise(face: Face, mesh: Mesh, tolerance: float = TOLERANCE) -> Face:
 
 def _near(face: Face, mesh: Mesh, tolerance: float) -> list[list[int]]:
     """Give the vertices of the mesh that are where each vertex of the face was."""
+    from scipy.spatial import cKDTree  # noqa: PLC0415 - takes 200 ms, which only who reorganises should wait for
+
     if not len(face.numbers):
         return []
     tree = cKDTree(mesh.positions)

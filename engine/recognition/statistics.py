@@ -11,17 +11,17 @@ from engine.settings import FRAME_PERIOD
 
 SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType(
     {
-        Phoneme.SILENCE: Phoneme.P,
+        Phoneme.SILENCE: Phoneme.U,
         Phoneme.UNIDENTIFIED: Phoneme.O,
         Phoneme.SZ: Phoneme.SZ,
-        Phoneme.SCH: Phoneme.E,
+        Phoneme.SCH: Phoneme.I,
         Phoneme.M: Phoneme.O,
-        Phoneme.P: Phoneme.I,
+        Phoneme.P: Phoneme.O,
         Phoneme.I: Phoneme.O,
         Phoneme.A: Phoneme.M,
         Phoneme.E: Phoneme.O,
         Phoneme.U: Phoneme.U,
-        Phoneme.O: Phoneme.O,
+        Phoneme.O: Phoneme.U,
     }
 )
 """What a frame is likeliest to be where the rules say nothing, by the phoneme that they named last.

@@ -96,7 +96,7 @@ def test_a_measurement_gives_the_same_each_time():
 def test_a_room_that_hums_keeps_the_usual_limit_of_zero_crossings():
     room = measure_room(tone(50, 2.0, 0.003), THESIS)
     assert room.bounds["silence_zero_crossings"].value == 220
-    assert room.sureness(room.thresholds(THESIS)).room_silent == 1
+    assert room.sureness(room.thresholds(THESIS)).room_silent > 0.98
 
 
 def test_a_microphone_that_delivers_nothing_is_told_and_still_gives_silence():

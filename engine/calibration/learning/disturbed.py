@@ -24,7 +24,7 @@ FLOORS = (-120.0, -70.0)
 """Level of the microphone's own noise in each band, dB below full scale."""
 NOISY, FLOORED, NARROW, BASSLESS, HIDDEN = 0.5, 0.85, 0.15, 0.1, 0.4
 """Shares of the recordings with noise, with a floor, without the highest bands, the lowest bands, some others."""
-STEADY = 0.7
+STEADY = 0.5
 """Share of the noise that is steady; the rest is babble, three others who speak at once."""
 
 _BANDS = np.linspace(-1, 1, N_BANDS, dtype=np.float32)

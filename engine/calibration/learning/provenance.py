@@ -7,10 +7,10 @@ from pathlib import Path
 
 UNKNOWN = "not told"
 
-HUMAN, FORMANT = "human", "synthetic-formant"
-WEIGHTS = {HUMAN: 3.0, FORMANT: 0.35}
-"""How often the speech of a kind is gone through: recordings of people are rare and matter most, and the voices of a
-formant synthesizer are variations of few. All other kinds count once."""
+HUMAN = "human"
+WEIGHTS = {HUMAN: 3.0}
+"""How often the speech of a kind is gone through: recordings of people are rare and matter most. All other kinds
+count once."""
 
 
 @dataclass(frozen=True)

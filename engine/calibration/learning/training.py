@@ -35,7 +35,7 @@ class Course:
     width: int = 112
     dilations: tuple[int, ...] = (1, 2, 4, 8, 16, 1, 2, 4)
     dropout: float = 0.1
-    n_epochs: int = 24
+    n_epochs: int = 16
     n_together: int = 24
     n_frames: int = 400
     rate: float = 2e-3
@@ -81,9 +81,8 @@ def _batches(voices: Sequence[Voice], course: Course, generator: np.random.Gener
 
 def _stretches(voice: Voice, n_frames: int, generator: np.random.Generator) -> Iterator[Batch]:
     n_times = int(voice.weight) + (generator.random() < voice.weight % 1)
-    share = 1.0 if voice.weight >= 1 else voice.weight
-    for _ in range(n_times if voice.weight >= 1 else 1):
-        order = generator.permutation(len(voice.recordings))[: max(1, round(share * len(voice.recordings)))]
+    for _ in range(n_times):
+        order = generator.permutation(len(voice.recordings))
         drawn = [voice.recordings[i][generator.integers(len(voice.recordings[i]))] for i in order]
         arrays = [
             np.concatenate([getattr(lesson, name) for lesson in drawn])
