@@ -9,6 +9,7 @@ from pathlib import Path
 from types import TracebackType
 
 from PySide6.QtCore import QMessageLogContext, QSettings, QStandardPaths, QTimer, QtMsgType, qInstallMessageHandler
+from PySide6.QtGui import QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from engine.audio.output import ClockOutput, Output, open_output
@@ -18,6 +19,7 @@ from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
+from phonemeanalyser.models.talking import Talking
 from phonemeanalyser.theme import DARK, LIGHT, Theme, apply_theme, system_theme
 
 AFTER_SHOWING_MS = 20
@@ -46,7 +48,9 @@ class Desktop:
         self.preset = preset or PresetModel()
         self.session = Session(self.preset, open_device, microphone)
         self.calibration = Calibration(self.session, self.preset)
+        self.talking = Talking(self.session)
         self.window = self._make_window()
+        self.window.talking_dialogs.restore()
         self._scheme = app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
 
     def close(self) -> None:
@@ -54,6 +58,7 @@ class Desktop:
         self._app.styleHints().colorSchemeChanged.disconnect(self._scheme)
         self.session.close()
         self.calibration.close()
+        self.talking.close()
         self.window.retire()
         self._settings.sync()
 
@@ -65,17 +70,17 @@ class Desktop:
     def set_theme(self, name: str) -> None:
         """Choose ``light``, ``dark`` or ``system``."""
         self._settings.setValue("theme", name)
-        old, frozen, page = self.window, self.window.frozen, self.window.pages.currentIndex()
+        old, page = self.window, self.window.pages.currentIndex()
         old.save_state()
+        old.show_page(page)
         self.window = self._make_window()
-        self.window.show_page(page)
-        self.window.set_frozen(frozen)
-        self.window.show()
+        self.window.show()  # which lays the docks out, before a page without them is shown
+        self.window.look_like(old)
         old.retire()
 
     def _make_window(self) -> MainWindow:
         apply_theme(self._app, self.theme)
-        window = MainWindow(self.session, self.preset, self.theme, self._settings, self.calibration)
+        window = MainWindow(self.session, self.preset, self.theme, self._settings, self.calibration, self.talking)
         window.theme_asked.connect(self.set_theme)
         return window
 
@@ -89,6 +94,10 @@ def make_application() -> QApplication:
     app = QApplication.instance()
     if isinstance(app, QApplication):
         return app
+    form = QSurfaceFormat()  # some systems want to know the version of OpenGL before there is any window
+    form.setVersion(3, 3)
+    form.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
+    QSurfaceFormat.setDefaultFormat(form)
     app = QApplication(sys.argv[:1])
     app.setApplicationName("PhonemeAnalyser")
     app.setOrganizationName("PhonemeAnalyser")

@@ -145,6 +145,17 @@ def _screenshot(words: list[str]) -> int:
     return 0
 
 
+def _preview(words: list[str]) -> int:
+    try:
+        module = importlib.import_module("phonemeanalyser.preview")
+    except ImportError as error:
+        raise EngineError(
+            f"previews need packages that cannot be loaded ({error}); install them with: pip install "
+            "'phonemeanalyser[preview]'"
+        ) from error
+    return int(module.preview(words))
+
+
 def _seconds(text: str) -> float:
     try:
         seconds = float(text)
@@ -187,6 +198,6 @@ def _app() -> ModuleType:
 
 COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "adapt": adapt, "analyse": _analyse, "export": export, "listen": _listen, "movestates": movestates,
-    "record": _record, "score": score, "screenshot": _screenshot, "train": train,
+    "preview": _preview, "record": _record, "score": score, "screenshot": _screenshot, "train": train,
 }  # fmt: skip
 """Every command, and what runs it."""

@@ -26,11 +26,14 @@ from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.history import shown_spectra
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session, Source
+from phonemeanalyser.models.talking import Talking
+from phonemeanalyser.talking_dialogs import TalkingDialogs
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.averaged_view import AveragedView
 from phonemeanalyser.views.banner import Banner
 from phonemeanalyser.views.calibration_page import CalibrationPage
 from phonemeanalyser.views.filter_column import FilterColumn
+from phonemeanalyser.views.head_view import HeadView
 from phonemeanalyser.views.keys import KeysOfButtons
 from phonemeanalyser.views.page_switch import PageStack, PageSwitch
 from phonemeanalyser.views.phoneme_view import PhonemeView
@@ -38,6 +41,7 @@ from phonemeanalyser.views.recogniser_choice import RecogniserChoice
 from phonemeanalyser.views.shortcuts import ShortcutsDialog
 from phonemeanalyser.views.spectrum_view import SpectrumView
 from phonemeanalyser.views.status_line import StatusLine
+from phonemeanalyser.views.talk_page import TalkPage
 from phonemeanalyser.views.threshold_view import ThresholdView
 from phonemeanalyser.views.time_view import TimeView
 from phonemeanalyser.views.transport import Transport
@@ -46,14 +50,15 @@ from phonemeanalyser.window_state import WindowState
 
 FRAME_MS = 16
 """Between two pictures: 60 a second."""
-FILTERS_WIDTH, PHONEME_WIDTH = 240, 310
+FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 240, 310, 230
 INVITATIONS = {
     Source.FILE: "Press Space to play",
     Source.MICROPHONE: "Press Space to listen, R to record",
     Source.TONE: "Press Space to hear the tone",
 }
-ANALYSE, CALIBRATE = range(2)
-PAGES = ("Analyse", "Calibrate")
+ANALYSE, CALIBRATE, TALK = range(3)
+PAGES = ("Analyse", "Calibrate", "Talk")
+KEYS_OF_DOCKS = {"Head": "F7"}
 SLOW = 4
 """Numbers and what changes slowly are drawn at every fourth picture."""
 
@@ -69,7 +74,8 @@ class MainWindow(QMainWindow):
     theme_asked = Signal(str)
 
     def __init__(
-        self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings, calibration: Calibration
+        self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings, calibration: Calibration,
+        talking: Talking,
     ) -> None:  # fmt: skip
         super().__init__()
         self.theme = theme
@@ -77,7 +83,9 @@ class MainWindow(QMainWindow):
         self.dialogs = Dialogs(self, session, preset, settings)
         self.calibration_dialogs = CalibrationDialogs(self, calibration, settings)
         self.menus = Menus(self)
+        self.talking_dialogs = TalkingDialogs(self, talking, settings)
         self._calibration = calibration
+        self._talking = talking
         self._session = session
         self._preset = preset
         self._settings = settings
@@ -111,6 +119,9 @@ class MainWindow(QMainWindow):
         self.thresholds = ThresholdView(self._preset, session.history, theme)
         self.status = StatusLine(session, self._preset, theme)
         self.calibration = CalibrationPage(self._calibration, theme)
+        self.talk = TalkPage(self._talking, theme)
+        self.head = HeadView(self._talking, theme)
+        self.head.setMinimumHeight(HEAD_HEIGHT)
         self.switch = PageSwitch(PAGES)
         self.pages = PageStack()
 
@@ -129,6 +140,7 @@ class MainWindow(QMainWindow):
             splitter.setChildrenCollapsible(False)
         self.pages.addWidget(self._rows)
         self.pages.addWidget(self.calibration)
+        self.pages.addWidget(self.talk)
         self.setCentralWidget(self.pages)
         self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
         self._rows.setFocus()  # else Qt gives the first button the focus, and Space is for Play
@@ -144,6 +156,7 @@ class MainWindow(QMainWindow):
         self._dock("Filters", Qt.DockWidgetArea.LeftDockWidgetArea, self.filters)
         self._dock("Phoneme", Qt.DockWidgetArea.RightDockWidgetArea, self.recogniser, self.phoneme)
         self._dock("Thresholds", Qt.DockWidgetArea.RightDockWidgetArea, self.thresholds)
+        self._dock("Head", Qt.DockWidgetArea.LeftDockWidgetArea, self.head).hide()
         docks = self.findChildren(QDockWidget)
         self.resizeDocks(docks[:2], [FILTERS_WIDTH, PHONEME_WIDTH], Qt.Orientation.Horizontal)
         self.statusBar().addWidget(self.status.left, 1)
@@ -161,7 +174,7 @@ class MainWindow(QMainWindow):
         self.insertToolBarBreak(bar)
         return bar
 
-    def _dock(self, title: str, area: Qt.DockWidgetArea, *views: QWidget) -> None:
+    def _dock(self, title: str, area: Qt.DockWidgetArea, *views: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self)
         dock.setObjectName(title)
         body = QWidget()
@@ -173,6 +186,7 @@ class MainWindow(QMainWindow):
         body.setSizePolicy(views[-1].sizePolicy())
         dock.setWidget(body)
         self.addDockWidget(area, dock)
+        return dock
 
     def _make_menus(self) -> None:
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
@@ -204,6 +218,7 @@ class MainWindow(QMainWindow):
         view.addSeparator()
         for dock in self.findChildren(QDockWidget):
             view.addAction(dock.toggleViewAction())
+            dock.toggleViewAction().setShortcut(KEYS_OF_DOCKS.get(dock.objectName(), ""))
         view.addSeparator()
         chosen = str(self._settings.value("theme", "system"))
         self.menus.add_choice(view, "Theme", ("system", "light", "dark"), chosen, self.theme_asked.emit)
@@ -227,6 +242,7 @@ class MainWindow(QMainWindow):
         dialogs.variable_added.connect(self.time_view.variable.setCurrentText)
         self.banner.shown.connect(self._banner_bar.setVisible)
         self._connect_calibration()
+        self._connect_talking()
         session.failed.connect(self.banner.say)
         session.opened.connect(self._show_names)
         session.cleared.connect(self.refresh_all)
@@ -255,20 +271,30 @@ class MainWindow(QMainWindow):
         calibration.edits.changed.connect(self._show_edits)
         self.show_page(ANALYSE)
 
+    def _connect_talking(self) -> None:
+        talking, dialogs, page = self._talking, self.talking_dialogs, self.talk
+        page.sound_asked.connect(self.dialogs.ask_sound)
+        page.preset_asked.connect(self.dialogs.ask_preset)
+        page.choices.mesh_asked.connect(dialogs.ask_mesh)
+        page.choices.table_asked.connect(dialogs.ask_table)
+        talking.failed.connect(self.banner.say)
+        self.installEventFilter(page.keys)
+
     def show_page(self, number: int) -> None:
         """Show a page; the docks belong to the first one."""
         docks = self.findChildren(QDockWidget)
-        if number == CALIBRATE and self.pages.currentIndex() != CALIBRATE:
-            self._docks_of_analysis = {dock: dock.width() for dock in docks if not dock.isHidden()}
+        if number != ANALYSE and self.pages.currentIndex() == ANALYSE:
+            laid_out = self.isVisible()
+            self._docks_of_analysis = {d: d.width() if laid_out else 0 for d in docks if not d.isHidden()}
             for dock in docks:
                 dock.hide()
-        elif number == ANALYSE:
+        self.pages.setCurrentIndex(number)  # first, lest docks beside a wide page make the window wider
+        if number == ANALYSE:
             self._show_docks(self._docks_of_analysis)
             self._docks_of_analysis = {}
-        self.pages.setCurrentIndex(number)
         self.switch.show_page(number)
         self._show_edits()
-        (self.calibration.takes.list if number == CALIBRATE else self._rows).setFocus()
+        (self._rows, self.calibration.takes.list, self.talk.head)[number].setFocus()
         self._stale = True
 
     def _ask_rival(self) -> None:
@@ -279,8 +305,9 @@ class MainWindow(QMainWindow):
     def _show_docks(self, widths: dict[QDockWidget, int]) -> None:
         for dock in widths:
             dock.show()
-        if widths:
-            self.resizeDocks(list(widths), list(widths.values()), Qt.Orientation.Horizontal)
+        known = {dock: width for dock, width in widths.items() if width}
+        if known:
+            self.resizeDocks(list(known), list(known.values()), Qt.Orientation.Horizontal)
 
     def _show_edits(self) -> None:
         edits = self._calibration.edits
@@ -296,6 +323,7 @@ class MainWindow(QMainWindow):
             self._stale = True
             known_at = time.monotonic() - self._session.microphone.known_for
         self._calibration.tick()
+        self._move_head()
         self._ticks += 1
         slow = self._ticks % SLOW == 0
         self._stale |= self._session.deaf != self.phoneme.deaf
@@ -304,9 +332,10 @@ class MainWindow(QMainWindow):
             self._show_output()
         if self.pages.currentIndex() == CALIBRATE:
             self.calibration.refresh()
-            return
-        if not self._stale or self.frozen:
-            return
+        elif self.pages.currentIndex() == ANALYSE and self._stale and not self.frozen:
+            self._draw_analysis(slow=slow, known_at=known_at)
+
+    def _draw_analysis(self, *, slow: bool, known_at: float | None) -> None:
         self._refresh_fast()
         if slow:
             self._refresh_slow()
@@ -316,8 +345,18 @@ class MainWindow(QMainWindow):
         if known_at is not None and self._session.source is Source.MICROPHONE:
             QTimer.singleShot(0, lambda: self.status.note_display(time.monotonic() - known_at))
 
+    def _move_head(self) -> None:
+        """Have the head say what is heard, where it is seen."""
+        seen = [view for view in (self.talk, self.head) if view.isVisible()]
+        self._talking.watch(bool(seen) and not self.frozen)
+        self._talking.tick()
+        for view in seen:
+            if not self.frozen:
+                view.refresh()
+
     def refresh_all(self) -> None:
         """Draw everything as it is now."""
+        self._move_head()
         self.transport.refresh()
         self._refresh_fast()
         self._refresh_slow()
@@ -392,7 +431,8 @@ class MainWindow(QMainWindow):
         QMessageBox.about(
             self, "PhonemeAnalyser",
             "<b>PhonemeAnalyser</b><p>Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme "
-            "was recognised.<p>MIT licence. The demo is a synthetic voice of the Festival project (CMU slt).",
+            "was recognised.<p>MIT licence. The demo is a synthetic voice of the Festival project (CMU slt). "
+            "The head is in the public domain (CC0).",
         )  # fmt: skip
 
     # -- Qt's events --------------------------------------------------------------------------------------
@@ -405,10 +445,13 @@ class MainWindow(QMainWindow):
     def dropEvent(self, event: QDropEvent) -> None:
         """Load what was dropped."""
         event.acceptProposedAction()
+        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+        self.talking_dialogs.open([path for path in paths if self.talking_dialogs.opens(path)])
+        for path in paths:
+            if not self.talking_dialogs.opens(path):
+                self.dialogs.open_any(path)
         for url in event.mimeData().urls():
-            if url.isLocalFile():
-                self.dialogs.open_any(Path(url.toLocalFile()))
-            else:
+            if not url.isLocalFile():
                 self.banner.say(f"{url.toString()}: only files on this computer can be opened; save it here first")
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -427,11 +470,21 @@ class MainWindow(QMainWindow):
         page = self.pages.currentIndex()
         self.show_page(ANALYSE)  # whose docks are the layout
         self.calibration_dialogs.save()
+        self.talking_dialogs.save()
         self._settings.setValue("page", page)
         self.state.save(self._session, self.time_view)
+
+    def look_like(self, other: "MainWindow") -> None:
+        """Show the same page, frozen or not, and the heads from where the other window shows them."""
+        self.show_page(other.pages.currentIndex())
+        self.set_frozen(other.frozen)
+        self.talk.head.look_like(other.talk.head)
+        self.head.look_like(other.head)
 
     def retire(self) -> None:
         """Close without asking, since another window takes over."""
         self._retired = True
+        for head in (self.talk.head, self.head):
+            head.let_go()
         self.close()
         self.deleteLater()

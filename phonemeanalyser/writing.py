@@ -36,7 +36,7 @@ def write_whole(target: Path, write: Callable[[TextIO], None]) -> None:
         write(text)
         text.detach()
 
-    _write_whole(target, encode)
+    write_whole_file(target, encode)
 
 
 def write_whole_bytes(target: Path, parts: Iterable[bytes]) -> None:
@@ -46,10 +46,16 @@ def write_whole_bytes(target: Path, parts: Iterable[bytes]) -> None:
     ------
     EngineError : it cannot be written.
     """
-    _write_whole(target, lambda file: file.writelines(parts))
+    write_whole_file(target, lambda file: file.writelines(parts))
 
 
-def _write_whole(target: Path, write: Callable[[BinaryIO], None]) -> None:
+def write_whole_file(target: Path, write: Callable[[BinaryIO], None]) -> None:
+    """Write a file of bytes so that it is there complete, or not at all; its folder is made if need be.
+
+    Raises
+    ------
+    EngineError : it cannot be written.
+    """
     name = ""
     try:
         target.parent.mkdir(parents=True, exist_ok=True)

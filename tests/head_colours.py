@@ -7,13 +7,17 @@ Colours = NDArray[np.uint8]
 Floats = NDArray[np.float32]
 Numbers = NDArray[np.int64]
 
-SKIN, LIPS, BROWS, INSIDE = (214, 168, 146), (186, 112, 104), (118, 82, 66), (84, 32, 32)
+SKIN, LIPS, BROWS, INSIDE = (216, 172, 150), (184, 108, 100), (84, 58, 46), (84, 32, 32)
+BLUSH, STUBBLE, LID = (210, 140, 122), (196, 156, 138), (196, 142, 124)
 TEETH, TONGUE = (236, 230, 214), (176, 86, 86)
 EYE = {"pupil": (0, 2), "iris": (3, 6), "white": (7, 12)}
 """First and last ring of each."""
 PUPIL, IRIS, LIMBUS, WHITE = (16, 14, 14), (104, 138, 156), (44, 62, 78), (238, 236, 232)
 
 MOUTH_WIDTH, MOUTH_HEIGHT, LIPS_FRONT = 0.235, 7.492, 1.28
+EYE_AT = (0.305, 8.27, 1.44)
+BLUSHING = (((0.38, 7.92, 1.28), 0.34), ((0.0, 7.84, 1.72), 0.22), ((0.80, 8.05, 0.35), 0.42))
+"""Where blood shines through, and how far around."""
 UPPER_LIP, LOWER_LIP = 0.088, 0.100
 """Half the width of the mouth, where its corners are, and how high the lips are above and below them."""
 
@@ -21,7 +25,10 @@ UPPER_LIP, LOWER_LIP = 0.088, 0.100
 def painted(points: Floats, triangles: Numbers, part: NDArray[np.uint8]) -> Colours:
     """Give each vertex of skin, teeth and tongue its colour, uint8, shape (n, 3)."""
     colours = np.tile(np.float32(SKIN), (len(points), 1))
-    _tint(colours, BROWS, 0.75 * _brows(points))
+    _tint(colours, STUBBLE, 0.8 * _stubble(points))
+    _tint(colours, BLUSH, 0.65 * _blush(points))
+    _tint(colours, LID, 0.7 * _near(points, EYE_AT, 0.17))
+    _tint(colours, BROWS, 0.8 * _brows(points))
     _tint(colours, LIPS, _lips(points))
     _tint(colours, INSIDE, _hidden(points, triangles).astype(np.float32))
     depth = 0.35 + 0.65 * np.clip((points[:, 2:] - 1.05) / 0.4, 0, 1)
@@ -55,13 +62,38 @@ def _lips(points: Floats) -> Floats:
     return np.where(z > LIPS_FRONT, inside, 0).astype(np.float32)
 
 
+def brow_region(points: Floats) -> NDArray[np.bool_]:
+    """Tell which vertices lie where the brows and their edges are."""
+    x, y, z = points.T
+    return (np.abs(x) > 0.05) & (np.abs(x) < 0.58) & (y > 8.37) & (y < 8.57) & (z > 1.0)
+
+
 def _brows(points: Floats) -> Floats:
     x, y, z = points.T
-    along = (np.abs(x) - 0.10) / 0.38
-    arch = 8.415 + 0.075 * np.sin(np.pi * np.clip(along, 0, 1) ** 0.8 * 0.8)
-    across = np.abs(y - arch) / (0.048 * (1 - 0.45 * np.clip(along, 0, 1)))
-    inside = np.clip(1.5 - across, 0, 1) * np.clip(6 * along + 0.6, 0, 1) * np.clip(6 * (1 - along) + 0.4, 0, 1)
+    along = (np.abs(x) - 0.10) / 0.44
+    arch = 8.435 + 0.05 * np.sin(np.pi * np.clip(along, 0, 1) ** 0.8 * 0.9)
+    across = np.abs(y - arch) / (0.050 * (1 - 0.5 * np.clip(along, 0, 1)))
+    inside = np.clip(1.7 - across, 0, 1) * np.clip(7 * along + 0.5, 0, 1) * np.clip(5 * (1 - along) + 0.1, 0, 1)
     return np.where(z > 1.0, inside, 0).astype(np.float32)
+
+
+def _blush(points: Floats) -> Floats:
+    """Tell where blood shines through: cheeks, the tip of the nose, ears."""
+    return np.maximum.reduce([_near(points, *place) for place in BLUSHING])
+
+
+def _stubble(points: Floats) -> Floats:
+    """Tell where a beard would grow."""
+    _, y, z = points.T
+    below = np.clip((7.72 - y) / 0.15, 0, 1) * np.clip((y - 6.98) / 0.15, 0, 1) * np.clip((z - 0.72) / 0.3, 0, 1)
+    return (below * (1 - 0.6 * _near(points, (0.30, 7.75, 1.30), 0.25))).astype(np.float32)
+
+
+def _near(points: Floats, place: tuple[float, float, float], radius: float) -> Floats:
+    """Tell how near points are to a place or its mirror image: 1 there, 0 from a radius on."""
+    one_side = np.column_stack((np.abs(points[:, 0]), points[:, 1:]))
+    share = np.clip(1 - np.linalg.norm(one_side - np.float32(place), axis=1) / radius, 0, 1)
+    return (share * share * (3 - 2 * share)).astype(np.float32)
 
 
 def _hidden(points: Floats, triangles: Numbers, size: int = 400) -> NDArray[np.bool_]:

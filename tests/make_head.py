@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.head_colours import eye_colours, painted
+from engine.mouth.mesh import normals_of
+from tests.head_colours import brow_region, eye_colours, painted
 
 Floats = NDArray[np.float32]
 Numbers = NDArray[np.int64]
@@ -24,9 +25,16 @@ NECK, SLOPE, FLARE = 6.74, -0.16, 0.30
 """The cut through the neck: its height, how it falls towards the front, how it rises towards the shoulders."""
 REST = {
     "jawOpen": -0.05, "mouthShrugLower": 0.12, "mouthSmileLeft": 0.04, "mouthSmileRight": 0.04,
-    "eyeWideLeft": 0.45, "eyeWideRight": 0.45,
+    "eyeWideLeft": 0.45, "eyeWideRight": 0.45, "browInnerUp": -0.45, "mouthFrownLeft": -0.22,
+    "mouthFrownRight": -0.22, "browOuterUpLeft": 0.15, "browOuterUpRight": 0.15,
 }  # fmt: skip
 """What closes the lips, which stand a little apart in the original, and wakes the eyes."""
+TEETH = {"upper teeth": (0.0, -0.035, 0.02), "lower teeth": (0.0, -0.03, -0.005)}
+"""How the teeth are moved, so that they are seen where a person's are."""
+HOLLOW = 0.4
+"""How far the neck's end goes up inside, so that it is seen from below alone."""
+ROUNDNESS = 0.75
+"""How far new vertices go towards the planes of their neighbours."""
 INSIDE_OF_NECK = (60, 44, 40)
 N_AROUND = 32
 RINGS = np.radians([0, 6, 11, 11, 16, 21, 26.5, 26.5, 33, 45, 60, 80, 100])
@@ -100,10 +108,43 @@ def capped(clay: Clay, rim: NDArray[np.bool_]) -> Clay:
     closed = clay.with_vertices(edge, edge, np.zeros(len(edge), np.float32))
     centre = closed.points[n:].mean(axis=0)
     closed = closed.with_vertices(edge[:1], edge[:1], np.zeros(1, np.float32))
-    closed.points[-1], closed.offsets[:, -1] = centre, 0
+    closed.points[-1], closed.offsets[:, -1] = centre + np.float32((0, HOLLOW, 0)), 0
     fan = [(place[b], place[a], n + len(edge)) for a, b in loop.tolist()]
     closed.triangles = np.concatenate((closed.triangles, fan))
     return closed
+
+
+def refined(clay: Clay, where: NDArray[np.bool_]) -> Clay:
+    """Cut the edges between vertices of a region in half, so that what is painted there has a finer edge.
+
+    The new vertices are drawn towards the planes of both ends (Boubekeur and Alexa 2008, "Phong tessellation").
+    """
+    sides = np.sort(np.concatenate([clay.triangles[:, (k, (k + 1) % 3)] for k in range(3)]), axis=1)
+    cut = np.unique(sides[where[sides].all(axis=1)], axis=0)
+    middle = {(int(a), int(b)): len(clay.points) + k for k, (a, b) in enumerate(cut)}
+    longer = clay.with_vertices(cut[:, 0], cut[:, 1], np.full(len(cut), 0.5, np.float32))
+    normals = normals_of(clay.points, clay.triangles.astype(np.uint32))
+    added = longer.points[len(clay.points) :]
+    off = [((added - clay.points[end]) * normals[end]).sum(axis=1, keepdims=True) * normals[end] for end in cut.T]
+    added -= np.float32(ROUNDNESS) * (off[0] + off[1]) / 2
+    triangles: list[tuple[int, int, int]] = []
+    for a, b, c in clay.triangles.tolist():
+        ab, bc, ca = (middle.get((min(side), max(side))) for side in ((a, b), (b, c), (c, a)))
+        triangles += _halves((a, b, c), (ab, bc, ca))
+    longer.triangles = np.array(triangles)
+    return longer
+
+
+def _halves(corners: tuple[int, int, int], middles: tuple[int | None, ...]) -> list[tuple[int, int, int]]:
+    """Give the parts of a triangle, of whose sides some have a vertex in the middle."""
+    if None not in middles:
+        (a, b, c), (ab, bc, ca) = corners, middles
+        return [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]  # type: ignore[list-item]
+    loop = [v for pair in zip(corners, middles, strict=True) for v in pair if v is not None]
+    ears = [k for k in range(len(loop)) if loop[k] in corners and loop[k - 1] not in corners]
+    first = ears[0] if ears and len(loop) > 3 else 0
+    turned = loop[first - 1 :] + loop[: first - 1] if len(loop) > 3 else loop
+    return [(turned[0], turned[k], turned[k + 1]) for k in range(1, len(turned) - 1)]
 
 
 def eyeball(clay: Clay, part: int) -> Clay:
@@ -143,6 +184,7 @@ def bust(clay: Clay) -> tuple[Clay, NDArray[np.uint8]]:
     """Give the trimmed and closed head without eyes, and its colours."""
     x, y, z = clay.points.T
     clay = trimmed(clay, y - np.float32(NECK) - np.float32(SLOPE) * z - np.float32(FLARE) * x**2)
+    clay = refined(clay, brow_region(clay.points))
     colours = painted(clay.points, clay.triangles, clay.part)
     closed = capped(clay, clay.points[:, 1] < NECK + 0.5)
     cap = np.tile(np.array(INSIDE_OF_NECK, np.uint8), (len(closed.points) - len(clay.points), 1))
@@ -159,6 +201,8 @@ def main() -> None:
         names = file["names"]
         clay = Clay(file["P"], file["F"].astype(np.int64), file["part"], file["M"].astype(np.float32))
     clay = rested(clay, names.tolist())
+    for part, moved in TEETH.items():
+        clay.points[clay.part == PARTS.index(part)] += np.float32(moved)
     eyes = [PARTS.index(f"{side} eye") for side in ("left", "right")]
     head, colours = bust(clay.kept(~np.isin(clay.part[clay.triangles[:, 0]], eyes)))
     rings = np.repeat(np.arange(len(RINGS)), N_AROUND)

@@ -29,6 +29,13 @@ CALIBRATE = {
     "calibrate-large-dark.png": ("1920", "1080", "dark"),
 }
 """The page of the calibration."""
+TALK = {
+    "talk-light.png": ("1280", "800", "light", "0.99"),
+    "talk-dark.png": ("1920", "1080", "dark", "0.75"),
+}
+"""The page of the head, while it says the demo."""
+HEAD = {"head-visemes.png": "light"}
+"""The head that says a, e, i, o, u and m."""
 
 
 def main() -> None:
@@ -39,6 +46,13 @@ def main() -> None:
     for name, (width, height, theme) in CALIBRATE.items():
         command = [sys.executable, "-m", "tests.screenshot_calibrate", str(_place(name)), theme, width, height]
         subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
+    for name, (width, height, theme, at) in TALK.items():
+        command = [sys.executable, "-m", "tests.screenshot_talk", str(_place(name)), theme, width, height, at]
+        subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
+    for name, theme in HEAD.items():
+        subprocess.run(
+            [sys.executable, "-m", "tests.screenshot_head", str(_place(name)), theme], check=True, cwd=ROOT
+        )
     with tempfile.TemporaryDirectory() as folder, VirtualSound() as sound:
         wav = Path(folder) / "demo.wav"
         soundfile.write(wav, *soundfile.read(DEMO))

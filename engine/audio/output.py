@@ -17,7 +17,7 @@ from engine.errors import DeviceError
 from engine.settings import SAMPLE_RATE
 
 AHEAD = SAMPLE_RATE // 5
-"""Samples that are written at most before they are heard."""
+"""Samples that are written at most before they are heard; the mouth of a head that talks may be ahead by as much."""
 LATENCY = 0.05
 """What is asked of the card, seconds."""
 STALLED = 1.0

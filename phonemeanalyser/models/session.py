@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from engine.analyser import Analysis
 from engine.audio.files import SoundReader
 from engine.audio.output import Output, open_output
 from engine.audio.tone import ToneReader
@@ -42,10 +43,14 @@ class Session(QObject):
     transport_changed : playing, pausing, stopping, recording, loop, volume or channel.
     cleared : everything gathered was forgotten.
     rewritten : this many of the newest columns of the history are others now.
+    heard : a list of the blocks that were heard since the last tick; see `engine.analyser.Analysis`.
+    sought : the file stands elsewhere.
     failed : a sentence for the user.
     """
 
     opened = Signal()
+    heard = Signal(list)
+    sought = Signal()
     transport_changed = Signal()
     cleared = Signal()
     rewritten = Signal(int)
@@ -239,6 +244,7 @@ class Session(QObject):
         self.pause()
         if self.source is Source.FILE and self._player is not None:
             self._player.seek(0)
+            self.sought.emit()
         self.transport_changed.emit()
 
     def toggle_recording(self) -> None:
@@ -257,6 +263,7 @@ class Session(QObject):
             self._player.seek(seconds)
             if not self.playing and self._file is not None:
                 self.findings.show_before(self._file.path, self.channel, self.position)
+            self.sought.emit()
             self.transport_changed.emit()
 
     def set_loop(self, loop: bool) -> None:
@@ -317,6 +324,8 @@ class Session(QObject):
             return False
         for analysis in blocks:
             self.findings.gather(analysis)
+        if blocks:
+            self.heard.emit(blocks)
         if self._player is not None and self.playing and self._player.finished:
             self.stop()
         return bool(blocks)
@@ -328,6 +337,11 @@ class Session(QObject):
         n_frames = round(min(seconds, self.duration) / FRAME_PERIOD) + (seconds >= self.duration)
         self.findings.follow(self._file.path, self.channel, n_frames)
         self._player.seek(seconds)
+        self.sought.emit()
+
+    def ahead(self) -> list[tuple[float, Analysis]]:
+        """Give what is known of the file before it is heard, each block with the seconds until then."""
+        return self._player.ahead() if self._player is not None and self.source is Source.FILE else []
 
     def explain(self) -> Trace | None:
         """Say why the newest frame was recognised as it was."""

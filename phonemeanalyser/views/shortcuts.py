@@ -2,6 +2,11 @@
 
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
+HEAD = [
+    ("Go round; with Shift move it", "Arrows"), ("Nearer, farther", "+, −"), ("The whole of it", "Home"),
+    ("Wireframe", "W"), ("Move the light", "Comma, full stop"), ("Hold a mouth shape", "Q S H M P I A E U O"),
+]  # fmt: skip
+
 
 class ShortcutsDialog(QDialog):
     """Lists the keys by menu.
@@ -16,6 +21,7 @@ class ShortcutsDialog(QDialog):
         self.setWindowTitle("Keyboard shortcuts")
         blocks = [_block(title, [(text, key) for text, key in entries if key]) for title, entries in menus.items()]
         blocks.append(_block("Sliders and time line", [("A step; with Shift a tenth", "Left, Right")]))
+        blocks.append(_block("The head, when it has the focus", HEAD))
         self.list = QLabel(_side_by_side([block for block in blocks if block]))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)

@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from tests.bench import (
     dragging,
+    head,
     learned,
     memory,
     microphone,
@@ -14,6 +15,7 @@ from tests.bench import (
     playing,
     recording,
     start,
+    talking,
     whole_file,
 )
 from tests.bench.figures import Figure, table_of
@@ -27,6 +29,8 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "start": start.figures,
     "memory": memory.figures,
     "dragging": dragging.figures,
+    "head": head.figures,
+    "talking": talking.figures,
     "learned": learned.figures,
     "mouth": mouth.figures,
     "movestates": movestates.figures,

@@ -67,7 +67,8 @@ def test_the_page_survives_another_theme_with_its_takes(calibrator: Calibrator):
     assert calibrator.page.isVisible()
     assert verdicts(calibrator) == ["good"]
     click(calibrator.booth.window.switch.buttons[0])
-    assert all(d.isVisible() for d in calibrator.booth.window.findChildren(QDockWidget))
+    docks = calibrator.booth.window.findChildren(QDockWidget)
+    assert {d.objectName() for d in docks if d.isVisible()} == {"Filters", "Phoneme", "Thresholds"}
 
 
 # -- recording ----------------------------------------------------------------------------------------

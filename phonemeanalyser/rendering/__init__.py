@@ -1,0 +1,1 @@
+"""Pictures of a head: one renderer for the window and for files."""

@@ -1,0 +1,125 @@
+"""Where a head is looked at from."""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.mouth.mesh import Mesh
+
+FIELD_OF_VIEW = math.radians(24)
+"""The angle between the upper and the lower edge of the picture; narrower in pictures that are taller than wide."""
+HIGHEST = math.radians(85)
+NEAREST, FARTHEST = 0.35, 4.0
+"""Limits of the distance, as shares of that from which all is seen."""
+PER_STEP = 0.9
+"""By how much the distance shrinks with each step of zooming in."""
+MOST_PAN = 0.75
+"""How far the centre may be moved, as a share of the radius of what is looked at."""
+MARGIN = 1.06
+
+Matrix = NDArray[np.float32]
+Point = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A camera that looks at a point from all around it; moving it makes another.
+
+    Attributes
+    ----------
+    azimuth : radians; 0 in front of the face, positive towards the viewer's right.
+    elevation : radians; positive above.
+    distance : from the centre, in units of the mesh: decimetres for the head that ships with the program.
+    centre : what it looks at.
+    home : where the centre was at first.
+    radius : of what is looked at.
+    whole : the distance from which all of it can be seen, from any side.
+    """
+
+    azimuth: float = 0.0
+    elevation: float = 0.0
+    distance: float = 10.0
+    centre: Point = (0.0, 0.0, 0.0)
+    home: Point = (0.0, 0.0, 0.0)
+    radius: float = 2.0
+    whole: float = 10.0
+
+    @classmethod
+    def facing(cls, mesh: Mesh) -> "Camera":
+        """Give the camera that sees the whole of a mesh from the front."""
+        low, high = mesh.positions.min(axis=0).astype(float), mesh.positions.max(axis=0).astype(float)
+        centre = (low + high) / 2
+        apart = mesh.positions - centre
+        across = float(np.linalg.norm(apart[:, ::2], axis=1).max())
+        radius = max(float(np.linalg.norm(apart, axis=1).max()), 1e-6)
+        whole = MARGIN * max(
+            across / math.sin(FIELD_OF_VIEW / 2), across + (high - low)[1] / 2 / math.tan(FIELD_OF_VIEW / 2)
+        )
+        x, y, z = centre.tolist()
+        return cls(0.0, 0.0, max(whole, radius), (x, y, z), (x, y, z), radius, max(whole, radius))
+
+    def orbit(self, dx: float, dy: float) -> "Camera":
+        """Give the camera after going round what it looks at: to the right and upwards, radians."""
+        azimuth = math.remainder(self.azimuth + dx, 2 * math.pi)
+        return replace(self, azimuth=azimuth, elevation=min(max(self.elevation + dy, -HIGHEST), HIGHEST))
+
+    def pan(self, dx: float, dy: float) -> "Camera":
+        """Give the camera moved sideways, to the right and upwards, in heights of the picture."""
+        height = 2 * self.distance * math.tan(FIELD_OF_VIEW / 2)
+        right, up, _ = self.axes
+        moved = np.array(self.centre) + height * (dx * right + dy * up) - np.array(self.home)
+        far = float(np.linalg.norm(moved))
+        moved *= min(1.0, MOST_PAN * self.radius / far) if far else 1.0
+        x, y, z = (np.array(self.home) + moved).tolist()
+        return replace(self, centre=(x, y, z))
+
+    def zoom(self, steps: float) -> "Camera":
+        """Give the camera so many steps nearer; negative ones go away."""
+        distance = self.distance * PER_STEP**steps
+        return replace(self, distance=min(max(distance, NEAREST * self.whole), FARTHEST * self.whole))
+
+    @property
+    def eye(self) -> NDArray[np.float64]:
+        """Where the camera is, shape (3,)."""
+        return np.array(self.centre) + self.distance * self.axes[2]
+
+    def matrix(self, aspect: float) -> Matrix:
+        """Give what takes points to a picture that is `aspect` times as wide as high.
+
+        Returns
+        -------
+        float32, shape (4, 4): OpenGL's clip coordinates are ``matrix @ (x, y, z, 1)``.
+        """
+        view = np.eye(4)
+        view[:3, :3] = np.stack(self.axes)
+        view[:3, 3] = -view[:3, :3] @ self.eye
+        return np.asarray(_perspective(aspect, self._near, self._far) @ view, np.float32)
+
+    @property
+    def _near(self) -> float:
+        return max(self.distance - 2 * self.radius, 0.01 * self.radius)
+
+    @property
+    def _far(self) -> float:
+        return self.distance + 3 * self.radius
+
+    @property
+    def axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Give the directions to the right, upwards, and towards the viewer."""
+        s, c, u, v = (f(a) for a in (self.azimuth, self.elevation) for f in (math.sin, math.cos))
+        back = np.array([s * v, u, c * v])
+        right = np.array([c, 0.0, -s])
+        return right, np.cross(back, right), back
+
+
+def _perspective(aspect: float, near: float, far: float) -> NDArray[np.float64]:
+    scale = 1 / math.tan(FIELD_OF_VIEW / 2)
+    tall = min(aspect, 1.0)
+    return np.array([
+        [scale * tall / aspect, 0, 0, 0],
+        [0, scale * tall, 0, 0],
+        [0, 0, (near + far) / (near - far), 2 * near * far / (near - far)],
+        [0, 0, -1, 0],
+    ])  # fmt: skip

@@ -1,0 +1,7 @@
+"""What can go wrong with pictures."""
+
+from engine.errors import EngineError
+
+
+class RenderingError(EngineError):
+    """A head cannot be drawn, or its picture cannot be written."""

@@ -1,0 +1,46 @@
+"""The programs that run on the graphics card, and how they are fed."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import moderngl
+import numpy as np
+
+from phonemeanalyser.rendering.errors import RenderingError
+
+SHADERS = Path(__file__).with_name("shaders")
+VERSION = "#version 330 core\n"
+
+
+def program_of(context: moderngl.Context, vertex: str, fragment: str) -> moderngl.Program:
+    """Build a program of a vertex and a fragment shader, which both know how the head turns.
+
+    Raises
+    ------
+    RenderingError : the graphics driver refuses it.
+    """
+    turned, *texts = [
+        (SHADERS / f"{name}.glsl").read_text() for name in ("turned", f"{vertex}_vertex", f"{fragment}_fragment")
+    ]
+    try:
+        return context.program(vertex_shader=VERSION + turned + texts[0], fragment_shader=VERSION + texts[1])
+    except moderngl.Error as error:
+        raise RenderingError(
+            f"the graphics driver refuses the program's shaders ({str(error).splitlines()[0]}); update the driver"
+        ) from error
+
+
+def fields_of(buffer: moderngl.Buffer, fields: Mapping[str, str], known: set[str]) -> tuple[Any, ...]:
+    """Say which attributes of a program a buffer's fields are; those that it does not use are skipped."""
+    layout = " ".join(kind if name in known else f"{4 * int(kind[0])}x" for name, kind in fields.items())
+    return (buffer, layout, *(name for name in fields if name in known))
+
+
+def set_uniforms(program: moderngl.Program, values: Mapping[str, Any]) -> None:
+    """Set those of some uniforms that a program uses; a matrix is given with its columns as rows."""
+    for name, value in values.items():
+        if name in program:
+            uniform = program[name]
+            assert isinstance(uniform, moderngl.Uniform)
+            uniform.write(np.ascontiguousarray(value, "f4").tobytes())

@@ -1,0 +1,202 @@
+"""Draws a head with OpenGL 3.3, in a window or into a picture."""
+
+import moderngl
+import numpy as np
+
+from engine.mouth.face import Figure
+from engine.mouth.head_motion import HeadPose
+from engine.mouth.mesh import Vectors
+from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.canvas import Canvas
+from phonemeanalyser.rendering.errors import RenderingError
+from phonemeanalyser.rendering.light import LIGHT, Light, Room, direction_of
+from phonemeanalyser.rendering.openness import openness_of
+from phonemeanalyser.rendering.programs import fields_of, program_of, set_uniforms
+from phonemeanalyser.rendering.surface import Surface, wetness_of
+from phonemeanalyser.rendering.turning import Neck, turn_of
+
+PROGRAMS = {
+    "head": ("head", "head"),
+    "wire": ("head", "wire"),
+    "plain": ("plain", "plain"),
+    "shadow": ("plain", "plain"),
+}
+"""The vertex and the fragment shader of each."""
+SHADOW = 384
+"""Pixels along the edge of the key light's shadow, unless told otherwise."""
+FILL, RIMS = (0.9, 0.1), ((2.35, 0.25), (-2.2, 0.35))
+"""Azimuth and elevation of the other lights, radians, as the viewer sees them."""
+INSIDE = (0.13, 0.055, 0.05)
+"""What is seen from its back, such as the cheeks through an open mouth."""
+LINES = ((0.10, 0.12, 0.16), (0.90, 0.92, 0.96))
+"""Wires on a bright and on a dark background."""
+LIFT = 0.01
+"""How far above the skin its shadow is looked up, as a share of the radius of all: skin casts none on itself."""
+SAMPLES = 4
+STILL = HeadPose()
+
+Colour = tuple[float, float, float]
+"""Red, green, blue in 0..1 (sRGB)."""
+
+
+def colour_of(text: str) -> Colour:
+    """Give the colour that #rrggbb stands for."""
+    red, green, blue = bytes.fromhex(text.removeprefix("#"))
+    return red / 255, green / 255, blue / 255
+
+
+class HeadRenderer:
+    """Draws a figure; lives as long as its context.
+
+    Parameters
+    ----------
+    context : of OpenGL 3.3 core or newer: ``moderngl.create_context(require=330)`` in a window.
+    figure : whose mesh is drawn.
+    samples : of each pixel, against jagged edges: it draws on a canvas of its own first, so a window needs none.
+    shadow : pixels along the edge of the key light's shadow; more make its edge sharper.
+
+    Raises
+    ------
+    RenderingError : the mesh has no triangles, or the graphics driver refuses the shaders.
+    """
+
+    def __init__(
+        self, context: moderngl.Context, figure: Figure, *, samples: int = SAMPLES, shadow: int = SHADOW
+    ) -> None:
+        self._context, self._mesh = context, figure.mesh
+        if not len(figure.mesh.triangles):
+            raise RenderingError("the mesh has no triangles, so there is nothing to be seen; choose another one")
+        self._room = Room.around(figure.mesh)
+        self._surface, self._neck = Surface(figure.mesh), Neck.of(figure.mesh)
+        self._canvas = Canvas(context, samples)
+        self._shadow = context.depth_texture((shadow, shadow))
+        self._shadow.compare_func, self._shadow.repeat_x, self._shadow.repeat_y = "<=", False, False
+        self._dark_room = context.framebuffer(depth_attachment=self._shadow)
+        self._moving = context.buffer(reserve=len(figure.mesh) * 24, dynamic=True)
+        self._looks = context.buffer(reserve=len(figure.mesh) * 20)
+        self._corners = context.buffer(figure.mesh.triangles.astype("u4").tobytes())
+        self._programs = {name: program_of(context, *shaders) for name, shaders in PROGRAMS.items()}
+        self._arrays = {name: self._array_of(program) for name, program in self._programs.items()}
+        self._look_at_mesh()
+
+    def draw(
+        self,
+        camera: Camera,
+        positions: Vectors,
+        pose: HeadPose = STILL,
+        *,
+        size: tuple[int, int],
+        background: Colour,
+        wireframe: bool = False,
+        light: Light = LIGHT,
+        target: moderngl.Framebuffer | None = None,
+    ) -> None:
+        """Draw one picture, over whatever was there.
+
+        Parameters
+        ----------
+        camera : where it is looked at from.
+        positions : float32, shape (n_vertices, 3): what `MovestateSet.morphed` gives.
+        pose : how the head is turned.
+        size : width and height, pixels of the framebuffer (not of the screen's logical ones).
+        background : behind the head.
+        wireframe : the edges of the triangles alone, those that nothing hides.
+        light : the light that it stands in.
+        target : what the picture goes to; the framebuffer that is bound, where it is None (right for a
+            QOpenGLWidget).
+
+        Raises
+        ------
+        RenderingError : the driver has no room for a picture of this size.
+        """
+        target = target or self._context.detect_framebuffer()
+        canvas = self._canvas.of(size)
+        self._move(positions)
+        self._set_uniforms(camera, pose, size, light, background)
+        self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
+        self._context.depth_func, self._context.cull_face = "<", "back"
+        if not wireframe:
+            self._cast_shadow()
+        canvas.use()
+        canvas.clear(*background, 1.0, depth=1.0)
+        if wireframe:
+            self._draw_wires(background)
+        else:
+            self._draw_skin()
+        self._context.copy_framebuffer(target, canvas)
+        target.use()
+
+    def release(self) -> None:
+        """Give everything back to the graphics driver; its context must be current."""
+        for array, program in zip(self._arrays.values(), self._programs.values(), strict=True):
+            array.release()
+            program.release()
+        for buffer in (self._corners, self._moving, self._looks):
+            buffer.release()
+        self._dark_room.release()
+        self._shadow.release()
+        self._canvas.release()
+
+    def _look_at_mesh(self) -> None:
+        """Find out what stays: colours, where it is wet, and how open it is to the light."""
+        mesh = self._mesh
+        self._move(mesh.positions)
+        self._context.enable_only(moderngl.DEPTH_TEST)
+        set_uniforms(
+            self._programs["shadow"], {"turn": np.eye(3), "pivot": self._neck.pivot, "stem": self._neck.stem}
+        )
+        openness = openness_of(self._context, self._arrays["shadow"], mesh)
+        looks = np.column_stack((np.square(mesh.colours), wetness_of(mesh), openness))
+        self._looks.write(looks.astype("f4").tobytes())
+
+    def _move(self, positions: Vectors) -> None:
+        moved = np.empty((len(positions), 6), np.float32)
+        moved[:, :3], moved[:, 3:] = positions, self._surface.normals(positions)
+        self._moving.write(moved)
+
+    def _cast_shadow(self) -> None:
+        self._dark_room.use()
+        self._dark_room.clear(depth=1.0)
+        self._arrays["shadow"].render()
+
+    def _draw_skin(self) -> None:
+        self._shadow.use(0)
+        self._arrays["head"].render()
+        self._context.cull_face = "front"
+        self._arrays["plain"].render()
+
+    def _draw_wires(self, background: Colour) -> None:
+        """Draw the edges that nothing hides: the skin itself has the colour of the background."""
+        set_uniforms(self._programs["plain"], {"paint": background})
+        self._context.polygon_offset = 1.0, 1.0
+        self._arrays["plain"].render()
+        self._context.polygon_offset = 0.0, 0.0
+        self._context.wireframe = True
+        self._arrays["wire"].render()
+        self._context.wireframe = False
+
+    def _array_of(self, program: moderngl.Program) -> moderngl.VertexArray:
+        buffers = [
+            (self._moving, {"in_position": "3f", "in_normal": "3f"}),
+            (self._looks, {"in_colour": "3f", "in_wetness": "1f", "in_openness": "1f"}),
+        ]
+        parts = [fields_of(buffer, fields, set(program)) for buffer, fields in buffers]
+        used = [part for part in parts if len(part) > 2]
+        return self._context.vertex_array(program, used, self._corners, index_element_size=4)
+
+    def _set_uniforms(
+        self, camera: Camera, pose: HeadPose, size: tuple[int, int], light: Light, background: Colour
+    ) -> None:
+        key = direction_of(camera, light.azimuth, light.elevation)
+        key_view, view = self._room.seen_from(key), camera.matrix(size[0] / size[1])
+        turning = {"turn": turn_of(pose).T, "pivot": self._neck.pivot, "stem": self._neck.stem}
+        lights = {
+            "key": key, "key_view": key_view.T, "fill": direction_of(camera, *FILL), "strength": light.strength,
+            "rims": [direction_of(camera, *rim) for rim in RIMS], "eye": camera.eye,
+            "texel": 1 / self._shadow.size[0], "lift": LIFT * self._room.radius,
+        }  # fmt: skip
+        seen = turning | {"camera": view.T}
+        set_uniforms(self._programs["head"], seen | lights)
+        set_uniforms(self._programs["plain"], seen | {"paint": INSIDE})
+        set_uniforms(self._programs["wire"], seen | {"paint": LINES[sum(background) < 1.5]})
+        set_uniforms(self._programs["shadow"], turning | {"camera": key_view.T})

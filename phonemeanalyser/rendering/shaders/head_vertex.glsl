@@ -1,0 +1,24 @@
+uniform mat4 camera;
+uniform mat4 key_view;
+uniform float lift; // how far above the skin its shadow is looked up
+
+in vec3 in_position;
+in vec3 in_normal;
+in vec3 in_colour; // linear
+in float in_wetness;
+in float in_openness;
+
+out vec3 point;
+out vec3 normal;
+out vec3 colour;
+out vec2 wet_and_open;
+out vec3 in_key;
+
+void main() {
+    point = turned(in_position);
+    normal = turned_normal(in_position, in_normal);
+    colour = in_colour;
+    wet_and_open = vec2(in_wetness, in_openness);
+    in_key = (key_view * vec4(point + lift * normal, 1.0)).xyz * 0.5 + 0.5;
+    gl_Position = camera * vec4(point, 1.0);
+}

@@ -1,0 +1,176 @@
+"""The page of the head: the head at the left, and what it does at the right."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QSplitter,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from phonemeanalyser.models.talking import Talking
+from phonemeanalyser.theme import Theme
+from phonemeanalyser.views.calibration_keys import HeldKeys
+from phonemeanalyser.views.head_view import HINT, LIGHT_STEP, HeadView
+from phonemeanalyser.views.status_line import ElidedLabel
+from phonemeanalyser.views.talk_bars import MovestateBars
+from phonemeanalyser.views.talk_choices import ChoicesPanel
+from phonemeanalyser.views.talk_heading import heading
+from phonemeanalyser.views.talk_heard import HeardChip
+from phonemeanalyser.views.talk_osc import OscPanel
+from phonemeanalyser.views.talk_visemes import VisemePanel
+
+PANEL_WIDTH = 480
+BARS_EVERY = 2
+"""The bars are drawn at every second picture."""
+
+
+class TalkPage(QWidget):
+    """Lays out head, mouth shapes, bars and choices.
+
+    Signals
+    -------
+    sound_asked, preset_asked : the user wants to open a sound, or to load phoneme data.
+
+    Attributes
+    ----------
+    keys : to be installed as an event filter of the window.
+    """
+
+    sound_asked = Signal()
+    preset_asked = Signal()
+
+    def __init__(self, talking: Talking, theme: Theme) -> None:
+        super().__init__()
+        self._talking = talking
+        self._theme = theme
+        self._ticks = 0
+        self.head = HeadView(talking, theme)
+        self.choices = ChoicesPanel(talking, theme)
+        self.visemes = VisemePanel(talking, theme)
+        self.bars = MovestateBars(talking, theme)
+        self.osc = OscPanel(talking.osc, theme)
+        self.keys = HeldKeys(talking, self)
+        self.open = _button("Load a Sound…", "Open a sound file for the head to say (Ctrl+O)")
+        self.play = _button("Play", "Play or pause (Space)")
+        self.stop = _button("Stop", "Stop (Escape)")
+        self.preset = _button("Load Phoneme Data…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")
+        self.wireframe = QCheckBox("wireframe")
+        self.wireframe.setToolTip("Draw the edges of the mesh alone (W)")
+        self.home = _button("⌂", "Look at the whole head from the front (Home, or a double click)")
+        self.light_left = _button("☀ ◂", "Move the light to the left (,)")
+        self.light_right = _button("▸", "Move the light to the right (.)")
+        self.said = ElidedLabel()
+        self.heard = HeardChip(talking, theme)
+        self._lay_out()
+        self._connect()
+        self._show_state()
+
+    def refresh(self) -> None:
+        """Show what changes by itself."""
+        self.head.refresh()
+        self._ticks += 1
+        if self._ticks % BARS_EVERY == 0:
+            self.bars.refresh()
+            self.heard.refresh()
+            self.osc.refresh()
+
+    def _connect(self) -> None:
+        session = self._talking.session
+        self.open.clicked.connect(lambda _checked: self.sound_asked.emit())
+        self.preset.clicked.connect(lambda _checked: self.preset_asked.emit())
+        self.play.clicked.connect(lambda _checked: session.toggle())
+        self.stop.clicked.connect(lambda _checked: session.stop())
+        self.home.clicked.connect(lambda _checked: self.head.go_home())
+        self.wireframe.toggled.connect(lambda on: self.head.look(wireframe=on))
+        self.light_left.clicked.connect(lambda _checked: self.head.move_light(-LIGHT_STEP))
+        self.light_right.clicked.connect(lambda _checked: self.head.move_light(LIGHT_STEP))
+        self.head.looked.connect(lambda: self.wireframe.setChecked(self.head.wireframe))
+        session.transport_changed.connect(self._show_state)
+        session.opened.connect(self._show_state)
+
+    def _show_state(self) -> None:
+        session = self._talking.session
+        self.play.setText("Pause" if session.playing else "Play")
+        self.said.setText(session.name)
+        self.said.setToolTip(f"{session.name}: {session.description}")
+
+    def _lay_out(self) -> None:
+        left = QWidget()
+        column = QVBoxLayout(left)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.head, 1)
+        column.addLayout(self._row_below())
+        split = QSplitter(Qt.Orientation.Horizontal)
+        split.addWidget(left)
+        split.addWidget(self._panel())
+        split.setStretchFactor(0, 1)
+        split.setStretchFactor(1, 0)
+        split.setSizes([10_000, PANEL_WIDTH])
+        split.setChildrenCollapsible(False)
+        whole = QHBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(split)
+
+    def _row_below(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setContentsMargins(8, 5, 8, 5)
+        row.setSpacing(6)
+        for button in (self.open, self.play, self.stop, self.preset):
+            row.addWidget(button)
+        row.addWidget(self.heard)
+        row.addWidget(self.said, 1)
+        for widget in (self.wireframe, self.light_left, self.light_right, self.home):
+            row.addWidget(widget)
+        return row
+
+    def _panel(self) -> QWidget:
+        body = QWidget()
+        column = QVBoxLayout(body)
+        column.setContentsMargins(10, 8, 10, 8)
+        column.setSpacing(8)
+        parts: tuple[tuple[QWidget, ...], ...] = (
+            (self.choices,), (self.visemes,), (heading("Movestates"), self.bars), (heading("Network"), self.osc),
+        )  # fmt: skip
+        for k, part in enumerate(parts):
+            if k:
+                column.addWidget(_line(self._theme))
+            for widget in part:
+                column.addWidget(widget)
+        column.addStretch(1)
+        hint = QLabel(f"{HINT}.")
+        hint.setWordWrap(True)
+        hint.setStyleSheet(f"color: {self._theme.faint}")
+        column.addWidget(hint)
+        scroll = QScrollArea()
+        scroll.setWidget(body)
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setMinimumWidth(360)
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        scroll.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
+        return scroll
+
+
+def _line(theme: Theme) -> QFrame:
+    line = QFrame()
+    line.setFixedHeight(1)
+    line.setStyleSheet(f"background: {theme.line}")
+    return line
+
+
+def _button(text: str, tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
+    button.setToolTip(tip)
+    button.setAccessibleName(tip)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    return button

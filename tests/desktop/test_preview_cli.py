@@ -1,0 +1,243 @@
+"""`phonemeanalyser preview`: a sound file in, a head that says it out."""
+
+import importlib
+from pathlib import Path
+
+import av
+import numpy as np
+import pytest
+import soundfile
+from PIL import Image
+
+from engine.mouth.face import Figure, face_of
+from engine.mouth.files.opening import save_face
+from engine.mouth.names import ARKIT
+from engine.mouth.table import TABLES
+from engine.settings import SAMPLE_RATE
+from phonemeanalyser.cli import main
+from phonemeanalyser.rendering import films
+from tests.glb_faces import face_with_targets
+from tests.graphics import context_or_skip
+from tests.meshes import CUBE_OBJ, figure_of_cube
+from tests.sounds import silence
+from tests.tables import refused
+
+SMALL = ("--size", "64x48", "--fps", "20")
+N_FRAMES = 18
+"""Of the 0.85 s of speech at 20 fps: 0, 1/20, ... 17/20."""
+
+
+@pytest.fixture(autouse=True)
+def _graphics() -> None:
+    context_or_skip().release()
+
+
+def pictures(folder: Path) -> np.ndarray:
+    return np.stack([np.asarray(Image.open(path)) for path in sorted(folder.iterdir())])
+
+
+def shot(sound: Path, out: Path, *words: object) -> np.ndarray:
+    assert main(["preview", str(sound), "-o", str(out), *SMALL, *(str(word) for word in words)]) == 0
+    return pictures(out)
+
+
+def test_a_film_is_as_long_as_the_sound_and_has_it(sound: Path, tmp_path: Path):
+    assert main(["preview", str(sound), "-o", str(tmp_path / "new" / "film.mp4"), *SMALL]) == 0
+    with av.open(tmp_path / "new" / "film.mp4") as film:
+        (video,), (audio,) = film.streams.video, film.streams.audio
+        assert (video.width, video.height, float(video.average_rate)) == (64, 48, 20)
+        assert (audio.rate, audio.layout.name) == (SAMPLE_RATE, "mono")
+        frames = list(film.decode(video))
+    assert len(frames) == N_FRAMES
+    assert [float(frame.pts * frame.time_base) for frame in frames] == pytest.approx(np.arange(N_FRAMES) / 20)
+    with av.open(tmp_path / "new" / "film.mp4") as film:
+        heard = np.concatenate([frame.to_ndarray()[0] for frame in film.decode(audio=0)])
+    speech = soundfile.read(sound, dtype="float32")[0]
+    n = min(len(heard), len(speech))
+    assert abs(len(heard) - len(speech)) <= 2048
+    assert np.corrcoef(heard[:n], speech[:n])[0, 1] > 0.9
+
+
+def test_both_sides_of_a_stereo_sound_are_in_the_film(stereo: Path, tmp_path: Path):
+    assert main(["preview", str(stereo), "-o", str(tmp_path / "film.mp4"), *SMALL]) == 0
+    with av.open(tmp_path / "film.mp4") as film:
+        assert film.streams.audio[0].layout.name == "stereo"
+        left, right = np.concatenate([frame.to_ndarray() for frame in film.decode(audio=0)], axis=1)
+    assert np.square(right).mean() < 0.01 * np.square(left).mean()
+
+
+def test_a_gif_keeps_the_time_of_the_sound(sound: Path, tmp_path: Path):
+    out = tmp_path / "film.GIF"
+    assert main(["preview", str(sound), "-o", str(out), "--size", "48x48", "--fps", "30"]) == 0
+    with Image.open(out) as film:
+        assert film.size == (48, 48)
+        assert film.n_frames > 10
+        total = 0
+        for frame in range(film.n_frames):
+            film.seek(frame)
+            total += film.info["duration"]
+    assert total == pytest.approx(26 / 30 * 1000, abs=10)
+
+
+def test_blue_eyes_stay_blue_in_a_gif(tmp_path: Path):
+    soundfile.write(tmp_path / "silence.wav", silence(0.1), SAMPLE_RATE)
+    words = ("--size", "200x200", "--fps", "5", "--no-blinks")
+    assert main(["preview", str(tmp_path / "silence.wav"), "-o", str(tmp_path / "a.gif"), *words]) == 0
+    assert main(["preview", str(tmp_path / "silence.wav"), "-o", str(tmp_path / "a"), *words]) == 0
+    true = pictures(tmp_path / "a")[0].astype(int)
+    blue = true[..., 2] > true[..., 0] + 20
+    with Image.open(tmp_path / "a.gif") as film:
+        near = np.asarray(film.convert("RGB")).astype(int)
+    assert blue.sum() > 20
+    assert np.mean(near[blue, 2] > near[blue, 0] + 8) > 0.8
+    assert np.abs(near - true).mean() < 2
+
+
+def test_a_folder_gets_a_picture_of_every_frame_and_the_mouth_moves(sound: Path, tmp_path: Path):
+    frames = shot(sound, tmp_path / "out", "--no-blinks", "--no-head")
+    assert frames.shape == (N_FRAMES, 48, 64, 3)
+    assert sorted(path.name for path in (tmp_path / "out").iterdir())[::17] == ["000000.png", "000017.png"]
+    moving = np.ptp(frames.astype(int), axis=0).max(axis=2) > 30
+    rows, columns = np.argwhere(moving).T
+    assert moving.sum() > 5
+    assert rows.min() > 21
+    assert 20 < columns.mean() < 34, "the mouth is in the middle, or a little to the left: the camera is aside"
+
+
+def test_the_same_seed_gives_the_same_face_and_another_one_another(sound: Path, tmp_path: Path):
+    one, same = (shot(sound, tmp_path / name, "--seed", 5) for name in ("a", "b"))
+    assert np.array_equal(one, same)
+    assert not np.array_equal(one, shot(sound, tmp_path / "c", "--seed", 6))
+
+
+def test_in_silence_a_face_without_life_stays_still(tmp_path: Path):
+    soundfile.write(tmp_path / "silence.wav", silence(0.4), SAMPLE_RATE)
+    still = shot(tmp_path / "silence.wav", tmp_path / "still", "--no-blinks", "--no-head")
+    assert np.ptp(still.astype(int), axis=0).max() == 0
+    alive = shot(tmp_path / "silence.wav", tmp_path / "alive", "--size", "200x200")
+    assert np.ptp(alive.astype(int), axis=0).max() > 20
+
+
+def test_the_theme_colours_the_background(sound: Path, tmp_path: Path):
+    light, dark = (shot(sound, tmp_path / theme, "--theme", theme)[:, 0, 0] for theme in ("light", "dark"))
+    assert np.unique(light, axis=0).shape == np.unique(dark, axis=0).shape == (1, 3)
+    assert light.min() > 200
+    assert dark.max() < 60
+
+
+def test_a_face_of_ones_own_is_moved_by_its_own_movestates(sound: Path, tmp_path: Path):
+    (tmp_path / "face.glb").write_bytes(face_with_targets(ARKIT))
+    frames = shot(sound, tmp_path / "out", "--mesh", tmp_path / "face.glb", "--no-head")
+    assert frames.shape == (N_FRAMES, 48, 64, 3)
+
+
+def test_a_mesh_is_moved_by_a_file_of_movestates(sound: Path, tmp_path: Path):
+    cube = figure_of_cube()
+    (tmp_path / "cube.obj").write_bytes(CUBE_OBJ)
+    save_face(face_of(cube.mesh, cube.states), tmp_path / "cube.3dm")
+    table = (TABLES / "vrm.toml").read_text(encoding="utf-8")
+    table = table.replace('movestates = "vrm"', 'movestates = ["lid up", "A", "I", "U", "E", "O"]')
+    (tmp_path / "lid.toml").write_text(table.replace("A =", '"lid up" ='), encoding="utf-8")
+    words = ("--mesh", tmp_path / "cube.obj", "--movestates", tmp_path / "cube.3dm", "--table", tmp_path / "lid.toml")
+    frames = shot(sound, tmp_path / "out", *words, "--no-head")
+    assert np.ptp(frames.astype(int), axis=0).max() > 60
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("-o", "a.avi"), "a.avi: a preview is an .mp4, a .gif or a folder; name one of them with -o"),
+        (("-o", "a.mp4", "--size", "65x48"), "an .mp4 has an even width and height, got 65x48; choose another size"),
+        (
+            ("-o", "a.gif", "--fps", "60"),
+            "a .gif shows at most 50 frames per second, got 60; choose fewer, or an .mp4",
+        ),
+        (("-o", "a", "--fps", "0"), "the frame rate must lie in 1..240 frames per second, got 0; choose another"),
+        (("-o", "a", "--fps", "nan"), "the frame rate must lie in 1..240 frames per second, got nan; choose another"),
+        (("-o", "full"), "full: this folder is not empty; name another one for the pictures"),
+        (("-o", "full/mine/a"), "full/mine/a: cannot be written ("),
+        (("-o", "full/mine/a.mp4"), "full/mine/a.mp4: cannot be written ("),
+        (("-o", "a", "--table", "gone"), "gone: there is no such mouth table; name a file, or one of"),
+        (("-o", "a", "--preset", "gone.toml"), "gone.toml: cannot be read"),
+        (("-o", "a", "--mesh", "gone.obj"), "gone.obj: cannot be read (No such file or directory); check the file"),
+        (("-o", "a", "--movestates", "f.3dm"), "f.3dm: movestates move a mesh of their own; name it with --mesh"),
+        (("-o", "a", "--mesh", "cube.obj"), "cube.obj: there are no morph targets in it; name its movestates with"),
+        (
+            ("-o", "a", "--mesh", "cube.obj", "--movestates", "cube.3dm"),
+            "the mesh has none of the table's movestates",
+        ),
+    ],
+)
+def test_what_cannot_be_done_is_said_in_one_sentence(
+    words: tuple[str, ...], sentence: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full" / "mine").write_text("mine")
+    (tmp_path / "cube.obj").write_bytes(CUBE_OBJ)
+    cube: Figure = figure_of_cube()
+    save_face(face_of(cube.mesh, cube.states), tmp_path / "cube.3dm")
+    assert refused(capsys, "preview", sound, *words, *(() if "--fps" in words else ("--fps", "5"))).startswith(
+        sentence
+    )
+    assert not [path for path in tmp_path.rglob("*") if path.suffix in {".part", ".mp4", ".gif"}]
+    assert (tmp_path / "full" / "mine").read_text() == "mine"
+
+
+def test_no_sound_no_preview(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    (tmp_path / "a.wav").write_bytes(b"no sound at all")
+    assert refused(capsys, "preview", tmp_path / "a.wav", "-o", tmp_path / "a.mp4").startswith("a.wav: ")
+    assert refused(capsys, "preview", tmp_path / "b.wav", "-o", tmp_path / "b.mp4").startswith("b.wav: ")
+    assert not list(tmp_path.glob("*.mp4"))
+
+
+def test_a_sound_that_is_too_long_for_a_gif_is_said_before_the_work(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(films, "LONGEST_GIF", 10)
+    soundfile.write(tmp_path / "long.wav", silence(1.0), SAMPLE_RATE)
+    said = refused(capsys, "preview", tmp_path / "long.wav", "-o", tmp_path / "a.gif")
+    assert said == "a .gif holds at most 10 frames, this would have 31; choose fewer, or an .mp4"
+
+
+def test_without_the_library_for_films_a_folder_is_offered(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+):
+    def missing() -> None:
+        raise ModuleNotFoundError("No module named 'av'")
+
+    monkeypatch.setattr(films, "_av", missing)
+    said = refused(capsys, "preview", sound, "-o", tmp_path / "film.mp4")
+    assert said == (
+        "an .mp4 needs the package av, which cannot be loaded (No module named 'av'); install it with: "
+        "pip install 'phonemeanalyser[preview]', or name a .gif or a folder"
+    )
+
+
+def test_without_the_packages_of_previews_one_sentence_says_which_extra_has_them(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+):
+    real = importlib.import_module
+
+    def missing(name: str, package: str | None = None) -> object:
+        if name == "phonemeanalyser.preview":
+            raise ModuleNotFoundError("No module named 'moderngl'")
+        return real(name, package)
+
+    monkeypatch.setattr(importlib, "import_module", missing)
+    said = refused(capsys, "preview", sound, "-o", tmp_path / "a")
+    assert said == (
+        "previews need packages that cannot be loaded (No module named 'moderngl'); install them with: pip install "
+        "'phonemeanalyser[preview]'"
+    )
+
+
+@pytest.mark.parametrize(
+    "words", [[], ["a.wav"], ["a.wav", "-o", "a", "--size", "8x8"], ["a.wav", "-o", "a", "--size", "big"]]
+)
+def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(["preview", *words])
+    assert end.value.code == 2
+    assert capsys.readouterr().err.startswith("usage: phonemeanalyser preview")

@@ -1,0 +1,272 @@
+"""The renderer: what a head looks like is known from optics, before any picture is taken."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.ndimage import binary_fill_holes
+
+from engine.errors import EngineError
+from engine.mouth.face import Figure
+from engine.mouth.head import load_head
+from engine.mouth.head_motion import HeadPose
+from engine.mouth.mesh import Vectors, mesh_of
+from engine.mouth.movestate_set import MovestateSet
+from engine.mouth.table import load_table
+from engine.phonemes import Phoneme
+from phonemeanalyser.rendering import pictures
+from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.errors import RenderingError
+from phonemeanalyser.rendering.light import Light
+from phonemeanalyser.rendering.pictures import Photographer, offscreen_context
+from phonemeanalyser.rendering.renderer import HeadRenderer, colour_of
+from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined, photographer, seen
+from tests.meshes import cube, figure_of_cube
+
+__all__ = ["context", "photographer"]  # fixtures
+Hire = Callable[..., Photographer]
+
+
+@pytest.fixture(scope="module")
+def head() -> Figure:
+    return load_head()
+
+
+def saying(head: Figure, phoneme: Phoneme) -> Vectors:
+    table, face = load_table("arkit"), MovestateSet(head.mesh, head.states)
+    shape = table.weights()[phoneme] * 100
+    face.set_percentages(dict(zip(table.movestates, shape.tolist(), strict=True)))
+    return face.morphed()
+
+
+def darkness(picture: Picture, part: tuple[slice, slice]) -> int:
+    return int((picture[part].max(axis=2) < 90).sum())
+
+
+def irises(picture: Picture) -> NDArray[np.int_]:
+    """Rows and columns of blue pixels, of which a face has none but there, shape (n, 2)."""
+    red, _, blue = (picture[..., k].astype(int) for k in range(3))
+    return np.argwhere((blue > red + 12) & seen(picture))
+
+
+def test_closed_lips_hide_the_dark_of_the_mouth_and_open_ones_show_it(head: Figure, photographer: Hire):
+    camera = Camera.facing(head.mesh)
+    shown = {
+        phoneme: photographer(head).picture(camera, saying(head, phoneme), background=LIGHT)
+        for phoneme in (Phoneme.SILENCE, Phoneme.M, Phoneme.E, Phoneme.A)
+    }
+    mouth = slice(140, 190), slice(90, 150)
+    dark = {phoneme: darkness(picture, mouth) for phoneme, picture in shown.items()}
+    assert dark[Phoneme.A] > 1.2 * dark[Phoneme.E] > 0
+    assert dark[Phoneme.E] > 4 * max(dark[Phoneme.M], dark[Phoneme.SILENCE])
+    forehead = slice(0, 70)
+    assert np.array_equal(shown[Phoneme.M][forehead], shown[Phoneme.SILENCE][forehead])
+
+
+def test_from_the_other_side_the_head_is_its_mirror_image(head: Figure, photographer: Hire):
+    camera, shown = Camera.facing(head.mesh), []
+    for side in (1, -1):
+        picture = photographer(head).picture(camera.orbit(side * 0.7, 0.1), head.mesh.positions, background=DARK)
+        shown.append(seen(picture))
+    right, left = shown[0], shown[1][:, ::-1]
+    assert (right & left).sum() > 0.985 * (right | left).sum()
+    assert (right & left[:, ::-1]).sum() < 0.9 * (right | left[:, ::-1]).sum()
+
+
+def test_nobody_looks_through_an_open_mouth(head: Figure, photographer: Hire):
+    positions, camera = saying(head, Phoneme.A), Camera.facing(head.mesh).zoom(6)
+    hired = photographer(head, (320, 320))
+    for azimuth in (-1.2, -0.6, 0.0, 0.6, 1.2):
+        for elevation in (-0.5, 0.0, 0.5):
+            picture = hired.picture(camera.orbit(azimuth, elevation), positions, background=MAGENTA)
+            head_alone = np.any(picture != (255, 0, 255), axis=2)
+            face = slice(120, 280), slice(40, 280)
+            assert np.array_equal(binary_fill_holes(head_alone)[face], head_alone[face])
+
+
+def test_wires_let_the_background_through_and_reach_no_farther_than_the_skin(head: Figure, photographer: Hire):
+    hired, camera = photographer(head, (640, 640)), Camera.facing(head.mesh)
+    skin, wires = (
+        seen(hired.picture(camera, head.mesh.positions, background=LIGHT, wireframe=wireframe))
+        for wireframe in (False, True)
+    )
+    assert 0.2 * skin.sum() < wires.sum() < 0.95 * skin.sum()
+    assert (wires & ~skin).sum() < 0.02 * skin.sum()
+
+
+@pytest.mark.parametrize("size", [(16, 16), (101, 57), (57, 101), (640, 480)])
+def test_a_picture_has_the_size_that_was_asked_for_and_all_of_the_head(
+    size: tuple[int, int], head: Figure, photographer: Hire
+):
+    picture = photographer(head, size).picture(Camera.facing(head.mesh), head.mesh.positions, background=DARK)
+    assert picture.shape == (size[1], size[0], 3)
+    shown = seen(picture)
+    edges = np.concatenate((shown[0], shown[-1], shown[:, 0], shown[:, -1]))
+    assert not edges.any()
+    rows, columns = np.argwhere(shown).T
+    assert max(np.ptp(rows) / size[1], np.ptp(columns) / size[0]) > 0.45
+
+
+@pytest.mark.parametrize("colour", ["#1f2228", "#f3f4f6", "#000000", "#ffffff"])
+def test_the_background_has_exactly_the_colour_of_the_theme(colour: str, head: Figure, photographer: Hire):
+    picture = photographer(head, (64, 64)).picture(
+        Camera.facing(head.mesh), head.mesh.positions, background=colour_of(colour)
+    )
+    assert bytes(picture[0, 0]).hex() == bytes(picture[-1, -1]).hex() == colour[1:]
+
+
+def test_the_same_head_looks_the_same_in_every_picture(head: Figure, photographer: Hire):
+    camera, positions = Camera.facing(head.mesh).orbit(0.3, 0.1), saying(head, Phoneme.O)
+    hired = photographer(head)
+    first = hired.picture(camera, positions, background=DARK)
+    other = hired.picture(camera, saying(head, Phoneme.I), background=DARK)
+    again = hired.picture(camera, saying(head, Phoneme.O), background=DARK)
+    assert np.array_equal(first, again)
+    assert np.array_equal(first, photographer(head).picture(camera, positions, background=DARK))
+    assert not np.array_equal(first, other)
+
+
+@pytest.mark.parametrize(
+    ("pose", "axis", "sign"),
+    [(HeadPose(yaw=15), 1, 1), (HeadPose(yaw=-15), 1, -1), (HeadPose(pitch=12), 0, -1), (HeadPose(pitch=-12), 0, 1)],
+)
+def test_a_head_that_turns_takes_its_eyes_along(
+    pose: HeadPose, axis: int, sign: int, head: Figure, photographer: Hire
+):
+    hired, camera = photographer(head), Camera.facing(head.mesh)
+    ahead, turned = (
+        irises(hired.picture(camera, head.mesh.positions, how, background=LIGHT)).mean(axis=0)
+        for how in (HeadPose(), pose)
+    )
+    assert sign * (turned - ahead)[axis] > 5
+
+
+def test_a_head_that_rolls_to_its_left_shoulder_lowers_its_left_eye(head: Figure, photographer: Hire):
+    camera = Camera.facing(head.mesh)
+    picture = photographer(head).picture(camera, head.mesh.positions, HeadPose(roll=12), background=LIGHT)
+    rows, columns = irises(picture).T
+    left_eye = columns > columns.mean()  # it is on the viewer's right
+    assert rows[left_eye].mean() > rows[~left_eye].mean() + 5
+
+
+def test_the_neck_stays_where_it_is_when_the_head_turns(head: Figure, photographer: Hire):
+    hired, camera = photographer(head), Camera.facing(head.mesh)
+    ahead, turned = (
+        seen(hired.picture(camera, head.mesh.positions, how, background=LIGHT))
+        for how in (HeadPose(), HeadPose(15, 8, 5))
+    )
+    lowest = slice(int(np.argwhere(ahead)[:, 0].max()) - 4, None)
+    assert (ahead[lowest] != turned[lowest]).sum() <= 0.03 * ahead[lowest].sum()
+    assert (ahead != turned).sum() > 0.03 * ahead.sum()
+
+
+@pytest.mark.parametrize("azimuth", [-1.2, 1.2])
+def test_the_side_that_the_light_comes_from_is_the_bright_one(azimuth: float, photographer: Hire):
+    hired = photographer(Figure(ball()))
+    camera = Camera.facing(ball())
+    picture = hired.picture(camera, ball().positions, background=DARK, light=Light(azimuth, 0.0)).astype(float)
+    left, right = picture[60:180, 60:120].mean(), picture[60:180, 120:180].mean()
+    assert (right - left) * azimuth > 10
+
+
+def test_without_light_everything_is_black_but_the_background(photographer: Hire):
+    picture = photographer(Figure(ball())).picture(
+        Camera.facing(ball()), ball().positions, background=LIGHT, light=Light(strength=0.0)
+    )
+    assert picture[120, 120].max() == 0
+    assert picture[0, 0].min() > 200
+
+
+def test_what_stands_in_the_light_casts_a_shadow(photographer: Hire):
+    """A small ball between a large one and the light; the camera looks past it."""
+    large, small = ball(), ball(0.2)
+    scene = joined(large, replace(small, positions=small.positions + np.float32((0.0, 0.0, 1.6))))
+    aside = scene.positions.copy()
+    aside[len(large) :] -= np.float32((0.0, 0.0, 3.4))
+    camera, light = replace(Camera.facing(large), azimuth=0.9), Light(azimuth=-0.9, elevation=0.0)
+    hired = photographer(Figure(scene))
+    shadowed, plain = (
+        hired.picture(camera, positions, background=DARK, light=light).astype(int).sum(axis=2)
+        for positions in (scene.positions, aside)
+    )
+    alone = seen(photographer(Figure(large)).picture(camera, large.positions, background=DARK))
+    rows, columns = np.argwhere(alone & (plain - shadowed > 60)).T
+    middle, radius = 119.5, np.ptp(np.argwhere(alone)[:, 0]) / 2
+    assert len(rows) > 100
+    assert rows.mean() == pytest.approx(middle, abs=3)
+    assert columns.mean() == pytest.approx(middle - radius * math.sin(0.9), abs=0.15 * radius)
+
+
+def test_what_is_seen_from_its_back_is_dark(photographer: Hire):
+    """A box without its front: its inside is seen, and it is neither the background nor in the light."""
+    whole = cube()
+    box = mesh_of(whole.positions, whole.triangles[2:])
+    picture = photographer(Figure(box), (120, 120)).picture(Camera.facing(box), box.positions, background=MAGENTA)
+    assert picture[60, 60].max() < 50
+    closed = photographer(Figure(whole), (120, 120)).picture(
+        Camera.facing(whole), whole.positions, background=MAGENTA
+    )
+    assert closed[60, 60].min() > 120
+
+
+def test_any_mesh_can_be_drawn_from_any_side(photographer: Hire):
+    figure = figure_of_cube()
+    camera = Camera.facing(figure.mesh)
+    hired = photographer(figure, (120, 120))
+    areas = [
+        int(seen(hired.picture(camera.orbit(azimuth, elevation), figure.mesh.positions, background=DARK)).sum())
+        for azimuth in (0.0, math.pi / 2, math.pi)
+        for elevation in (-1.4, 0.0, 1.4)
+    ]
+    assert min(areas) > 0.5 * max(areas) > 1000
+
+
+def test_a_renderer_leaves_its_framebuffer_bound_and_can_be_made_again(context, head: Figure):
+    camera = Camera.facing(head.mesh)
+    for size in ((50, 40), (80, 80)):
+        target = context.framebuffer(context.renderbuffer(size, 4))
+        renderer = HeadRenderer(context, head, samples=0)
+        target.use()
+        renderer.draw(camera, head.mesh.positions, size=size, background=MAGENTA)
+        picture = np.frombuffer(target.read(components=3, alignment=1), np.uint8).reshape(size[1], size[0], 3)
+        assert picture[0, 0].tolist() == [255, 0, 255]
+        assert seen(picture).sum() > 100
+        assert context.error == "GL_NO_ERROR"
+        renderer.release()
+
+
+def test_a_mesh_without_triangles_is_refused(photographer: Hire):
+    with pytest.raises(RenderingError, match="the mesh has no triangles, so there is nothing to be seen"):
+        photographer(Figure(mesh_of([(0, 0, 0), (1, 1, 1)])))
+
+
+@pytest.mark.parametrize("scale", [1e-4, 1e5])
+def test_the_unit_of_a_mesh_does_not_matter(scale: float, head: Figure, photographer: Hire):
+    mesh = head.mesh
+    other = mesh_of(mesh.positions * np.float32(scale), mesh.triangles, colours=mesh.colours)
+    shown = [
+        photographer(Figure(one)).picture(Camera.facing(one).orbit(0.4, 0.0), one.positions, background=DARK)
+        for one in (mesh, other)
+    ]
+    assert np.mean(np.abs(shown[0].astype(int) - shown[1]) > 8) < 0.01
+
+
+def test_a_picture_too_large_for_the_driver_is_refused_in_one_sentence(head: Figure, photographer: Hire):
+    with pytest.raises(RenderingError, match=r"make them smaller$"):
+        photographer(head, (200_000, 200_000))
+
+
+def test_a_machine_without_opengl_is_told_in_one_sentence(monkeypatch: pytest.MonkeyPatch):
+    def fail(**_kinds: object) -> None:
+        raise Exception("libEGL.so.1 not loaded\nand more")
+
+    monkeypatch.setattr(pictures.moderngl, "create_context", fail)
+    with pytest.raises(
+        RenderingError, match=r"there is none \(libEGL.so.1 not loaded\); install a graphics"
+    ) as caught:
+        offscreen_context()
+    assert isinstance(caught.value, EngineError)
+    assert "\n" not in str(caught.value)

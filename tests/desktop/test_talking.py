@@ -1,0 +1,346 @@
+"""The talking head without a window: it says what is heard, in step with the sound."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from engine.mouth.face import Face
+from engine.mouth.files.opening import save_face
+from engine.mouth.head import load_head
+from engine.mouth.head_motion import HeadPose
+from engine.mouth.morpher import Detail
+from engine.mouth.movestate import movestate_of
+from engine.phonemes import Phoneme
+from engine.tones import Tone, ToneKind
+from phonemeanalyser.models.session import Session, Source
+from phonemeanalyser.models.talking_face import FaceFiles
+from tests.desktop.sessions import settled
+from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
+from tests.glb_faces import face_with_targets
+from tests.osc_receiver import Receiver
+from tests.outputs import Outputs
+
+
+@pytest.fixture
+def stage(session: Session, outputs: Outputs, qtbot: QtBot, tmp_path: Path) -> Iterator[Stage]:
+    stage = Stage(session, outputs, qtbot)
+    stage.open(tmp_path)
+    stage.look()
+    yield stage
+    stage.talking.close()
+
+
+@pytest.fixture
+def receiver() -> Iterator[Receiver]:
+    receiver = Receiver()
+    yield receiver
+    receiver.close()
+
+
+# -- in step with the sound ---------------------------------------------------------------------------
+
+
+def test_the_mouth_opens_for_an_a_and_silence_closes_it(stage: Stage) -> None:
+    opened: dict[float, float] = {}
+    stage.play(10, lambda: opened.update({stage.session.position: stage.jaw}))
+    stage.wait(0.5)
+    assert max(jaw for at, jaw in opened.items() if 0 < at < BEGINS - 0.15) < 1
+    assert max(jaw for at, jaw in opened.items() if BEGINS + 0.15 < at < ENDS) > 20
+    assert stage.jaw < 1
+
+
+def test_a_vowel_of_a_file_moves_the_mouth_before_it_is_heard(stage: Stage) -> None:
+    early: list[float] = []
+    stage.play(1.0, lambda: early.append(stage.jaw) if not stage.said_an_a else None)
+    assert early[-1] > 1
+    assert stage.said_an_a
+
+
+def test_what_is_live_moves_the_mouth_when_it_is_heard(stage: Stage) -> None:
+    stage.session.set_tone(Tone(kind=ToneKind.VOWEL))
+    stage.session.set_source(Source.TONE)
+    before: list[float] = []
+    stage.play(0.6, lambda: before.append(stage.jaw) if not stage.said_an_a else None)
+    assert stage.said_an_a
+    assert max(before, default=0.0) < 1
+    assert stage.jaw > 15
+
+
+def test_the_mouth_closes_when_nothing_live_comes_any_more(stage: Stage) -> None:
+    stage.session.set_tone(Tone(kind=ToneKind.VOWEL))
+    stage.session.set_source(Source.TONE)
+    stage.play(0.6)
+    stage.session.pause()
+    stage.wait(1.0)
+    assert stage.jaw < 1
+
+
+def test_a_pause_holds_the_mouth_and_stop_closes_it(stage: Stage, qtbot: QtBot) -> None:
+    stage.play(0.9)
+    stage.session.pause()
+    stage.wait(1.0)
+    assert stage.jaw > 15
+    stage.session.stop()
+    settled(stage.session, qtbot)
+    stage.wait(0.5)
+    assert stage.jaw < 1
+
+
+def test_a_place_in_the_file_shows_the_mouth_that_says_it(stage: Stage, qtbot: QtBot) -> None:
+    for place, opened in ((0.9, True), (0.3, False), (1.0, True)):
+        stage.session.seek(place)
+        settled(stage.session, qtbot)
+        stage.wait(0.05)
+        assert (stage.jaw > 15) is opened, place
+
+
+def test_a_sound_that_goes_on_elsewhere_is_followed_there(stage: Stage, qtbot: QtBot) -> None:
+    stage.play(0.2)
+    stage.session.seek(0.7)
+    settled(stage.session, qtbot)
+    stage.play(0.3)
+    assert stage.jaw > 15
+
+
+def test_a_loop_is_followed_around(stage: Stage) -> None:
+    stage.session.set_loop(True)
+    opened: list[float] = []
+    stage.play(1.7)
+    stage.play(1.0, lambda: opened.append(stage.jaw))
+    assert max(opened) > 20
+
+
+def test_nothing_is_moved_while_nobody_looks(
+    session: Session, outputs: Outputs, qtbot: QtBot, tmp_path: Path
+) -> None:
+    stage = Stage(session, outputs, qtbot)
+    stage.open(tmp_path)
+    stage.play(0.9)
+    assert stage.talking.face.figure is None
+    assert stage.talking.revision == 0
+    stage.look()
+    stage.play(0.1)
+    assert stage.jaw > 5
+    stage.talking.close()
+
+
+# -- how it moves -------------------------------------------------------------------------------------
+
+
+def test_a_held_shape_and_a_slider_win_over_the_speech(stage: Stage) -> None:
+    stage.play(0.9)
+    stage.talking.press(Phoneme.U)
+    stage.wait(0.4)
+    assert stage.talking.percentages["mouthPucker"] > 50
+    held = stage.jaw
+    stage.talking.release()
+    stage.talking.ask("a", 0.5)
+    stage.wait(0.4)
+    half = stage.jaw
+    stage.talking.ask("a", 1.0)
+    stage.wait(0.4)
+    assert stage.jaw == pytest.approx(2 * half, rel=0.02)
+    assert held < half
+    stage.talking.ask_nothing()
+    stage.session.pause()
+    stage.wait(0.6)
+    assert stage.talking.percentages["mouthPucker"] < 5
+
+
+def test_a_shape_is_reached_smoothly(stage: Stage) -> None:
+    opened: list[float] = []
+    stage.talking.press(Phoneme.A)
+    stage.wait(0.5, lambda: opened.append(stage.jaw))
+    assert opened == sorted(opened)
+    assert opened[1] < 0.6 * opened[-1]
+
+
+def test_shapes_that_are_asked_for_together_share_the_mouth(stage: Stage) -> None:
+    stage.talking.ask("a", 1.0)
+    stage.wait(0.5)
+    alone = stage.jaw
+    stage.talking.ask("silence", 1.0)
+    stage.wait(0.5)
+    assert stage.jaw == pytest.approx(alone / 2, rel=0.02)
+
+
+def test_two_states_do_not_care_how_loud_it_is(stage: Stage) -> None:
+    stage.talking.set_detail(Detail.TWO_STATES)
+    whole = stage.talking.table.weights()[Phoneme.A, stage.talking.table.movestates.index("jawOpen")]
+    stage.play(0.95)
+    assert 40 * whole < stage.jaw < 62 * whole
+
+
+def test_a_slow_mouth_opens_later_than_a_fast_one(stage: Stage, qtbot: QtBot) -> None:
+    reached = []
+    for attack in (0.02, 0.6):
+        stage.talking.set_manner(attack, 0.16)
+        stage.session.stop()
+        settled(stage.session, qtbot)
+        stage.wait(0.5)
+        stage.play(0.65)
+        reached.append(stage.jaw)
+        stage.session.pause()
+    assert reached[0] > 3 * reached[1]
+
+
+def test_eyes_blink_unless_they_are_told_not_to(stage: Stage) -> None:
+    lids: list[float] = []
+    stage.wait(LONG, lambda: lids.append(stage.talking.percentages["eyeBlinkLeft"]))
+    assert max(lids) > 60
+    stage.talking.set_blinks(False)
+    lids.clear()
+    stage.wait(LONG, lambda: lids.append(stage.talking.percentages["eyeBlinkLeft"]))
+    assert max(lids[5:]) == 0
+
+
+def test_the_head_moves_unless_it_is_told_not_to(stage: Stage) -> None:
+    poses = []
+    stage.play(1.0, lambda: poses.append(stage.talking.pose.pitch))
+    assert max(poses) - min(poses) > 1
+    stage.talking.set_head_motion(False)
+    stage.wait(0.1)
+    assert stage.talking.pose == HeadPose()
+
+
+def test_a_still_face_is_not_drawn_anew(stage: Stage) -> None:
+    stage.talking.set_blinks(False)
+    stage.talking.set_head_motion(False)
+    stage.wait(1.0)
+    revision = stage.talking.revision
+    stage.wait(3.0)
+    assert stage.talking.revision == revision
+
+
+# -- whose face it is ---------------------------------------------------------------------------------
+
+
+def test_a_mesh_with_other_movestates_is_moved_by_the_table_that_fits(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I", "U", "E", "O")))
+    stage.talking.face.load(FaceFiles(tmp_path / "own.glb"))
+    stage.settle()
+    assert stage.talking.table_name == "vrm"
+    assert stage.talking.face.name == "own.glb"
+    stage.play(0.9)
+    assert stage.talking.percentages["A"] > 20
+    assert not stage.failed
+
+
+def test_movestates_are_named_alike_whoever_wrote_them(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("jaw_open", "Mouth Close")))
+    stage.talking.face.load(FaceFiles(tmp_path / "own.glb"))
+    stage.settle()
+    stage.talking.press(Phoneme.A)
+    stage.wait(0.5)
+    assert stage.talking.percentages["jaw_open"] > 20
+
+
+def test_movestates_may_lie_in_a_file_of_their_own(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("smile",)))
+    mesh = stage_mesh(tmp_path / "own.glb")
+    state = movestate_of("jawOpen", [[0, 1, 0]] * len(mesh))
+    save_face(Face((state,), state.numbers, mesh[state.numbers]), tmp_path / "own.3dm")
+    stage.talking.face.load(FaceFiles(tmp_path / "own.glb", tmp_path / "own.3dm"))
+    stage.settle()
+    assert list(stage.talking.percentages) == ["jawOpen"]
+    assert not stage.failed
+
+
+def stage_mesh(path: Path):
+    from engine.mouth.files.opening import load_figure
+
+    return load_figure(path).mesh.positions
+
+
+def test_a_bad_mesh_is_refused_in_one_sentence_and_the_face_stays(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "bad.glb").write_bytes(b"glTF" + bytes(40))
+    before = stage.talking.face.figure
+    stage.talking.face.load(FaceFiles(tmp_path / "bad.glb"))
+    stage.settle()
+    (sentence,) = stage.failed
+    assert sentence.startswith("bad.glb: ")
+    assert "\n" not in sentence
+    assert stage.talking.face.figure is before
+    assert stage.talking.face.is_shipped
+
+
+def test_a_mesh_without_movestates_is_refused_with_what_to_do(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "still.glb").write_bytes(face_with_targets(()))
+    stage.talking.face.load(FaceFiles(tmp_path / "still.glb"))
+    stage.settle()
+    (sentence,) = stage.failed
+    assert ".3dm" in sentence
+
+
+def test_movestates_that_no_table_knows_are_told(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "odd.glb").write_bytes(face_with_targets(("grumpy", "wide")))
+    stage.talking.face.load(FaceFiles(tmp_path / "odd.glb"))
+    stage.settle()
+    (sentence,) = stage.failed
+    assert "grumpy" in sentence
+
+
+def test_a_table_that_moves_nothing_in_the_face_is_refused(stage: Stage) -> None:
+    stage.talking.set_table("oculus")
+    (sentence,) = stage.failed
+    assert "arkit" in sentence
+    assert stage.talking.table_name == "arkit"
+
+
+def test_a_table_of_ones_own_is_loaded(stage: Stage, tmp_path: Path) -> None:
+    text = (Path(load_head.__code__.co_filename).parent / "tables" / "five.toml").read_text()
+    (tmp_path / "mine.toml").write_text(text.replace('name = "Five mouth shapes"', 'name = "mine"'))
+    stage.talking.set_table(str(tmp_path / "mine.toml"))
+    stage.settle()
+    assert stage.talking.table.name == "mine"
+    stage.talking.set_table(str(tmp_path / "none.toml"))
+    stage.settle()
+    (sentence,) = stage.failed
+    assert sentence.startswith("none.toml: ")
+    assert stage.talking.table.name == "mine"
+
+
+# -- over the network ---------------------------------------------------------------------------------
+
+
+def test_what_is_heard_is_sent_and_the_mouth_closes_at_the_end(
+    stage: Stage, receiver: Receiver, qtbot: QtBot
+) -> None:
+    osc = stage.talking.osc
+    osc.set_address(f"127.0.0.1:{receiver.address.port}")
+    osc.set_on(True)
+    qtbot.waitUntil(lambda: (stage.talking.tick(), osc.words.startswith("sending"))[1])
+    stage.play(1.0)
+    qtbot.waitUntil(lambda: any(name == "a" for name, *_ in receiver.of("/phoneme")))
+    qtbot.waitUntil(lambda: receiver.weights().get("jawOpen", 0.0) > 0.1)
+    osc.set_on(False)
+    qtbot.waitUntil(lambda: receiver.weights()["jawOpen"] < 0.01)
+    assert osc.words == "off"
+    assert not stage.failed
+
+
+@pytest.mark.parametrize("address", ["nowhere", "127.0.0.1:99999", ":9", ""])
+def test_a_wrong_address_switches_it_off_with_one_sentence(stage: Stage, address: str) -> None:
+    stage.talking.osc.set_address(address)
+    stage.talking.osc.set_on(True)
+    (sentence,) = stage.failed
+    assert "HOST:PORT" in sentence
+    assert not stage.talking.osc.on
+
+
+def test_a_receiver_that_nobody_knows_is_told(stage: Stage, qtbot: QtBot) -> None:
+    stage.talking.osc.set_address("nobody.invalid:39539")
+    stage.talking.osc.set_on(True)
+    qtbot.waitUntil(lambda: (stage.talking.tick(), bool(stage.failed))[1], timeout=20_000)
+    assert "nobody.invalid" in stage.failed[0]
+    assert not stage.talking.osc.on
+
+
+def test_another_set_is_sent_under_its_own_names(stage: Stage, receiver: Receiver, qtbot: QtBot) -> None:
+    osc = stage.talking.osc
+    osc.set_address(f"127.0.0.1:{receiver.address.port}")
+    osc.set_on(True)
+    osc.set_table("vrm")
+    qtbot.waitUntil(lambda: (stage.talking.tick(), "A" in receiver.weights())[1])
