@@ -210,7 +210,7 @@ class Talking(QObject):
         session.heard.connect(self._take_blocks)
         session.opened.connect(self._hush)
         session.sought.connect(self._seek)
-        session.rewritten.connect(lambda _n: self._seek())
+        session.rewritten.connect(self._seek)
         session.transport_changed.connect(self._hold)
         self.face.changed.connect(self._take_face)
         for part in (self.face, self.osc):
@@ -231,7 +231,7 @@ class Talking(QObject):
             self._last = None
             self._mouth.hold(self._clock() - self._began, int(newest.phonemes[-1]))
 
-    def _seek(self) -> None:
+    def _seek(self, _first: int = 0) -> None:
         """While nothing plays, stand as somebody does who has just said what comes before that place."""
         session, now = self.session, self._clock() - self._began
         if session.playing:
