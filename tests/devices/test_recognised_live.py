@@ -28,6 +28,8 @@ CARDS = Path(__file__).parents[1] / "data" / "cards.flac"
 CODES = {phoneme.label: phoneme.value for phoneme in Phoneme}
 EQUAL = 0.97
 """Share of the frames that must be the same."""
+LEAD = 100
+"""Frames of silence that the microphone hears before a sentence: the network remembers them."""
 SENTENCE = Path("espeak_de", "de", "de_00.flac")
 """A sentence of the corpus."""
 
@@ -48,10 +50,11 @@ def sound_of(path: Path) -> np.ndarray:
         return np.concatenate(list(reader.blocks(SAMPLE_RATE)))
 
 
-def codes_of(sound: np.ndarray, offset: int = 0) -> np.ndarray:
-    """The phonemes of a file that begins so many samples after a frame does."""
-    padded = np.concatenate([np.zeros(offset, np.float32), sound])
-    return np.concatenate([block.phonemes for block in analyses_of([padded], live(load_preset(DEFAULT_PRESET)))])
+def codes_of(sound: np.ndarray, offset: int = 0, silent: int = 0) -> np.ndarray:
+    """The phonemes of a file that begins so many samples after a frame does, after so many frames of silence."""
+    padded = np.concatenate([np.zeros(silent * HOP + offset, np.float32), sound])
+    blocks = analyses_of([padded], live(load_preset(DEFAULT_PRESET)))
+    return np.concatenate([block.phonemes for block in blocks])[silent:]
 
 
 def best_share(live: np.ndarray, file: np.ndarray) -> float:
@@ -64,7 +67,7 @@ def share_of_lines(heard: Heard) -> float:
     """The share of equal frames at the offset that fits; nobody knows it, but servers send blocks of whole hops."""
     best = 0.0
     for offset in range(HOP):
-        best = max(best, best_share(heard.lines, codes_of(heard.sentence, offset)))
+        best = max(best, best_share(heard.lines, codes_of(heard.sentence, offset, LEAD)))
         if best >= EQUAL:
             break
     return best
@@ -120,7 +123,7 @@ def share_at(heard: Heard, place: float) -> float:
     shift = np.exp(-2j * np.pi * np.fft.rfftfreq(2 * n) * fraction)
     shifted = np.fft.irfft(spectrum * shift, 2 * n)[:n].astype(np.float32) if fraction else heard.sentence
     start, offset = divmod(int(whole), HOP)
-    file = codes_of(shifted, offset)
+    file = codes_of(shifted, offset, LEAD)
     live = heard.frames[start : start + len(file)]
     return float((live == file[: len(live)]).mean())
 
@@ -170,8 +173,7 @@ def test_two_busy_processes_beside_it_change_nothing(quiet: Heard, tmp_path: Pat
     heard = hear(tmp_path / "busy", CARDS, busy=2)
     shares = share_of_take(heard), share_at(heard, place_in_take(heard)), share_of_lines(heard)
     print(f"equal frames: {shares}; lost {heard.lost} s")
-    assert shares[0] >= 0.999
-    assert shares[1] >= 0.99  # the network remembers what came before the sentence
+    assert min(shares[:2]) >= 0.999
     assert shares[2] >= EQUAL
 
 
