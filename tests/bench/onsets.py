@@ -14,15 +14,15 @@ import numpy as np
 
 from engine.audio.stream import CardStream
 from engine.settings import SAMPLE_RATE
-from tests.sounds import Sound, noise, vowel
+from tests.sounds import Sound, vowel
 
 LENGTH = 0.2
 """Seconds of each sound."""
 LEAST_GAP, MOST_GAP = 0.25, 0.55
 """Seconds of silence between two."""
-SOUNDS = (noise(LENGTH, 0.2), vowel((730, 1090, 2440), LENGTH))
-LABELS = ("sz", "a")
-"""What the default preset calls them from their first frame on, at once and without wavering."""
+SOUNDS = (vowel((280, 2250, 2900), LENGTH), vowel((730, 1090, 2440), LENGTH))
+LABELS = ("i", "a")
+"""What the default preset calls them, from their first frames on."""
 LATENCY = 0.04
 """What is asked of the card, seconds."""
 BEFORE = 0.5
