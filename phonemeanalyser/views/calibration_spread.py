@@ -14,7 +14,7 @@ from phonemeanalyser.models.calibration_bench import BenchModel, Line
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.views.calibration_keys import name_of
 
-LEFT, RIGHT, TOP, BOTTOM = 62, 168, 36, 34
+LEFT, RIGHT, TOP, BOTTOM = 88, 168, 36, 34
 """Pixels around the plot: names at its left, numbers at its right, thresholds above, the axis below."""
 NEAR = 6
 COLUMNS = ("min", "median", "max")
