@@ -1,6 +1,5 @@
 """What the tests of the desktop share: no display, no sound card, and settings of their own."""
 
-import gc
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -135,8 +134,6 @@ def desktop(qapp: QApplication, settings: QSettings, no_microphone: Microphone) 
     yield desktop
     desktop.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # processEvents leaves these
-    del desktop
-    gc.collect()  # a window is 24 MB that Python does not see, and so does not hurry to collect
 
 
 @pytest.fixture
@@ -183,8 +180,6 @@ def open_booth(
         booth.studio.openers.may_answer.set()
         booth.desktop.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    booths.clear()
-    gc.collect()
 
 
 @pytest.fixture
