@@ -173,8 +173,8 @@ def test_two_busy_processes_beside_it_change_nothing(quiet: Heard, tmp_path: Pat
     heard = hear(tmp_path / "busy", CARDS, busy=2)
     shares = share_of_take(heard), share_at(heard, place_in_take(heard)), share_of_lines(heard)
     print(f"equal frames: {shares}; lost {heard.lost} s")
-    assert min(shares[:2]) >= 0.999
-    assert shares[2] >= EQUAL
+    assert shares[0] >= 0.999
+    assert min(shares[1:]) >= EQUAL
 
 
 def test_a_microphone_of_48_khz_hears_the_same_phonemes(others: dict[str, Heard]) -> None:
