@@ -3,12 +3,12 @@
 The last layers and the heads of the network move a few steps towards the voice (as in Y. Miao and F. Metze, "On
 Speaker Adaptation of Long Short-Term Memory Recurrent Neural Networks", Interspeech 2015). Anchors hold them:
 stretches of other voices that must be named as before (D. Yu et al., "KL-divergence regularized deep neural network
-adaptation", ICASSP 2013). Each half of every recording is recognised by what the other halves taught; where that does
-not make its labels likelier, nothing is changed.
+adaptation", ICASSP 2013). Each quarter of every recording is recognised by what the other quarters taught, with the
+whole way that the model went, and with half of it. The better way is gone; none, where neither makes labels likelier.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ from engine.dsp.log_mel import FLOOR, N_BANDS
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.recognition.model import Head, Model
-from engine.recognition.network import Delayed, Network
+from engine.recognition.network import Delayed, Layer, Network
 
 FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 30, 120, 50
 """Steps that are taken: one for so many frames of the voice, within these bounds."""
@@ -34,12 +34,17 @@ LEAST_FRAMES = 3
 """A phoneme of which fewer frames are given is not touched."""
 LEAST_GAIN = 0.002
 """By how much likelier the labels must be that are held back."""
+LEAST_LIKELY = 1e-4
+"""One frame that is quite wrong does not outweigh hundreds."""
 LEAST_SECONDS = 2.0
 BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
 
 Block = NDArray[np.float32]
-_HALVES = (0, 1)
+N_PARTS = 4
+"""Parts of each recording, each of which is held back once: so it is tried with nearly all that there is to learn."""
+WAYS = (0.5, 1.0)
+"""Shares of the way from the model to what it learned, of which the best is taken."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +54,8 @@ class Adaptation:
     Attributes
     ----------
     model : the adapted one; the same as before where nothing helped.
-    before, after : how likely the labels were where they were held back, 0..1, the geometric mean of all frames.
+    before, after : how likely the labels were where they were held back, 0..1, the geometric mean of all frames; all
+        phonemes that are in the labels count alike, and no others compete.
     """
 
     model: Model
@@ -64,12 +70,41 @@ class Adaptation:
 
 @dataclass(frozen=True)
 class _Heard:
-    """What the layers that move hear in a recording, its labels, what each frame counts, and which half it is in."""
+    """What the layers that move hear in a recording, its labels, what each frame counts, and which part it is in."""
 
     hidden: Block
     phonemes: NDArray[np.uint8]
     counted: Block
-    halves: NDArray[np.int_]
+    parts: NDArray[np.int_]
+
+    def without(self, part: int) -> "_Heard":
+        """Give the same with one part held back."""
+        return replace(self, counted=self.counted * (self.parts != part))
+
+    def only(self, part: int) -> "_Heard":
+        """Give the same with all other parts held back."""
+        return replace(self, counted=self.counted * (self.parts == part))
+
+
+@dataclass(frozen=True)
+class _Said:
+    """Which phonemes are in the labels, and what a frame of each counts.
+
+    Attributes
+    ----------
+    competing : the phonemes among which an answer is chosen, bool, shape (n_phonemes,).
+    worth : float32, shape (n_phonemes,).
+    """
+
+    competing: NDArray[np.bool_]
+    worth: Block
+
+    @classmethod
+    def of(cls, heard: Sequence[_Heard]) -> "_Said":
+        """Count the frames of the labels."""
+        totals = sum(np.bincount(h.phonemes, h.counted, len(Phoneme)) for h in heard)
+        competing = np.asarray(totals >= LEAST_FRAMES)
+        return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32))
 
 
 def adapt(model: Model, lessons: Sequence[Lesson]) -> Adaptation:
@@ -86,18 +121,23 @@ def adapt(model: Model, lessons: Sequence[Lesson]) -> Adaptation:
             f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are too little to adapt to; "
             f"give {LEAST_SECONDS:g} s or more of several phonemes"
         )
+    said = _Said.of(heard)
     anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
-    before = _likelihood([(model, heard, _HALVES)])
-    after = _likelihood([(_moved(model, heard, anchors, 1 - half), heard, (half,)) for half in _HALVES])
+    parts = range(N_PARTS)
+    taught = [_moved(model, [h.without(part) for h in heard], said, anchors) for part in parts]
+    held_back = [[h.only(part) for h in heard] for part in parts]
+    before = _likelihood([(model, held_back[part]) for part in parts], said)
+    likely = [_likelihood([(_between(model, taught[p], way), held_back[p]) for p in parts], said) for way in WAYS]
+    after, way = max(zip(likely, WAYS, strict=True))
     if after < before + LEAST_GAIN:
         return Adaptation(model, before, before)
-    return Adaptation(_moved(model, heard, anchors), before, after)
+    return Adaptation(_between(model, _moved(model, heard, said, anchors), way), before, after)
 
 
-def _moved(model: Model, heard: Sequence[_Heard], anchors: Sequence[Stretch], half: int | None = None) -> Model:
-    """Give the model that has learned from the recordings, or from one half of each."""
+def _moved(model: Model, heard: Sequence[_Heard], said: _Said, anchors: Sequence[Stretch]) -> Model:
+    """Give the model that has learned from the recordings."""
     generator = np.random.default_rng(1)
-    stretches = _stretches_of(heard, half, len(model.heads))
+    stretches = _stretches_of(heard, said, len(model.heads))
     n_frames = sum(len(stretch.heard) for stretch in stretches)
     n_steps = int(np.clip(n_frames / FRAMES_PER_STEP, FEWEST_STEPS, MOST_STEPS))
     tuned = TunedLayers(model, n_steps, generator)
@@ -105,6 +145,23 @@ def _moved(model: Model, heard: Sequence[_Heard], anchors: Sequence[Stretch], ha
         few = [anchors[k] for k in generator.permutation(len(anchors))[:ANCHORS_PER_STEP]]
         tuned.learn([(_drawn(stretches, generator), 1.0), (few, ANCHORED)])
     return tuned.model()
+
+
+def _between(model: Model, moved: Model, way: float) -> Model:
+    """Give the model that lies a share of the way from one to another."""
+
+    def between(a: Block, b: Block) -> Block:
+        return np.asarray(a + np.float32(way) * (b - a), np.float32)
+
+    layers = tuple(
+        Layer(between(a.weights, b.weights), between(a.bias, b.bias), a.dilation)
+        for a, b in zip(model.layers, moved.layers, strict=True)
+    )
+    heads = tuple(
+        Head(between(a.weights, b.weights), between(a.bias, b.bias))
+        for a, b in zip(model.heads, moved.heads, strict=True)
+    )
+    return replace(model, layers=layers, heads=heads).rounded()
 
 
 def _drawn(stretches: Sequence[Stretch], generator: np.random.Generator) -> list[Stretch]:
@@ -119,15 +176,15 @@ def _drawn(stretches: Sequence[Stretch], generator: np.random.Generator) -> list
     return drawn
 
 
-def _likelihood(cases: Sequence[tuple[Model, Sequence[_Heard], Sequence[int]]]) -> float:
-    """Give how likely models find the labels of some halves, the geometric mean of all frames."""
+def _likelihood(cases: Sequence[tuple[Model, Sequence[_Heard]]], said: _Said) -> float:
+    """Give how likely models find the labels of what was held back, the geometric mean of all frames."""
     total = count = 0.0
-    for model, heard, halves in cases:
+    for model, heard in cases:
         n_ahead = len(model.heads) - 1
         for h in heard:
-            shares = _shares_of(_through_last_layers(model, h.hidden)[n_ahead:], model.heads[-1])
-            counted = h.counted * np.isin(h.halves, halves)
-            likely = np.maximum(shares[np.arange(len(shares)), h.phonemes], 1e-9)
+            shares = _shares_of(_through_last_layers(model, h.hidden)[n_ahead:], model.heads[-1], said.competing)
+            counted = h.counted * said.worth[h.phonemes]
+            likely = np.maximum(shares[np.arange(len(shares)), h.phonemes], LEAST_LIKELY)
             total += float(counted @ np.log(likely))
             count += float(counted.sum())
     return float(np.exp(total / max(count, 1e-9)))
@@ -138,28 +195,23 @@ def _heard(model: Model, lesson: Lesson) -> _Heard:
     after = np.full((len(model.heads) - 1, N_BANDS), np.log10(FLOOR), np.float32)
     hidden = _first_layers(model).push(np.concatenate((lesson.log_powers.astype(np.float32), after)))
     certain = np.flatnonzero(lesson.certainties > 0)
-    middle = certain[len(certain) // 2] if len(certain) else len(lesson) // 2
-    halves = (np.arange(len(lesson)) >= middle).astype(int)
-    return _Heard(hidden, lesson.phonemes, lesson.certainties.astype(np.float32), halves)
+    firsts = [part[0] for part in np.array_split(certain, N_PARTS)[1:] if len(part)]
+    parts = np.searchsorted(firsts, np.arange(len(lesson)), side="right")
+    return _Heard(hidden, lesson.phonemes, lesson.certainties.astype(np.float32), parts)
 
 
-def _stretches_of(heard: Sequence[_Heard], half: int | None, n_heads: int) -> list[Stretch]:
-    counted = [h.counted * (True if half is None else h.halves == half) for h in heard]
-    phonemes = np.concatenate([h.phonemes for h in heard])
-    totals = np.bincount(phonemes, np.concatenate(counted), len(Phoneme))
-    competing = totals >= LEAST_FRAMES
-    balance = BALANCE / np.maximum(totals, BALANCE) * competing
-    smoothed = (SMOOTHING * competing / max(1, int(competing.sum()))).astype(np.float32)
+def _stretches_of(heard: Sequence[_Heard], said: _Said, n_heads: int) -> list[Stretch]:
+    smoothed = (SMOOTHING * said.competing / max(1, int(said.competing.sum()))).astype(np.float32)
     wanted = smoothed + np.float32(1 - SMOOTHING) * np.eye(len(Phoneme), dtype=np.float32)
     return [
         Stretch(
             h.hidden,
             _ahead(wanted[h.phonemes], n_heads),
-            _ahead((c * balance[h.phonemes]).astype(np.float32), n_heads),
-            competing,
+            _ahead(h.counted * said.worth[h.phonemes], n_heads),
+            said.competing,
         )
-        for h, c in zip(heard, counted, strict=True)
-        if c.any()
+        for h in heard
+        if h.counted.any()
     ]
 
 
@@ -167,9 +219,9 @@ def _anchor_of(model: Model, log_powers: Block) -> Stretch:
     """Give a stretch of other voices, to be named as the model names it now."""
     hidden = _first_layers(model).push(log_powers)
     found = _through_last_layers(model, hidden)
-    wanted = np.stack([_shares_of(found, head) for head in model.heads], axis=1)
-    counted = np.ones(wanted.shape[:2], np.float32)
-    return Stretch(hidden, wanted, counted, np.ones(len(Phoneme), bool))
+    everything = np.ones(len(Phoneme), bool)
+    wanted = np.stack([_shares_of(found, head, everything) for head in model.heads], axis=1)
+    return Stretch(hidden, wanted, np.ones(wanted.shape[:2], np.float32), everything)
 
 
 def _ahead(values: Block, n_heads: int) -> Block:
@@ -181,8 +233,8 @@ def _ahead(values: Block, n_heads: int) -> Block:
     return placed
 
 
-def _shares_of(found: Block, head: Head) -> Block:
-    scores = found @ head.weights + head.bias
+def _shares_of(found: Block, head: Head, competing: NDArray[np.bool_]) -> Block:
+    scores = np.where(competing, found @ head.weights + head.bias, -np.inf)
     shares = np.exp(scores - scores.max(axis=1, keepdims=True))
     return np.asarray(shares / shares.sum(axis=1, keepdims=True), np.float32)
 
