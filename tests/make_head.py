@@ -29,12 +29,16 @@ REST = {
     "mouthFrownRight": -0.22, "browOuterUpLeft": 0.15, "browOuterUpRight": 0.15,
 }  # fmt: skip
 """What closes the lips, which stand a little apart in the original, and wakes the eyes."""
-TEETH = {"upper teeth": (0.0, -0.035, 0.02), "lower teeth": (0.0, -0.03, -0.005)}
+TEETH = {"upper teeth": (0.0, -0.035, 0.02), "lower teeth": (0.0, -0.06, -0.015)}
 """How the teeth are moved, so that they are seen where a person's are."""
 HOLLOW = 0.4
 """How far the neck's end goes up inside, so that it is seen from below alone."""
 ROUNDNESS = 0.75
 """How far new vertices go towards the planes of their neighbours."""
+SKULL = 8.35
+"""Above this height is the skull, which is made rounder."""
+BULGE, STEEPEST, N_ROUNDED = 0.003, 0.9, 2
+"""Edges are cut, so many times, where the arc over them rises so far; where it turns more (radians), it is a fold."""
 INSIDE_OF_NECK = (60, 44, 40)
 N_AROUND = 32
 RINGS = np.radians([0, 6, 11, 11, 16, 21, 26.5, 26.5, 33, 45, 60, 80, 100])
@@ -115,12 +119,31 @@ def capped(clay: Clay, rim: NDArray[np.bool_]) -> Clay:
 
 
 def refined(clay: Clay, where: NDArray[np.bool_]) -> Clay:
-    """Cut the edges between vertices of a region in half, so that what is painted there has a finer edge.
+    """Cut the edges between vertices of a region in half, so that what is painted there has a finer edge."""
+    sides = _sides_of(clay)
+    return _cut(clay, sides[where[sides].all(axis=1)])
 
-    The new vertices are drawn towards the planes of both ends (Boubekeur and Alexa 2008, "Phong tessellation").
+
+def rounded(clay: Clay) -> Clay:
+    """Cut those edges of the skull in half that are seen as corners in its outline."""
+    sides = _sides_of(clay)
+    begin, end = sides.T
+    normals = normals_of(clay.points, clay.triangles.astype(np.uint32))
+    turned = np.arccos(np.clip((normals[begin] * normals[end]).sum(axis=1), -1, 1))
+    apart = np.linalg.norm(clay.points[begin] - clay.points[end], axis=1)
+    skull = (clay.points[begin, 1] > SKULL) & (clay.points[end, 1] > SKULL)
+    return _cut(clay, sides[skull & (turned * apart / 8 > BULGE) & (turned < STEEPEST)])
+
+
+def _sides_of(clay: Clay) -> Numbers:
+    return np.unique(np.sort(np.concatenate([clay.triangles[:, (k, (k + 1) % 3)] for k in range(3)]), axis=1), axis=0)
+
+
+def _cut(clay: Clay, cut: Numbers) -> Clay:
+    """Cut edges in half; new vertices go towards the planes of both ends.
+
+    Boubekeur and Alexa 2008, "Phong tessellation".
     """
-    sides = np.sort(np.concatenate([clay.triangles[:, (k, (k + 1) % 3)] for k in range(3)]), axis=1)
-    cut = np.unique(sides[where[sides].all(axis=1)], axis=0)
     middle = {(int(a), int(b)): len(clay.points) + k for k, (a, b) in enumerate(cut)}
     longer = clay.with_vertices(cut[:, 0], cut[:, 1], np.full(len(cut), 0.5, np.float32))
     normals = normals_of(clay.points, clay.triangles.astype(np.uint32))
@@ -185,6 +208,8 @@ def bust(clay: Clay) -> tuple[Clay, NDArray[np.uint8]]:
     x, y, z = clay.points.T
     clay = trimmed(clay, y - np.float32(NECK) - np.float32(SLOPE) * z - np.float32(FLARE) * x**2)
     clay = refined(clay, brow_region(clay.points))
+    for _ in range(N_ROUNDED):
+        clay = rounded(clay)
     colours = painted(clay.points, clay.triangles, clay.part)
     closed = capped(clay, clay.points[:, 1] < NECK + 0.5)
     cap = np.tile(np.array(INSIDE_OF_NECK, np.uint8), (len(closed.points) - len(clay.points), 1))

@@ -34,7 +34,7 @@ class Manner:
     MouthError : a value lies outside its range.
     """
 
-    attack: float = 0.11
+    attack: float = 0.09
     release: float = 0.16
     closing: float = 0.05
     loudness: float = 0.05

@@ -16,7 +16,7 @@ import socket
 import threading
 import time
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
@@ -27,6 +27,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 
 from engine.analyser import Analysis
 from engine.errors import MouthError
+from engine.mouth.asked import AskedVisemes
 from engine.mouth.morpher import Morpher
 from engine.mouth.table import MouthTable
 from engine.phonemes import Phoneme
@@ -79,7 +80,7 @@ class OscSettings:
 
 
 class OscMouth:
-    """Sends what is heard, from a thread of its own, until it is closed; nobody ever waits for the network.
+    """Sends what is heard or asked for, from a thread of its own, until it is closed; nobody waits for the network.
 
     Parameters
     ----------
@@ -97,7 +98,8 @@ class OscMouth:
         self.n_sent = 0
         self._socket, self._receiver = _opened(address)
         self._table = table
-        self._morpher = Morpher(table, seed=seed)
+        self._morpher, self._visemes = Morpher(table, seed=seed), AskedVisemes(table)
+        self._asked: dict[Phoneme, float] = {}
         self._columns = np.flatnonzero(np.any(table.weights() != 0, axis=0)).tolist()
         self._frames: deque[tuple[float, int, float]] = deque(maxlen=MOST_WAITING)
         self._last = (int(Phoneme.SILENCE), 0.0)
@@ -114,6 +116,10 @@ class OscMouth:
             began = now - (n - 1 - k) * FRAME_PERIOD
             self._frames.append((began, int(analysis.phonemes[k]), float(analysis.intensities[k])))
 
+    def ask(self, phonemes: Mapping[Phoneme, float]) -> None:
+        """Show the shapes of these phonemes, 0..1, whatever is heard; of none, what is heard. Returns at once."""
+        self._asked = dict(phonemes)
+
     def close(self) -> None:
         """Close the mouth at the receiver, and stop."""
         self._closing.set()
@@ -126,6 +132,7 @@ class OscMouth:
             following = max(following + 1 / RATE, time.monotonic() - 1 / RATE)
             self._closing.wait(max(following - time.monotonic(), 0.0))
         self._hear_waiting()
+        self._asked = {}
         now = time.monotonic()
         self._hear(now, int(Phoneme.SILENCE), 0.0)
         self._send_picture(now + SHUT)
@@ -146,21 +153,28 @@ class OscMouth:
         self._heard_at = began = max(began, self._heard_at)
         self._morpher.hear(began, code, intensity)
         self._last = (code, intensity)
-        if code != self._said:
+        if code != self._said and not self._asked:
             self._say(began)
 
     def _say(self, now: float) -> None:
-        code, intensity = self._last
+        code, intensity = self._saying
         self._said, self._said_at = code, now
         phoneme = Phoneme(code)
         self._send(
             [("/phoneme", (phoneme.label, intensity)), ("/viseme", (self._table.phonemes[phoneme], intensity))]
         )
 
+    @property
+    def _saying(self) -> tuple[int, float]:
+        """What is asked for the most, or else what was heard last: a phoneme and its intensity."""
+        asked = self._asked
+        return max(asked.items(), key=lambda entry: entry[1]) if asked else self._last
+
     def _send_picture(self, now: float) -> None:
-        if now - self._said_at >= REPEAT:
+        if now - self._said_at >= REPEAT or self._saying[0] != self._said:
             self._say(now)
-        weights = self._morpher.weights(now)
+        self._visemes.ask_as(self._asked)
+        weights = self._visemes.mixed(self._morpher.weights(now), now)
         values = [(self._table.movestates[k], min(max(float(weights[k]), 0.0), 1.0)) for k in self._columns]
         messages: list[tuple[str, Arguments]] = [("/VMC/Ext/OK", (1,)), ("/VMC/Ext/T", (now - self._began,))]
         messages += [("/VMC/Ext/Blend/Val", value) for value in values]

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import Signal
 
 from engine.calibration.bench.distributions import Distribution, RankedVariable, distribution_of, ranked_variables
 from engine.calibration.bench.workbench import Workbench
@@ -14,8 +14,8 @@ from engine.calibration.scores.corpus import Utterance
 from engine.errors import EngineError
 from engine.phonemes import Phoneme
 from engine.recognition.rules import CONDITIONS
-from phonemeanalyser.models.backroom import Backroom
 from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.models.workplace import Workplace
 
 Pair = tuple[Phoneme, Phoneme | None]
 
@@ -34,8 +34,10 @@ class Line:
         self.name, self.sign, self.value, self.is_limit = name, sign, value, is_limit
 
 
-class BenchModel(QObject):
+class BenchModel(Workplace):
     """Measures what is loaded, and follows the preset: what a threshold changes is known at the next `see`.
+
+    It is busy while recordings are being measured.
 
     Signals
     -------
@@ -43,14 +45,12 @@ class BenchModel(QObject):
     confusion_changed : the answers are others.
     distribution_changed : the distribution of the chosen variable, or the ranking, is another.
     suggested : variables were found that are worth adding, or none.
-    failed : a sentence for the user.
     """
 
     measured = Signal()
     confusion_changed = Signal()
     distribution_changed = Signal()
     suggested = Signal()
-    failed = Signal(str)
 
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
@@ -63,22 +63,10 @@ class BenchModel(QObject):
         self._preset = preset
         self._utterances: tuple[Utterance, ...] = ()
         self._stale = False
-        self._measuring = Backroom(self._refuse)
-        self._looking = Backroom(self.failed.emit)
-        self._searching = Backroom(self.failed.emit)
+        self._measuring, self._looking, self._searching = self._room(), self._room(), self._room()
         preset.changed.connect(self._follow_preset)
 
     # -- what there is ------------------------------------------------------------------------------------
-
-    @property
-    def busy(self) -> bool:
-        """Whether recordings are being measured."""
-        return self._measuring.busy
-
-    @property
-    def share(self) -> float:
-        """How much is measured, 0..1."""
-        return self._measuring.share
 
     @property
     def searching(self) -> bool:
@@ -170,18 +158,10 @@ class BenchModel(QObject):
 
     def see(self) -> None:
         """Take note of what was measured, and answer anew where the preset is another."""
-        self._measuring.see()
-        self._looking.see()
-        self._searching.see()
+        super().see()
         if self._stale:
             self._stale = False
             self._answer()
-
-    def close(self) -> None:
-        """End all work."""
-        for room in (self._measuring, self._looking, self._searching):
-            room.cancel()
-            room.close()
 
     # -- the work -----------------------------------------------------------------------------------------
 
@@ -209,9 +189,6 @@ class BenchModel(QObject):
         self._stale = True
         self.measured.emit()
         self._look()
-
-    def _refuse(self, sentence: str) -> None:
-        self.failed.emit(sentence)
 
     def _answer(self) -> None:
         if self.workbench is None:

@@ -4,7 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import Signal
 
 from engine.calibration.bench.workbench import Workbench
 from engine.calibration.fits.fitting import FITTED, FitReport, fit_preset
@@ -16,42 +16,30 @@ from engine.calibration.scores.evaluation import Answers, CorpusScores, group_sc
 from engine.errors import EngineError
 from engine.presets.files import FACTORY, load_preset
 from engine.presets.preset import Preset
-from phonemeanalyser.models.backroom import Backroom
 from phonemeanalyser.models.calibration_bench import BenchModel
 from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.models.workplace import Workplace
 
 MOST_STRETCHES = 200
 """Stretches that are listed of each preset."""
 
 
-class FitModel(QObject):
+class FitModel(Workplace):
     """Fits in the background; what was found is accepted or refused.
 
     Signals
     -------
     changed : it began, ended, was accepted or refused.
-    failed : a sentence for the user.
     """
 
     changed = Signal()
-    failed = Signal(str)
 
     def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
         super().__init__()
         self.report: FitReport | None = None
         self._preset = preset
         self._bench = bench
-        self._work = Backroom(self._refuse)
-
-    @property
-    def busy(self) -> bool:
-        """Whether it searches."""
-        return self._work.busy
-
-    @property
-    def share(self) -> float:
-        """How much is done, 0..1."""
-        return self._work.share
+        self._work = self._room(self._refuse)
 
     @property
     def why_not(self) -> str:
@@ -89,15 +77,6 @@ class FitModel(QObject):
         self.report = None
         self.changed.emit()
 
-    def see(self) -> None:
-        """Take note of what was found."""
-        self._work.see()
-
-    def close(self) -> None:
-        """End the search."""
-        self._work.cancel()
-        self._work.close()
-
     def _take_report(self, report: FitReport) -> None:
         self.report = report
         self.changed.emit()
@@ -107,17 +86,15 @@ class FitModel(QObject):
         self.changed.emit()
 
 
-class RivalModel(QObject):
+class RivalModel(Workplace):
     """A second preset on the same recordings, compared with the one in use whenever that changes.
 
     Signals
     -------
     changed : there is another comparison, or none.
-    failed : a sentence for the user.
     """
 
     changed = Signal()
-    failed = Signal(str)
 
     def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
         super().__init__()
@@ -126,20 +103,10 @@ class RivalModel(QObject):
         self.comparison: Comparison | None = None
         self._own = preset
         self._bench = bench
-        self._measuring = Backroom(self.failed.emit)
-        self._comparing = Backroom(self.failed.emit)
+        self._measuring = self._room()
+        self._comparing = self._room()
         bench.measured.connect(self._measure)
         bench.confusion_changed.connect(self._compare)
-
-    @property
-    def busy(self) -> bool:
-        """Whether the recordings are being measured for it."""
-        return self._measuring.busy
-
-    @property
-    def share(self) -> float:
-        """How much is measured, 0..1."""
-        return self._measuring.share
 
     def shipped(self) -> tuple[Path, ...]:
         """Give the presets that come with the program."""
@@ -155,17 +122,6 @@ class RivalModel(QObject):
                 self.failed.emit(str(error))
         self._measure()
         self.changed.emit()
-
-    def see(self) -> None:
-        """Take note of what was measured and compared."""
-        self._measuring.see()
-        self._comparing.see()
-
-    def close(self) -> None:
-        """End all work."""
-        for room in (self._measuring, self._comparing):
-            room.cancel()
-            room.close()
 
     def _measure(self) -> None:
         utterances, preset = self._bench.utterances, self.preset

@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from engine.analyser import Analysis
+from engine.mouth.asked import AskedVisemes
 from engine.mouth.blinks import Blinker
 from engine.mouth.cues import MOST_ANTICIPATION
 from engine.mouth.head_motion import HeadPose
@@ -20,7 +21,6 @@ from phonemeanalyser.models.session import Session, Source
 from phonemeanalyser.models.talking_face import TalkingFace
 from phonemeanalyser.models.talking_mouth import Frames, TalkingMouth, mannered
 from phonemeanalyser.models.talking_osc import TalkingOsc
-from phonemeanalyser.models.talking_visemes import AskedVisemes
 
 USUAL_TABLE = "arkit"
 QUIET = 0.3
@@ -213,12 +213,16 @@ class Talking(QObject):
         session.rewritten.connect(self._seek)
         session.transport_changed.connect(self._hold)
         self.face.changed.connect(self._take_face)
+        self.asked_changed.connect(self._tell_network)
         for part in (self.face, self.osc):
             part.failed.connect(self.failed)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
         self._heard += blocks
         self.osc.follow(blocks)
+
+    def _tell_network(self) -> None:
+        self.osc.ask(self.asked.phonemes)
 
     def _hush(self) -> None:
         self._last = None

@@ -1,6 +1,6 @@
 """The mouth over the network: whether it is sent, and where to."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QObject, Signal
 
@@ -8,6 +8,7 @@ from engine.analyser import Analysis
 from engine.errors import EngineError
 from engine.mouth.osc import OscAddress, OscMouth
 from engine.mouth.table import load_table
+from engine.phonemes import Phoneme
 from phonemeanalyser.models.background import begun
 from phonemeanalyser.models.backroom import Backroom
 
@@ -18,7 +19,7 @@ TABLES = ("arkit", "vrm", "oculus")
 
 
 class TalkingOsc(QObject):
-    """Sends what is heard as OSC messages while it is switched on; nothing here waits for the network.
+    """Sends what is heard, or asked for, as OSC messages while it is switched on; nothing here waits for the network.
 
     Signals
     -------
@@ -41,6 +42,7 @@ class TalkingOsc(QObject):
         self._mouth: OscMouth | None = None
         self._wanted: tuple[str, str] | None = None
         self._said = ""
+        self._asked: dict[Phoneme, float] = {}
         self._work = Backroom(self._fail)
 
     @property
@@ -85,6 +87,12 @@ class TalkingOsc(QObject):
             for analysis in blocks:
                 self._mouth.follow(analysis)
 
+    def ask(self, phonemes: Mapping[Phoneme, float]) -> None:
+        """Send the shapes of these phonemes, 0..1, whatever is heard; of none, what is heard."""
+        self._asked = dict(phonemes)
+        if self._mouth is not None:
+            self._mouth.ask(self._asked)
+
     def see(self) -> None:
         """Take note of what the network says."""
         self._work.see()
@@ -115,6 +123,7 @@ class TalkingOsc(QObject):
         """Send with this one, unless something else is wanted by now."""
         if wanted == self._wanted and self._mouth is None:
             self._mouth = mouth
+            mouth.ask(self._asked)
             self.changed.emit()
         else:
             begun(mouth.close)

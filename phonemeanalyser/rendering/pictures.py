@@ -1,9 +1,7 @@
-"""Pictures of a head without a window."""
+"""Pictures of a head, drawn with an OpenGL that needs no window."""
 
-import sys
 from contextlib import ExitStack
 from types import TracebackType
-from typing import Any
 
 import moderngl
 import numpy as np
@@ -13,37 +11,19 @@ from engine.mouth.face import Figure
 from engine.mouth.head_motion import HeadPose
 from engine.mouth.mesh import Vectors
 from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import LIGHT, Light
 from phonemeanalyser.rendering.renderer import STILL, Colour, HeadRenderer
 
-SHADOW = 1024
-"""Pixels along the edge of the shadow: more than a window has, since there is time."""
+USUAL_SIZE = (640, 640)
 
 Picture = NDArray[np.uint8]
 """Shape (height, width, 3): red, green, blue (sRGB), the first row at the top."""
 
 
-def offscreen_context() -> moderngl.Context:
-    """Make an OpenGL context without a window: by EGL on Linux, which needs no display.
-
-    Raises
-    ------
-    RenderingError : there is no OpenGL 3.3 on this machine, not even in software.
-    """
-    backend: dict[str, Any] = {"backend": "egl"} if sys.platform.startswith("linux") else {}
-    try:
-        return moderngl.create_context(standalone=True, require=330, **backend)
-    except Exception as error:
-        reason = (str(error).strip() or type(error).__name__).splitlines()[0]
-        raise RenderingError(
-            f"pictures need OpenGL 3.3, in software at least, and there is none ({reason}); install a graphics "
-            "driver, on Linux the packages libegl1 and libgl1-mesa-dri"
-        ) from error
-
-
 class Photographer:
-    """Takes pictures of a figure, antialiased; give the graphics back with `release`, or use it in a ``with``.
+    """Takes pictures of a figure; give the graphics back with `release`, or use it in a ``with``.
 
     Parameters
     ----------
@@ -55,14 +35,13 @@ class Photographer:
     RenderingError : there is no OpenGL 3.3 on this machine, or no room for pictures of this size.
     """
 
-    def __init__(self, figure: Figure, size: tuple[int, int]) -> None:
-        self.size = size
+    def __init__(self, figure: Figure, size: tuple[int, int] = USUAL_SIZE) -> None:
         self._context = offscreen_context()
         with ExitStack() as unless_ready:
             unless_ready.callback(self._context.release)
             with self._context:
-                self._plain = _plain(self._context, size)
-                self._renderer = HeadRenderer(self._context, figure, shadow=SHADOW)
+                self._sheet = _sheet(self._context, size)
+                self._renderer = HeadRenderer(self._context, figure)
             unless_ready.pop_all()
 
     def __enter__(self) -> "Photographer":
@@ -73,6 +52,18 @@ class Photographer:
     ) -> None:
         self.release()
 
+    def resize(self, size: tuple[int, int]) -> None:
+        """Take pictures of another width and height, pixels.
+
+        Raises
+        ------
+        RenderingError : there is no room for pictures of this size.
+        """
+        if size != self._sheet.size:
+            with self._context:
+                old, self._sheet = self._sheet, _sheet(self._context, size)
+                _let_go(old)
+
     def picture(
         self,
         camera: Camera,
@@ -82,28 +73,36 @@ class Photographer:
         background: Colour,
         wireframe: bool = False,
         light: Light = LIGHT,
+        fine: bool = True,
     ) -> Picture:
         """Take a picture; the arguments are those of `HeadRenderer.draw`."""
+        width, height = self._sheet.size
         with self._context:
             self._renderer.draw(
-                camera, positions, pose, size=self.size, background=background,
-                wireframe=wireframe, light=light, target=self._plain,
+                camera, positions, pose, size=(width, height), background=background,
+                wireframe=wireframe, light=light, fine=fine, target=self._sheet,
             )  # fmt: skip
-            rows = np.frombuffer(self._plain.read(components=3, alignment=1), np.uint8)
-        picture: Picture = rows.reshape(self.size[1], self.size[0], 3)[::-1]
+            rows = np.frombuffer(self._sheet.read(components=3, alignment=1), np.uint8)
+        picture: Picture = rows.reshape(height, width, 3)[::-1]
         return picture
 
     def release(self) -> None:
         """Give everything back to the graphics driver."""
         with self._context:
             self._renderer.release()
+            _let_go(self._sheet)
         self._context.release()
 
 
-def _plain(context: moderngl.Context, size: tuple[int, int]) -> moderngl.Framebuffer:
+def _sheet(context: moderngl.Context, size: tuple[int, int]) -> moderngl.Framebuffer:
     try:
         return context.framebuffer(context.renderbuffer(size, 4))
     except moderngl.Error as error:
         raise RenderingError(
             f"pictures of {size[0]}x{size[1]} pixels are too large for OpenGL here; make them smaller"
         ) from error
+
+
+def _let_go(sheet: moderngl.Framebuffer) -> None:
+    sheet.color_attachments[0].release()
+    sheet.release()

@@ -13,8 +13,12 @@ SHADERS = Path(__file__).with_name("shaders")
 VERSION = "#version 330 core\n"
 
 
-def program_of(context: moderngl.Context, vertex: str, fragment: str) -> moderngl.Program:
+def program_of(context: moderngl.Context, vertex: str, fragment: str, known: str = "") -> moderngl.Program:
     """Build a program of a vertex and a fragment shader, which both know how the head turns.
+
+    Parameters
+    ----------
+    known : constants that the fragment shader uses.
 
     Raises
     ------
@@ -24,7 +28,7 @@ def program_of(context: moderngl.Context, vertex: str, fragment: str) -> moderng
         (SHADERS / f"{name}.glsl").read_text() for name in ("turned", f"{vertex}_vertex", f"{fragment}_fragment")
     ]
     try:
-        return context.program(vertex_shader=VERSION + turned + texts[0], fragment_shader=VERSION + texts[1])
+        return context.program(vertex_shader=VERSION + turned + texts[0], fragment_shader=VERSION + known + texts[1])
     except moderngl.Error as error:
         raise RenderingError(
             f"the graphics driver refuses the program's shaders ({str(error).splitlines()[0]}); update the driver"

@@ -1,5 +1,7 @@
 """Draws a head with OpenGL 3.3, in a window or into a picture."""
 
+from dataclasses import dataclass
+
 import moderngl
 import numpy as np
 
@@ -12,18 +14,16 @@ from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import LIGHT, Light, Room, direction_of
 from phonemeanalyser.rendering.openness import openness_of
 from phonemeanalyser.rendering.programs import fields_of, program_of, set_uniforms
+from phonemeanalyser.rendering.shadow import Shadow, taps_of
 from phonemeanalyser.rendering.surface import Surface, wetness_of
 from phonemeanalyser.rendering.turning import Neck, turn_of
 
 PROGRAMS = {
-    "head": ("head", "head"),
     "wire": ("head", "wire"),
     "plain": ("plain", "plain"),
     "shadow": ("plain", "plain"),
 }
-"""The vertex and the fragment shader of each."""
-SHADOW = 384
-"""Pixels along the edge of the key light's shadow, unless told otherwise."""
+"""The vertex and the fragment shader of each; those that draw skin are more, one for each finish."""
 FILL, RIMS = (0.9, 0.1), ((2.35, 0.25), (-2.2, 0.35))
 """Azimuth and elevation of the other lights, radians, as the viewer sees them."""
 INSIDE = (0.13, 0.055, 0.05)
@@ -32,11 +32,33 @@ LINES = ((0.10, 0.12, 0.16), (0.90, 0.92, 0.96))
 """Wires on a bright and on a dark background."""
 LIFT = 0.01
 """How far above the skin its shadow is looked up, as a share of the radius of all: skin casts none on itself."""
-SAMPLES = 4
 STILL = HeadPose()
 
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1 (sRGB)."""
+
+
+@dataclass(frozen=True)
+class Finish:
+    """How much trouble is taken over a picture.
+
+    Attributes
+    ----------
+    name : of its program.
+    samples : of each pixel, against jagged edges.
+    shadow : pixels along the edge of the key light's shadow.
+    taps : how often each point looks whether it lies in the shadow, as few as can be.
+    penumbra : radius of the places where it looks, as a share of the shadow's edge.
+    """
+
+    name: str
+    samples: int
+    shadow: int
+    taps: int
+    penumbra: float
+
+
+QUICK, FINE = Finish("quick", 0, 384, 2, 0.0025), Finish("fine", 4, 1024, 8, 0.0055)
 
 
 def colour_of(text: str) -> Colour:
@@ -52,30 +74,26 @@ class HeadRenderer:
     ----------
     context : of OpenGL 3.3 core or newer: ``moderngl.create_context(require=330)`` in a window.
     figure : whose mesh is drawn.
-    samples : of each pixel, against jagged edges: it draws on a canvas of its own first, so a window needs none.
-    shadow : pixels along the edge of the key light's shadow; more make its edge sharper.
 
     Raises
     ------
     RenderingError : the mesh has no triangles, or the graphics driver refuses the shaders.
     """
 
-    def __init__(
-        self, context: moderngl.Context, figure: Figure, *, samples: int = SAMPLES, shadow: int = SHADOW
-    ) -> None:
+    def __init__(self, context: moderngl.Context, figure: Figure) -> None:
         self._context, self._mesh = context, figure.mesh
         if not len(figure.mesh.triangles):
             raise RenderingError("the mesh has no triangles, so there is nothing to be seen; choose another one")
         self._room = Room.around(figure.mesh)
         self._surface, self._neck = Surface(figure.mesh), Neck.of(figure.mesh)
-        self._canvas = Canvas(context, samples)
-        self._shadow = context.depth_texture((shadow, shadow))
-        self._shadow.compare_func, self._shadow.repeat_x, self._shadow.repeat_y = "<=", False, False
-        self._dark_room = context.framebuffer(depth_attachment=self._shadow)
+        self._canvases = {finish: Canvas(context, finish.samples) for finish in (QUICK, FINE)}
+        self._shadows: dict[Finish, Shadow] = {}
         self._moving = context.buffer(reserve=len(figure.mesh) * 24, dynamic=True)
         self._looks = context.buffer(reserve=len(figure.mesh) * 20)
         self._corners = context.buffer(figure.mesh.triangles.astype("u4").tobytes())
         self._programs = {name: program_of(context, *shaders) for name, shaders in PROGRAMS.items()}
+        for finish in (QUICK, FINE):
+            self._programs[finish.name] = program_of(context, "head", "head", taps_of(finish.taps, finish.penumbra))
         self._arrays = {name: self._array_of(program) for name, program in self._programs.items()}
         self._look_at_mesh()
 
@@ -89,6 +107,7 @@ class HeadRenderer:
         background: Colour,
         wireframe: bool = False,
         light: Light = LIGHT,
+        fine: bool = True,
         target: moderngl.Framebuffer | None = None,
     ) -> None:
         """Draw one picture, over whatever was there.
@@ -102,6 +121,7 @@ class HeadRenderer:
         background : behind the head.
         wireframe : the edges of the triangles alone, those that nothing hides.
         light : the light that it stands in.
+        fine : without jagged edges and with soft shadows, which takes longer where there is no graphics card.
         target : what the picture goes to; the framebuffer that is bound, where it is None (right for a
             QOpenGLWidget).
 
@@ -110,19 +130,20 @@ class HeadRenderer:
         RenderingError : the driver has no room for a picture of this size.
         """
         target = target or self._context.detect_framebuffer()
-        canvas = self._canvas.of(size)
+        finish = FINE if fine else QUICK
+        canvas = self._canvases[finish].of(size)
         self._move(positions)
-        self._set_uniforms(camera, pose, size, light, background)
+        self._set_uniforms(camera, pose, size, light, background, finish)
         self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         self._context.depth_func, self._context.cull_face = "<", "back"
         if not wireframe:
-            self._cast_shadow()
+            self._cast_shadow(finish)
         canvas.use()
         canvas.clear(*background, 1.0, depth=1.0)
         if wireframe:
             self._draw_wires(background)
         else:
-            self._draw_skin()
+            self._draw_skin(finish)
         self._context.copy_framebuffer(target, canvas)
         target.use()
 
@@ -133,9 +154,10 @@ class HeadRenderer:
             program.release()
         for buffer in (self._corners, self._moving, self._looks):
             buffer.release()
-        self._dark_room.release()
-        self._shadow.release()
-        self._canvas.release()
+        for shadow in self._shadows.values():
+            shadow.release()
+        for canvas in self._canvases.values():
+            canvas.release()
 
     def _look_at_mesh(self) -> None:
         """Find out what stays: colours, where it is wet, and how open it is to the light."""
@@ -154,14 +176,14 @@ class HeadRenderer:
         moved[:, :3], moved[:, 3:] = positions, self._surface.normals(positions)
         self._moving.write(moved)
 
-    def _cast_shadow(self) -> None:
-        self._dark_room.use()
-        self._dark_room.clear(depth=1.0)
-        self._arrays["shadow"].render()
+    def _cast_shadow(self, finish: Finish) -> None:
+        if finish not in self._shadows:
+            self._shadows[finish] = Shadow(self._context, finish.shadow)
+        self._shadows[finish].cast(self._arrays["shadow"])
+        self._shadows[finish].use()
 
-    def _draw_skin(self) -> None:
-        self._shadow.use(0)
-        self._arrays["head"].render()
+    def _draw_skin(self, finish: Finish) -> None:
+        self._arrays[finish.name].render()
         self._context.cull_face = "front"
         self._arrays["plain"].render()
 
@@ -185,7 +207,7 @@ class HeadRenderer:
         return self._context.vertex_array(program, used, self._corners, index_element_size=4)
 
     def _set_uniforms(
-        self, camera: Camera, pose: HeadPose, size: tuple[int, int], light: Light, background: Colour
+        self, camera: Camera, pose: HeadPose, size: tuple[int, int], light: Light, background: Colour, finish: Finish
     ) -> None:
         key = direction_of(camera, light.azimuth, light.elevation)
         key_view, view = self._room.seen_from(key), camera.matrix(size[0] / size[1])
@@ -193,10 +215,10 @@ class HeadRenderer:
         lights = {
             "key": key, "key_view": key_view.T, "fill": direction_of(camera, *FILL), "strength": light.strength,
             "rims": [direction_of(camera, *rim) for rim in RIMS], "eye": camera.eye,
-            "texel": 1 / self._shadow.size[0], "lift": LIFT * self._room.radius,
+            "lift": LIFT * self._room.radius,
         }  # fmt: skip
         seen = turning | {"camera": view.T}
-        set_uniforms(self._programs["head"], seen | lights)
+        set_uniforms(self._programs[finish.name], seen | lights)
         set_uniforms(self._programs["plain"], seen | {"paint": INSIDE})
         set_uniforms(self._programs["wire"], seen | {"paint": LINES[sum(background) < 1.5]})
         set_uniforms(self._programs["shadow"], turning | {"camera": key_view.T})

@@ -16,8 +16,24 @@ class Phone(NamedTuple):
     certainty: str
 
 
-def table_of(*rows: tuple[str, str, str, str]) -> dict[str, Phone]:
-    """Table phone -> Phone, from rows of IPA, class, certainty and the phones' names with blanks between."""
+Row = tuple[str, str, str, str]
+"""IPA, class, certainty, and the phones' names with blanks between."""
+
+PLAIN: tuple[Row, ...] = (
+    ("", SIL, CORE, "pau"),
+    ("s", SZ, CORE, "s"),
+    ("m", "m", CORE, "m"),
+    ("p", "p", CORE, "p"),
+    ("b", "p", CORE, "b"),
+    ("n", X, CORE, "n"),
+    ("k", X, CORE, "k"),
+    ("g", X, CORE, "g"),
+)
+"""What every voice calls alike: with these a table begins."""
+
+
+def table_of(*rows: Row) -> dict[str, Phone]:
+    """Table phone -> Phone."""
     table = {}
     for ipa, class_name, certainty, names in rows:
         for name in names.split():

@@ -1,20 +1,20 @@
 """Japanese: the phones of Open JTalk. Capital vowels are devoiced, cl is the closure of a long consonant."""
 
-from tests.voices.classes import AFFRICATE, AMBIGUOUS, CORE, SCH, SIL, SZ, X, table_of
+from tests.voices.classes import AFFRICATE, AMBIGUOUS, CORE, PLAIN, SCH, SIL, SZ, X, table_of
 
 JAPANESE = table_of(
-    ("", SIL, CORE, "sil pau"),
-    ("s", SZ, CORE, "s"),
+    *PLAIN,
+    ("", SIL, CORE, "sil"),
     ("z", SZ, CORE, "z"),
     ("ts", SZ, AFFRICATE, "ts"),
     ("ɕ", SCH, AMBIGUOUS, "sh"),
     ("dʑ", SCH, AFFRICATE, "j"),
     ("tɕ", SCH, AFFRICATE, "ch"),
-    ("m", "m", CORE, "m my"),
-    ("n", X, CORE, "n ny"),
+    ("m", "m", CORE, "my"),
+    ("n", X, CORE, "ny"),
     ("ɴ", X, AMBIGUOUS, "N"),
-    ("p", "p", CORE, "p py"),
-    ("b", "p", CORE, "b by"),
+    ("p", "p", CORE, "py"),
+    ("b", "p", CORE, "by"),
     ("a", "a", CORE, "a"),
     ("e", "e", CORE, "e"),
     ("i", "i", CORE, "i"),
@@ -33,8 +33,8 @@ JAPANESE = table_of(
     ("ɸ", X, CORE, "f"),
     ("t", X, CORE, "t ty"),
     ("d", X, CORE, "d dy"),
-    ("k", X, CORE, "k ky kw"),
-    ("g", X, CORE, "g gy gw"),
+    ("k", X, CORE, "ky kw"),
+    ("g", X, CORE, "gy gw"),
     ("v", X, CORE, "v"),
 )
 # N before m, p and b is said as m: labelled so, but as ambiguous.

@@ -21,7 +21,7 @@ class Export:
     cues : what was said, cleaned; without gaps from 0 to the end.
     rate : frames per second, where the format counts frames.
     life : what else the face does.
-    mesh : the file of the face that shall move, where the format holds one.
+    mesh : the file of the face that shall move, where the format holds one; None for the program's own head.
     """
 
     speech: Speech

@@ -23,7 +23,7 @@ class Wishes:
     minimum : least duration of a cue, seconds; where frames are counted, a frame at least.
     anticipation : by how much the mouth is ahead of the sound, seconds.
     table : a mouth table's name or file.
-    mesh : the file of the face that shall move.
+    mesh : the file of the face that shall move; else it is the program's own head.
     life : what else the face does.
     """
 
@@ -119,10 +119,8 @@ class Exporter:
             )
 
     def _check_mesh(self) -> None:
-        wanted, given = self.format.needs_mesh, self._wishes.mesh
-        if wanted and given is None:
-            raise ExportError(f"{self.name} moves a face of yours; name its file with --mesh FACE.glb")
-        if given is not None and not wanted:
+        given = self._wishes.mesh
+        if given is not None and not self.format.moves_mesh:
             raise ExportError(f"{self.name} moves no mesh; leave {given.name} out, or choose gltf")
 
 

@@ -40,7 +40,7 @@ class Format:
     movestates : the columns that it has; empty where it takes any.
     separated : whether names of shapes may hold no spaces.
     moves_head : whether it holds the pose of the head.
-    needs_mesh : whether it moves a face that must be given.
+    moves_mesh : whether it holds a face that it moves.
     """
 
     ending: str
@@ -54,7 +54,7 @@ class Format:
     movestates: tuple[str, ...] = ()
     separated: bool = False
     moves_head: bool = False
-    needs_mesh: bool = False
+    moves_mesh: bool = False
 
 
 def _letters(ending: str, write: Callable[[Export], Iterator[str]]) -> Format:
@@ -84,8 +84,8 @@ FORMATS: dict[str, Format] = {
         movestates=OCULUS,
     ),
     "gltf": Format(
-        ".glb", gltf.write, "arkit", "a face of yours, animated", rate=30, anticipation=MOST_ANTICIPATION,
-        needs_mesh=True,
+        ".glb", gltf.write, "arkit", "the head or a face of yours", rate=30, anticipation=MOST_ANTICIPATION,
+        moves_mesh=True,
     ),
     "curves-json": Format(
         ".json", curves.write, "arkit", "curves for Unity, Godot, pages", rate=60, anticipation=MOST_ANTICIPATION,

@@ -1,21 +1,16 @@
-"""GLB files as they are: a JSON document and one block of bytes, to which more can be added.
+"""Faces as GLB files to which more can be added."""
 
-See section 4 of the glTF 2.0 specification.
-"""
-
-import json
-import struct
 from pathlib import Path
 from typing import Any
 
 from engine.audio.opening import shown_name
-from engine.errors import ExportError
+from engine.errors import ExportError, MeshError
+from engine.mouth.files.glb import MAGIC, Table, chunks_of, document_of, glb_of
+from engine.mouth.files.gltf_writing import format_glb
+from engine.mouth.head import HEAD, load_head
 
-MAGIC, VERSION = b"glTF", 2
-JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
-LARGEST_FILE = 1 << 30
-HEADER = 12
-CHUNK_HEADER = 8
+LARGEST_FILE, LARGEST_JSON = 1 << 30, 64 << 20
+"""Bytes; scenes with much else in them are welcome."""
 
 
 class Glb:
@@ -23,21 +18,25 @@ class Glb:
 
     Parameters
     ----------
-    document : the glTF document.
-    binary : the bytes of its buffer 0.
+    content : the file as it is.
+    name : of the file, for people.
+
+    Raises
+    ------
+    ExportError : it is no GLB, is damaged, or has its bytes elsewhere.
     """
 
-    def __init__(self, document: dict[str, Any], binary: bytes, name: str) -> None:
-        self.document = document
+    def __init__(self, content: bytes, name: str) -> None:
         self._name = name
-        buffers = self.list_of("buffers")
-        if binary and not (buffers and isinstance(buffers[0], dict) and "uri" not in buffers[0]):
-            raise self._refusal("its first buffer lies outside it")
-        if not binary and buffers:
-            raise self._refusal("its buffers lie outside it")
-        if not buffers:
-            buffers.append({"byteLength": 0})
-        self._parts = [binary]
+        if not content.startswith(MAGIC):
+            raise ExportError(f"{name}: this is no GLB file; save the face as .glb (binary glTF 2.0)")
+        try:
+            text, binary = chunks_of(content)
+            self.document: Table = document_of(text, LARGEST_JSON)
+        except MeshError as error:
+            raise ExportError(f"{name}: {error}") from error
+        self._check_buffers(bool(binary))
+        self._parts = [bytes(binary)]
         self._length = len(binary)
 
     def list_of(self, name: str) -> list[Any]:
@@ -58,15 +57,24 @@ class Glb:
     def content(self) -> bytes:
         """Give the whole file."""
         self.document["buffers"][0]["byteLength"] = self._length
-        binary = b"".join(self._parts)
-        binary += b"\0" * (-len(binary) % 4)
-        text = json.dumps(self.document, ensure_ascii=False, separators=(",", ":")).encode()
-        text += b" " * (-len(text) % 4)
-        chunks = _chunk(JSON_CHUNK, text) + _chunk(BINARY_CHUNK, binary)
-        return MAGIC + struct.pack("<II", VERSION, HEADER + len(chunks)) + chunks
+        return glb_of(self.document, self._parts)
+
+    def _check_buffers(self, any_bytes: bool) -> None:
+        buffers = self.list_of("buffers")
+        if any_bytes and not (buffers and isinstance(buffers[0], dict) and "uri" not in buffers[0]):
+            raise self._refusal("its first buffer lies outside it")
+        if not any_bytes and buffers:
+            raise self._refusal("its buffers lie outside it")
+        if not buffers:
+            buffers.append({"byteLength": 0})
 
     def _refusal(self, fault: str) -> ExportError:
         return ExportError(f"{self._name}: {fault}; save the face as one GLB file with everything in it")
+
+
+def shipped_glb() -> Glb:
+    """Give the head that ships with the program, with its movestates as morph targets."""
+    return Glb(format_glb(load_head()), HEAD.name)
 
 
 def read_glb(path: Path) -> Glb:
@@ -85,31 +93,4 @@ def read_glb(path: Path) -> Glb:
         raise ExportError(f"{name}: it cannot be read ({reason}); check the file") from error
     if size > LARGEST_FILE:
         raise ExportError(f"{name}: a face has at most 1 GB, this has {size / 1e9:.1f} GB; choose another")
-    if content[:4] != MAGIC or len(content) < HEADER + CHUNK_HEADER:
-        raise ExportError(f"{name}: this is no GLB file; save the face as .glb (binary glTF 2.0)")
-    return _parsed(content, name)
-
-
-def _parsed(content: bytes, name: str) -> Glb:
-    version, length = struct.unpack_from("<II", content, 4)
-    if version != VERSION or not HEADER + CHUNK_HEADER <= length <= len(content):
-        raise ExportError(f"{name}: this GLB is damaged or of version {version}, not 2; export it anew")
-    chunks: dict[int, bytes] = {}
-    at = HEADER
-    while at + CHUNK_HEADER <= length:
-        size, kind = struct.unpack_from("<II", content, at)
-        if at + CHUNK_HEADER + size > length:
-            raise ExportError(f"{name}: this GLB is cut off; export it anew")
-        chunks.setdefault(kind, content[at + CHUNK_HEADER : at + CHUNK_HEADER + size])
-        at += CHUNK_HEADER + size
-    try:
-        document = json.loads(chunks.get(JSON_CHUNK, b""))
-    except (ValueError, RecursionError) as error:
-        raise ExportError(f"{name}: the document in this GLB cannot be read ({error}); export it anew") from error
-    if not isinstance(document, dict):
-        raise ExportError(f"{name}: the document in this GLB is no object; export it anew")
-    return Glb(document, chunks.get(BINARY_CHUNK, b""), name)
-
-
-def _chunk(kind: int, content: bytes) -> bytes:
-    return struct.pack("<II", len(content), kind) + content
+    return Glb(content, name)

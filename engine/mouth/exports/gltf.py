@@ -1,4 +1,4 @@
-"""A face's GLB with an animation of its morph weights: the file that was given, with the movement added to it.
+"""A face's GLB with an animation of its morph weights: a file, or the program's own head, with movement added.
 
 Everything else in the file stays as it is. See section 3.11 of the glTF 2.0 specification.
 """
@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from engine.errors import ExportError
 from engine.mouth.animation import Animation
 from engine.mouth.exports.export import Export
-from engine.mouth.exports.glb import Glb, read_glb
+from engine.mouth.exports.glb import Glb, read_glb, shipped_glb
+from engine.mouth.head import HEAD
 
 FLOAT = 5126
 """glTF's code for float32."""
@@ -24,17 +25,15 @@ def write(export: Export) -> bytes:
 
     Raises
     ------
-    ExportError : the mesh is missing, cannot be read, or has none of the table's movestates.
+    ExportError : the mesh cannot be read, or has none of the table's movestates.
     """
-    if export.mesh is None:
-        raise ExportError("gltf moves a face of yours; name its file with --mesh FACE.glb")
-    glb = read_glb(export.mesh)
+    glb = shipped_glb() if export.mesh is None else read_glb(export.mesh)
     faces = _faces_of(glb.document)
     known = {name for _, names in faces for name in names}
     if not known & set(export.table.movestates):
-        wanted = ", ".join(export.table.movestates[:3])
+        wanted, face = ", ".join(export.table.movestates[:3]), (export.mesh or HEAD).name
         raise ExportError(
-            f"{export.mesh.name}: it has no morph target of the table {export.table.name!r} ({wanted}, ...); choose "
+            f"{face}: it has no morph target of the table {export.table.name!r} ({wanted}, ...); choose "
             "a table for its names with --table, or name the targets in your modelling program"
         )
     _animate(glb, faces, export.animation)

@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 from engine.errors import MeshError
 from engine.mouth.face import MOST_STATES, Figure
+from engine.mouth.files.glb import Table
 from engine.mouth.files.gltf_accessors import array_of, count_of
 from engine.mouth.files.gltf_document import (
     Beside,
     Document,
-    Table,
     numbers_of,
     table_of,
     tables_of,

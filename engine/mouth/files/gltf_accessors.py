@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.errors import MeshError
-from engine.mouth.files.gltf_document import Document, Table, table_of, text_of, whole_of
+from engine.mouth.files.glb import Table
+from engine.mouth.files.gltf_document import Document, table_of, text_of, whole_of
 from engine.mouth.mesh import MOST_TRIANGLES
 
 COMPONENTS: Final = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}

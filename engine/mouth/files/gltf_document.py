@@ -1,21 +1,17 @@
-"""The container of a glTF: JSON that is looked at before it is believed, and the bytes of its buffers.
+"""The document of a glTF: JSON that is looked at before it is believed, and the bytes of its buffers.
 
 A small reader of our own: Python's libraries for glTF either know no morph targets or believe what a file says.
 """
 
 import base64
 import binascii
-import json
 import math
-import struct
 from collections.abc import Callable
-from typing import Any
 from urllib.parse import unquote
 
 from engine.errors import MeshError
+from engine.mouth.files.glb import MAGIC, Table, chunks_of, document_of
 
-MAGIC = b"glTF"
-JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
 LARGEST_JSON = 4 << 20
 """Bytes; Python's objects take twenty times as many."""
 LARGEST_BUFFER = 64 << 20
@@ -23,7 +19,6 @@ MOST_BUFFERS = 16
 UNKNOWN = {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}
 """Extensions that pack the vertices."""
 
-Table = dict[str, Any]
 Buffer = bytes | memoryview
 Beside = Callable[[str], bytes | None]
 
@@ -42,8 +37,8 @@ class Document:
     """
 
     def __init__(self, content: bytes, beside: Beside) -> None:
-        text, self._blob = _chunks_of(content) if content.startswith(MAGIC) else (content, b"")
-        self._root = _json_of(text)
+        text, self._blob = chunks_of(content) if content.startswith(MAGIC) else (content, memoryview(b""))
+        self._root = document_of(text, LARGEST_JSON)
         self._beside = beside
         self._buffers: dict[int, Buffer] = {}
         self._lists: dict[str, list[Table]] = {}
@@ -154,42 +149,6 @@ def _is_number(found: object) -> bool:
 
 def _all_texts(found: object) -> bool:
     return isinstance(found, list) and all(isinstance(entry, str) for entry in found)
-
-
-def _json_of(text: bytes) -> Table:
-    if len(text) > LARGEST_JSON:
-        raise MeshError(f"its JSON is larger than {LARGEST_JSON >> 20} MB; export a .glb, with less in it")
-    try:
-        found = json.loads(text.rstrip(b"\0 "))
-    except (ValueError, RecursionError) as error:
-        raise MeshError("this is no glTF: its JSON cannot be read; choose another file") from error
-    if not isinstance(found, dict):
-        raise MeshError("this is no glTF: its JSON is no table; choose another file")
-    return found
-
-
-def _chunks_of(content: bytes) -> tuple[bytes, Buffer]:
-    """Give the JSON and the binary chunk of a .glb file; the latter is no copy."""
-    if len(content) < 20:
-        raise MeshError("it ends within its header; it is cut off, export or copy it again")
-    version, length = struct.unpack_from("<II", content, 4)
-    if version != 2 or length != len(content):
-        raise MeshError(
-            f"its header says version {version} and {length} bytes, and it has {len(content)}; export it again"
-        )
-    chunks: dict[int, memoryview] = {}
-    at = 12
-    while at + 8 <= length:
-        size, kind = struct.unpack_from("<II", content, at)
-        if size > length - at - 8:
-            raise MeshError(
-                f"a part of it is said to have {size} bytes, and {length - at - 8} are left; export it again"
-            )
-        chunks.setdefault(kind, memoryview(content)[at + 8 : at + 8 + size])
-        at += 8 + size
-    if JSON_CHUNK not in chunks:
-        raise MeshError("it has no JSON part; export it again")
-    return bytes(chunks[JSON_CHUNK]), chunks.get(BINARY_CHUNK, b"")
 
 
 def _shown(found: object) -> str:

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.errors import MeshError
-from engine.mouth.files.gltf_document import Document, Table, numbers_of, text_of, whole_of, wholes_of
+from engine.mouth.files.glb import Table
+from engine.mouth.files.gltf_document import Document, numbers_of, text_of, whole_of, wholes_of
 
 MOST_NODES = 1 << 14
 

@@ -1,15 +1,13 @@
 """Writes .glb files: one mesh, its colours, and its movestates as morph targets."""
 
-import json
-import struct
-
 import numpy as np
 from numpy.typing import NDArray
 
 from engine.errors import MeshError
 from engine.mouth.face import Face, Figure
+from engine.mouth.files.glb import Table, glb_of
 from engine.mouth.files.gltf import NUMBER, TRIANGLES, linear_of
-from engine.mouth.files.gltf_document import BINARY_CHUNK, JSON_CHUNK, LARGEST_BUFFER, MAGIC, Table
+from engine.mouth.files.gltf_document import LARGEST_BUFFER
 from engine.mouth.mesh import Mesh, Vectors
 from engine.mouth.movestate import Movestate
 
@@ -120,11 +118,4 @@ def _glb(primitive: Table, states: tuple[Movestate, ...], mesh: Mesh | None, buf
         root["materials"] = [
             {"name": "face", "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.7}}
         ]
-    text = json.dumps(root, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    blob = b"".join(buffer.parts)
-    size = 12 + 8 + len(text) + 8 + len(blob)
-    return b"".join((
-        MAGIC, struct.pack("<II", 2, size), struct.pack("<II", len(text), JSON_CHUNK), text,
-        struct.pack("<II", len(blob), BINARY_CHUNK), blob,
-    ))  # fmt: skip
+    return glb_of(root, buffer.parts)

@@ -1,7 +1,6 @@
 // A studio: a warm key light with a shadow, a cool fill light, two rim lights from behind, a bright ceiling.
 // Colours are squared where light adds up, and rooted at the end: close to sRGB, and cheap without a graphics card.
 uniform sampler2DShadow shadow;
-uniform float texel;
 uniform vec3 eye;
 uniform vec3 key;
 uniform vec3 fill;
@@ -13,6 +12,7 @@ in vec3 normal;
 in vec3 colour;
 in vec2 wet_and_open;
 in vec3 in_key;
+in vec2 lean;
 
 out vec4 painted;
 
@@ -23,10 +23,12 @@ const vec3 CEILING = vec3(0.46, 0.48, 0.53);
 const vec3 FLOOR = vec3(0.22, 0.165, 0.14);
 const vec3 BLEEDING = vec3(0.42, 0.20, 0.13); // how far light goes round in skin: red farthest
 
-float lit(float cosine) {
-    float sum = texture(shadow, in_key + vec3(texel * vec2(-0.5, -1.0), -0.003));
-    sum += texture(shadow, in_key + vec3(texel * vec2(0.7, 0.9), -0.003));
-    return mix(1.0, 0.5 * sum, smoothstep(-0.05, 0.25, cosine)); // light that grazes skin has no sharp end
+float lit(float cosine) { // a shadow grows soft over the places where it is looked up
+    float sum = 0.0;
+    for (int k = 0; k < TAPS.length(); k++) {
+        sum += texture(shadow, in_key + vec3(TAPS[k], dot(lean, TAPS[k]) - 0.003));
+    }
+    return mix(1.0, sum / float(TAPS.length()), smoothstep(-0.05, 0.25, cosine)); // light that grazes skin has no sharp end
 }
 
 vec3 wrapped(float cosine, vec3 bleeding) {
@@ -56,13 +58,13 @@ void main() {
     float cosine = dot(n, key);
     vec3 mirror = reflect(-view, n);
     float inside = smoothstep(0.02, 0.3, open); // what a closed mouth hides is never quite bright
-    float sun = mix(lit(cosine), 0.6, 0.75 * wetness * (1.0 - inside)); // light is thrown about between teeth
-    sun *= mix(0.25 + 0.5 * wetness, 1.0, inside);
+    float sun = mix(lit(cosine), 0.7, 0.9 * wetness * (1.0 - inside)); // light is thrown about between teeth
+    sun *= mix(0.25 + 0.75 * wetness, 1.0, inside);
 
     vec3 bleeding = BLEEDING * (1.0 - 0.6 * wetness);
     vec3 soft = mix(vec3(0.10, 0.02, 0.01), vec3(1.0), sun); // a shadow on skin has a red edge
     vec3 light = KEY * wrapped(cosine, bleeding) * soft;
-    open = max(open, 0.62 * wetness);
+    open = max(open, wetness);
     float held = open * (0.65 + 0.35 * open);
     vec3 around = mix(vec3(held, held * held, held * held), vec3(held), 0.55); // creases are warm
     light += (FILL * max(0.8 * dot(n, fill) + 0.2, 0.0) + mix(FLOOR, CEILING, 0.5 + 0.5 * n.y)) * around;

@@ -13,6 +13,7 @@ out vec3 normal;
 out vec3 colour;
 out vec2 wet_and_open;
 out vec3 in_key;
+out vec2 lean; // how much deeper skin lies for the key light, beside this place
 
 void main() {
     point = turned(in_position);
@@ -20,5 +21,7 @@ void main() {
     colour = in_colour;
     wet_and_open = vec2(in_wetness, in_openness);
     in_key = (key_view * vec4(point + lift * normal, 1.0)).xyz * 0.5 + 0.5;
+    vec3 seen = mat3(key_view) * normal;
+    lean = clamp(-seen.xy / min(seen.z, -1e-6), -2.5, 2.5);
     gl_Position = camera * vec4(point, 1.0);
 }

@@ -1,0 +1,40 @@
+"""Letters on a painter: their size, their colour, and where they stand."""
+
+import math
+
+from PySide6.QtCore import QRect, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter
+
+AT_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+CENTRED = Qt.AlignmentFlag.AlignCenter
+
+
+def set_size(painter: QPainter, size: int) -> None:
+    """Have letters be so high from now on, pixels."""
+    font = painter.font()
+    font.setPixelSize(size)
+    painter.setFont(font)
+
+
+def write(
+    painter: QPainter, box: QRectF | QRect, text: str, colour: str | QColor, size: int,
+    align: Qt.AlignmentFlag = AT_LEFT,
+) -> None:  # fmt: skip
+    """Write one line into a box; words that have no room end in three dots.
+
+    Parameters
+    ----------
+    size : of the letters, pixels.
+    """
+    set_size(painter, size)
+    painter.setPen(QColor(colour))
+    fitting = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, math.ceil(box.width()))
+    painter.drawText(box, align, fitting)
+
+
+def size_that_fills(painter: QPainter, text: str, width: float, smallest: int, largest: int) -> int:
+    """Give the size in which a text is as wide as that, pixels, within limits."""
+    set_size(painter, 100)
+    wide = max(1, painter.fontMetrics().horizontalAdvance(text))
+    return max(smallest, min(largest, math.floor(100 * width / wide)))
