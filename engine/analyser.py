@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from engine.audio.files import SoundReader
 from engine.dsp.framing import Framer
 from engine.features.measure import Features
-from engine.features.path import VOLUME, Measured, SpectrumPath, joined
+from engine.features.path import LevelPath, Measured, SpectrumPath, joined
 from engine.presets.preset import Preset
 from engine.recognition.intensity import intensities_of
-from engine.recognition.recogniser import Recogniser, recogniser_of
+from engine.recognition.recogniser import HEARERS, Recogniser, recogniser_of
 from engine.recognition.recognition import Recognition
 from engine.recognition.statistics import Statistics
 from engine.settings import FRAME_PERIOD, HOP, WINDOW
@@ -116,13 +116,17 @@ class Analyser:
     preset : what to recognise with.
     pitch : measure `f0` too, which no rule needs; without it `f0` reads 0.
     start : number of the first frame, where the samples begin in the midst of a longer sound.
+    phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none; `volume` stays.
     """
 
-    def __init__(self, preset: Preset, *, pitch: bool = False, start: int = 0) -> None:
+    def __init__(
+        self, preset: Preset, *, pitch: bool = False, start: int = 0, phonemes_only: bool = False
+    ) -> None:  # fmt: skip
         self._pitch = pitch
+        self._phonemes_only = phonemes_only
         self._preset = preset
         self._framer = Framer()
-        self._path = SpectrumPath(preset.settings, preset.variables, pitch=pitch)
+        self._path = self._path_of(preset)
         self._recogniser = recogniser_of(preset.recogniser, preset.tuning)
         self._statistics = _statistics_of(preset)
         self._waiting = _Waiting()
@@ -150,7 +154,7 @@ class Analyser:
         if (preset.recogniser, preset.tuning) != (old.recogniser, old.tuning):
             recogniser = recogniser_of(preset.recogniser, preset.tuning)
         self._preset = preset
-        if (preset.settings, preset.variables) != (old.settings, old.variables):
+        if self._path_key(preset) != self._path_key(old):
             self._change_path(preset)
         if _statistics_key(preset) != _statistics_key(old):
             self._statistics = _statistics_of(preset)
@@ -190,7 +194,7 @@ class Analyser:
     def _completed(self, measured: Measured, recognition: Recognition) -> Analysis:
         settings = self._preset.settings
         features, recognised = measured.features, recognition.phonemes
-        levels = features.values[:, VOLUME]
+        levels = features["volume"]
         if recognition.scores is not None:
             features = features.with_columns(self._recogniser.scores, recognition.scores)
         phonemes = recognised
@@ -203,9 +207,18 @@ class Analyser:
             intensities_of(levels, settings.intensity_low, settings.intensity_high),
         )  # fmt: skip
 
+    def _path_of(self, preset: Preset) -> SpectrumPath | LevelPath:
+        if self._phonemes_only and preset.recogniser in HEARERS:
+            return LevelPath()
+        return SpectrumPath(preset.settings, preset.variables, pitch=self._pitch)
+
+    def _path_key(self, preset: Preset) -> object:
+        hears = self._phonemes_only and preset.recogniser in HEARERS
+        return hears, preset.settings, preset.variables
+
     def _change_path(self, preset: Preset) -> None:
         last = self._path.smoother.last
-        self._path = SpectrumPath(preset.settings, preset.variables, pitch=self._pitch)
+        self._path = self._path_of(preset)
         waiting = self._waiting.clear()
         if waiting is not None:
             self._waiting.push(self._path.push(waiting.features.windows), 0)

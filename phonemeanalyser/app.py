@@ -8,9 +8,19 @@ from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import QMessageLogContext, QSettings, QStandardPaths, QTimer, QtMsgType, qInstallMessageHandler
+from PySide6.QtCore import (
+    QEvent,
+    QMessageLogContext,
+    QObject,
+    QSettings,
+    QStandardPaths,
+    QTimer,
+    QtMsgType,
+    Signal,
+    qInstallMessageHandler,
+)
 from PySide6.QtGui import QSurfaceFormat
-from PySide6.QtWidgets import QApplication, QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from engine.audio.output import ClockOutput, Output, open_output
 from engine.errors import EngineError
@@ -22,7 +32,7 @@ from phonemeanalyser.models.session import Session
 from phonemeanalyser.models.talking import Talking
 from phonemeanalyser.theme import DARK, LIGHT, Theme, apply_theme, system_theme
 
-AFTER_SHOWING_MS = 20
+AFTER_PAINTING_MS = 20
 """The window is to be seen before the sound card is awake."""
 THEMES = {"light": LIGHT, "dark": DARK}
 
@@ -89,6 +99,28 @@ class Desktop:
             self.set_theme("system")
 
 
+class FirstPaint(QObject):
+    """Waits until a window is seen.
+
+    Signals
+    -------
+    painted : the window has been painted, a moment ago, for the first time.
+    """
+
+    painted = Signal()
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        window.installEventFilter(self)
+
+    def eventFilter(self, window: QObject, event: QEvent) -> bool:
+        """Look for the first event of that kind."""
+        if event.type() == QEvent.Type.Paint:
+            window.removeEventFilter(self)
+            QTimer.singleShot(AFTER_PAINTING_MS, self.painted.emit)
+        return False
+
+
 def make_application() -> QApplication:
     """Make Qt's application, or give the one that is there."""
     app = QApplication.instance()
@@ -112,8 +144,8 @@ def run(file: Path, preset: Path | None = None) -> int:
     desktop.window.dialogs.restore_preset()
     if preset is not None:
         desktop.window.dialogs.load_preset(preset)
+    FirstPaint(desktop.window).painted.connect(lambda: _begin(desktop, file))
     desktop.window.show()
-    QTimer.singleShot(AFTER_SHOWING_MS, lambda: _begin(desktop, file))
     code = app.exec()
     desktop.close()
     return code
@@ -145,7 +177,7 @@ def screenshot(
             desktop.window.resize(*size)
             desktop.window.show()
             _follow(desktop.session, file, at)
-            desktop.window.refresh_all()
+            desktop.window.drawing.refresh_all()
             app.processEvents()
             saved = desktop.window.grab().save(str(out), "PNG")
         finally:

@@ -1,5 +1,6 @@
 """Analyse files without a window: each sound file becomes a table of its phonemes, or of every frame's variables."""
 
+import argparse
 import csv
 import json
 from collections.abc import Callable, Iterable, Iterator
@@ -14,10 +15,11 @@ from engine.calibration.labels.label import Label, labels_of_runs
 from engine.calibration.labels.textgrid import format_textgrid
 from engine.errors import EngineError
 from engine.phonemes import Phoneme
+from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.presets.preset import Preset
 from engine.recognition.runs import RUN_COLUMNS, Run, runs_of
 from engine.settings import FRAME_PERIOD
-from phonemeanalyser.jobs import Job, is_single, sound_of, watched, work_through
+from phonemeanalyser.jobs import Job, is_single, jobs_of, sound_of, watched, work_through
 from phonemeanalyser.writing import print_whole, write_whole
 
 SUFFIX_OF = {"csv": ".csv", "json": ".json", "textgrid": ".TextGrid", "audacity": ".txt"}
@@ -47,6 +49,23 @@ class Table:
                 f"a file of labels ({SUFFIX_OF[self.kind]}) has no place for the variables of every frame; leave out "
                 "--features, or write them with --format csv or json"
             )
+
+
+def analyse(words: list[str]) -> int:
+    """Analyse sound files as the command line asks; 1 where one could not be."""
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser analyse", description="Write the phonemes of sound files as tables."
+    )
+    parser.add_argument("inputs", type=Path, nargs="+", metavar="INPUT", help="sound files, or folders of them")
+    parser.add_argument("-o", "--out", type=Path, help="folder for the tables, or a file for one (default: print)")
+    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
+    parser.add_argument("--format", choices=list(SUFFIX_OF), dest="kind", help="default: as OUT ends, else csv")
+    parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
+    options = parser.parse_args(words)
+    table = Table(options.kind or kind_for(options.inputs, options.out), options.features)
+    preset = load_preset(options.preset)
+    jobs = jobs_of(options.inputs, options.out, SUFFIX_OF[table.kind])
+    return 1 if analyse_all(jobs, preset, table) else 0
 
 
 def kind_for(inputs: list[Path], out: Path | None) -> str:

@@ -16,15 +16,8 @@ from engine.errors import EngineError
 from engine.mouth.osc import OscAddress, OscSettings
 from engine.mouth.table import load_table
 from engine.presets.files import DEFAULT_PRESET, load_preset
-from phonemeanalyser.adapting import adapt
-from phonemeanalyser.batch import SUFFIX_OF, Table, analyse_all, kind_for
 from phonemeanalyser.display import why_no_qt, why_no_window
-from phonemeanalyser.exporting import export
-from phonemeanalyser.jobs import jobs_of
 from phonemeanalyser.listening import list_devices, listen, record
-from phonemeanalyser.movestates import movestates
-from phonemeanalyser.score import score
-from phonemeanalyser.training import train
 
 DEMO = Path(__file__).parent / "demo" / "demo.flac"
 LATENCY = 0.12
@@ -65,22 +58,6 @@ def _window(words: list[str]) -> int:
         print(f"phonemeanalyser: {reason}", file=sys.stderr)
         return NO_DISPLAY
     return int(_app().run(options.file, options.preset))
-
-
-def _analyse(words: list[str]) -> int:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser analyse", description="Write the phonemes of sound files as tables."
-    )
-    parser.add_argument("inputs", type=Path, nargs="+", metavar="INPUT", help="sound files, or folders of them")
-    parser.add_argument("-o", "--out", type=Path, help="folder for the tables, or a file for one (default: print)")
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
-    parser.add_argument("--format", choices=list(SUFFIX_OF), dest="kind", help="default: as OUT ends, else csv")
-    parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
-    options = parser.parse_args(words)
-    table = Table(options.kind or kind_for(options.inputs, options.out), options.features)
-    preset = load_preset(options.preset)
-    jobs = jobs_of(options.inputs, options.out, SUFFIX_OF[table.kind])
-    return 1 if analyse_all(jobs, preset, table) else 0
 
 
 def _listen(words: list[str]) -> int:
@@ -196,8 +173,21 @@ def _app() -> ModuleType:
         raise EngineError(why_no_qt(error)) from error
 
 
+def _of(module: str, name: str) -> Callable[[list[str]], int]:
+    """Give a command whose module is imported when it runs, since nobody should wait for the others."""
+    return lambda words: int(getattr(importlib.import_module(f"phonemeanalyser.{module}"), name)(words))
+
+
 COMMANDS: dict[str, Callable[[list[str]], int]] = {
-    "adapt": adapt, "analyse": _analyse, "export": export, "listen": _listen, "movestates": movestates,
-    "preview": _preview, "record": _record, "score": score, "screenshot": _screenshot, "train": train,
-}  # fmt: skip
+    "adapt": _of("adapting", "adapt"),
+    "analyse": _of("batch", "analyse"),
+    "export": _of("exporting", "export"),
+    "listen": _listen,
+    "movestates": _of("movestates", "movestates"),
+    "preview": _preview,
+    "record": _record,
+    "score": _of("score", "score"),
+    "screenshot": _screenshot,
+    "train": _of("training", "train"),
+}
 """Every command, and what runs it."""

@@ -1,11 +1,16 @@
 """The commands of the menus, as tables: text, key, and what is done."""
 
+from collections.abc import Callable
+from functools import partial
+
 from phonemeanalyser.dialogs import Dialogs
 from phonemeanalyser.menus import Command
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
+from phonemeanalyser.views.analysis_page import AnalysisPage
 
 Commands = tuple[Command, ...]
+PAGES = ("Analyse", "Calibrate", "Talk")
 
 
 def file_commands(dialogs: Dialogs) -> Commands:
@@ -51,4 +56,13 @@ def analysis_commands(session: Session, preset: PresetModel, dialogs: Dialogs) -
         Command("Bypass All Filters", "B", preset.set_bypassed, checkable=True),
         Command("Clear", "C", session.clear),
         Command("Remove Variable…", "", dialogs.ask_remove_variable),
+    )
+
+
+def view_commands(show_page: Callable[[int], None], analysis: AnalysisPage) -> Commands:
+    """Give what chooses what is seen, and how."""
+    return (
+        *(Command(name, f"Ctrl+{k + 1}", partial(show_page, k)) for k, name in enumerate(PAGES)),
+        Command("Coarse Display", "Shift+C", analysis.set_coarse, checkable=True),
+        Command("Spectra in dB", "D", analysis.set_decibels, checkable=True),
     )

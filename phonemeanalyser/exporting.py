@@ -25,7 +25,7 @@ def export(words: list[str]) -> int:
     life = Life(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     wishes = Wishes(options.fps, options.minimum, options.anticipation, options.table, options.mesh, life)
     exporter = Exporter(options.kind, wishes)
-    if exporter.format.needs_mesh and options.out is None:
+    if exporter.format.moves_mesh and options.out is None:
         raise EngineError(f"{options.kind} is no text to be printed; name a file or a folder with -o")
     preset = load_preset(options.preset)
     jobs = jobs_of(options.inputs, options.out, exporter.format.ending)
@@ -59,7 +59,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--fps", type=_number, metavar="N", help="frames per second (default: see below)")
     parser.add_argument("--minimum", type=_number, default=MINIMUM, metavar="S", help=f"shortest cue ({MINIMUM} s)")
     parser.add_argument("--anticipation", type=_number, metavar="S", help="the mouth is ahead so much, 0..0.12 s")
-    parser.add_argument("--mesh", type=Path, metavar="GLB", help="the face that shall move, for gltf")
+    parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
     parser.add_argument("--detail", choices=[d.value for d in Detail], default=Detail.PHONEMES.value)
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
     parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")

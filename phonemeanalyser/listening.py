@@ -69,7 +69,7 @@ def listen(
             if mouth is not None:
                 mouth.follow(analysis)
 
-        changes.listener = listener = Listener(preset, choice, on_heard=follow)
+        changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_heard=follow)
         try:
             _attend(listener, seconds, lambda: None)
         finally:
@@ -90,7 +90,7 @@ def record(path: Path, preset: Preset, choice: InputChoice, seconds: float | Non
     limit = math.inf if seconds is None else seconds
     tape = Tape(_names_from(path), with_phonemes=with_phonemes, seconds=limit)
     with _quiet_libraries(), _ended_by_signals():
-        listener = Listener(preset, choice, tape=tape)
+        listener = Listener(preset, choice, phonemes_only=True, tape=tape)
         try:
             _attend(listener, seconds, lambda: _check(tape))
         finally:

@@ -7,10 +7,16 @@ from pathlib import Path
 from engine.errors import MeshError
 from engine.mouth.face import TOLERANCE, Face, Figure, face_of, fitted
 from engine.mouth.files.opening import FACES, load_face, load_figure, save_face
+from engine.mouth.head import load_head
 from engine.mouth.movestate import LONGEST_NAME, Movestate, movestate_of
 from phonemeanalyser.writing import print_whole
 
-EPILOG = "Formats: .3dm, .3dma (text), .glb; meshes: .obj, .gltf, .glb, .x. For each, movestates WHAT --help."
+OWN = "head"
+"""What is named instead of a file, for the head that ships with the program."""
+EPILOG = (
+    "Formats: .3dm, .3dma (text), .glb; meshes: .obj, .gltf, .glb, .x, or the word head for the program's own. "
+    "For each, movestates WHAT --help."
+)
 
 
 def movestates(words: list[str]) -> int:
@@ -22,7 +28,7 @@ def movestates(words: list[str]) -> int:
 
 
 def _export(options: argparse.Namespace) -> Iterator[str]:
-    base = load_figure(options.base)
+    base = _figure_of(options.base)
     states = [*base.states, *(state for path in options.targets for state in _states_of(path, base))]
     if not states:
         raise MeshError(f"{options.base.name}: there are no morph targets in it; name the files of targets after it")
@@ -33,7 +39,7 @@ def _export(options: argparse.Namespace) -> Iterator[str]:
 
 def _states_of(path: Path, base: Figure) -> list[Movestate]:
     """Give what a target's file holds: its mesh as a movestate of the file's name, and its own morph targets."""
-    target = load_figure(path)
+    target = _figure_of(path)
     if len(target.mesh) != len(base.mesh):
         raise MeshError(
             f"{path.name}: it has {len(target.mesh)} vertices, and the base has {len(base.mesh)}; export both alike"
@@ -55,28 +61,39 @@ def _named_apart(base: Figure, states: list[Movestate]) -> Face:
 def _info(options: argparse.Namespace) -> Iterator[str]:
     path: Path = options.file
     if path.suffix.lower() not in FACES:
-        figure = load_figure(path)
+        figure = _figure_of(path)
         mesh = figure.mesh
         yield f"{path.name}: {_many(len(mesh), 'vertex')}, {_many(len(mesh.triangles), 'triangle')}, " + _many(
             len(mesh.materials), "material"
         )
         yield from _table(figure.states)
         return
-    face = load_face(path)
+    face = _face_of(path)
     yield _summary(path, face)
     yield from _table(face.states)
 
 
 def _convert(options: argparse.Namespace) -> Iterator[str]:
-    face = load_face(options.source)
-    figure = load_figure(options.source) if options.source.suffix.lower() not in FACES else None
+    face = _face_of(options.source)
+    figure = _figure_of(options.source) if options.source.suffix.lower() not in FACES else None
     if options.mesh is not None:
-        figure = load_figure(options.mesh)
+        figure = _figure_of(options.mesh)
         as_it_was, face = face, fitted(face, figure.mesh, options.tolerance)
         if face is not as_it_was:
             yield f"{options.source.name}: the vertices are renumbered as {options.mesh.name} has them"
     save_face(face, options.out, figure)
     yield _summary(options.out, face)
+
+
+def _figure_of(path: Path) -> Figure:
+    return load_head() if str(path) == OWN else load_figure(path)
+
+
+def _face_of(path: Path) -> Face:
+    if str(path) == OWN:
+        head = load_head()
+        return face_of(head.mesh, head.states)
+    return load_face(path)
 
 
 def _summary(path: Path, face: Face) -> str:
@@ -112,7 +129,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     info.add_argument("file", type=Path, metavar="FILE")
     info.set_defaults(act=_info)
     convert = kinds.add_parser("convert", help="write movestates in another format")
-    convert.add_argument("source", type=Path, metavar="IN")
+    convert.add_argument("source", type=Path, metavar="IN", help="a file, or the word head")
     convert.add_argument("out", type=Path, metavar="OUT", help=".3dm, .3dma or .glb")
     convert.add_argument("--mesh", type=Path, help="the mesh of IN, by whose vertices it is renumbered if need be")
     convert.add_argument("--tolerance", type=_distance, default=TOLERANCE, help=f"of a place (default {TOLERANCE})")

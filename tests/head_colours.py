@@ -10,6 +10,8 @@ Numbers = NDArray[np.int64]
 SKIN, LIPS, BROWS, INSIDE = (216, 172, 150), (184, 108, 100), (84, 58, 46), (84, 32, 32)
 BLUSH, STUBBLE, LID = (210, 140, 122), (196, 156, 138), (196, 142, 124)
 TEETH, TONGUE = (236, 230, 214), (176, 86, 86)
+SHADED = 0.66
+"""Of the lower teeth, which stand in the lips' shade."""
 EYE = {"pupil": (0, 2), "iris": (3, 6), "white": (7, 12)}
 """First and last ring of each."""
 PUPIL, IRIS, LIMBUS, WHITE = (16, 14, 14), (104, 138, 156), (44, 62, 78), (238, 236, 232)
@@ -32,7 +34,8 @@ def painted(points: Floats, triangles: Numbers, part: NDArray[np.uint8]) -> Colo
     _tint(colours, LIPS, _lips(points))
     _tint(colours, INSIDE, _hidden(points, triangles).astype(np.float32))
     depth = 0.35 + 0.65 * np.clip((points[:, 2:] - 1.05) / 0.4, 0, 1)
-    colours = np.where(np.isin(part, (2, 5))[:, np.newaxis], np.float32(TEETH) * depth, colours)
+    colours = np.where((part == 2)[:, np.newaxis], np.float32(TEETH) * depth * SHADED, colours)
+    colours = np.where((part == 5)[:, np.newaxis], np.float32(TEETH) * depth, colours)
     colours = np.where((part == 4)[:, np.newaxis], np.float32(TONGUE) * depth, colours)
     return np.round(colours).astype(np.uint8)
 

@@ -133,6 +133,29 @@ class SpectrumPath:
         return normalise(mel) if self._normalises else mel
 
 
+class LevelPath:
+    """The way of a block where nobody looks at spectra and variables: its windows, and how loud each is.
+
+    Attributes
+    ----------
+    smoother : has nothing to smooth, and so nothing to remember.
+    """
+
+    names = ("volume",)
+
+    def __init__(self) -> None:
+        self.smoother = TimeSmoother(0)
+
+    def nothing(self) -> Measured:
+        """Give a block without frames."""
+        return self.push(np.zeros((0, WINDOW), np.float32))
+
+    def push(self, frames: Block) -> Measured:
+        """Measure raw frames, shape (n, 2048)."""
+        unseen = np.zeros((len(frames), 0), np.float32)
+        return Measured(unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis], frames))
+
+
 def _gains_of(settings: AnalysisSettings) -> Block:
     gains = np.ones(settings.n_bins, np.float32)
     if settings.has(Filter.HIGH_PASS):

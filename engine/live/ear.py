@@ -59,21 +59,33 @@ class Ear:
     preset : what to recognise with.
     pitch : measure `f0` too.
     start : number of its first frame.
+    phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none.
     """
 
-    def __init__(self, source: Input, channel: int, preset: Preset, *, pitch: bool, start: int) -> None:
+    def __init__(
+        self, source: Input, channel: int, preset: Preset, *, pitch: bool, start: int, phonemes_only: bool = False
+    ) -> None:  # fmt: skip
         self.source = source
         self.start = start
-        self.latency = Latency()
         self._n_heard = 0
+        self._spent = 0.0
         self._columns = slice(channel - 1, channel) if channel else slice(None)
-        self.analyser = Analyser(live(preset), pitch=pitch, start=start)
+        self.analyser = Analyser(live(preset), pitch=pitch, start=start, phonemes_only=phonemes_only)
         self._resampler = Resampler(source.rate, 1, steady=True) if source.rate != SAMPLE_RATE else None
 
     @property
     def n_channels(self) -> int:
         """Channels of what is heard."""
         return len(range(self.source.n_channels)[self._columns])
+
+    @property
+    def latency(self) -> Latency:
+        """How long a sound takes to become a phoneme here; nothing is known before the first."""
+        if not self._spent:
+            return Latency()
+        held_back = self._resampler.delay if self._resampler is not None else 0.0
+        look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD
+        return Latency(self.source.delay + held_back, look_ahead=look_ahead, analysis=self._spent)
 
     @property
     def seconds(self) -> float:
@@ -101,17 +113,11 @@ class Ear:
         if self._resampler is not None:
             mono = self._resampler.push(mono[:, np.newaxis])[:, 0]
         analysis = self.analyser.push(mono)
-        self._measure(time.monotonic() - began)
+        spent = time.monotonic() - began
+        self._spent = STEADINESS * (self._spent or spent) + (1 - STEADINESS) * spent
         return analysis
 
     def time_of(self, frame: int) -> float:
         """Say when the middle of a frame sounded, on the clock of `time.monotonic`."""
         sample = (frame - self.start) * HOP + HOP // 2
         return self.source.time_of(sample / SAMPLE_RATE * self.source.rate + self.source.n_lost)
-
-    def _measure(self, spent: float) -> None:
-        before = self.latency.analysis or spent
-        held_back = self._resampler.delay if self._resampler is not None else 0.0
-        analysis = STEADINESS * before + (1 - STEADINESS) * spent
-        look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD
-        self.latency = Latency(self.source.delay + held_back, look_ahead=look_ahead, analysis=analysis)

@@ -9,7 +9,6 @@ import time
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,14 +20,13 @@ from engine.audio.level import Level, LevelMeter
 from engine.errors import DeviceError
 from engine.live.ear import Ear, Latency
 from engine.live.heard import Heard, heard_of
+from engine.live.status import NOT_LISTENING, QUIET, Status, status_of
 from engine.live.tape import Tape
 from engine.presets.preset import Preset
 from engine.settings import FRAME_PERIOD, WINDOW
 
 RETRY = 2.0
 """Seconds between two tries to reach a device that gives nothing."""
-QUIET = 0.5
-"""Seconds without a block after which nothing counts as coming: even silence comes every 10 ms."""
 MOST_WAITING = 500
 """Blocks that wait for `take` at most; older ones are dropped and counted."""
 LETTING_GO = 5.0
@@ -37,14 +35,6 @@ OPENING = 0.5
 """The same while none is: a sound system that hangs when it is asked for one holds nobody up."""
 READ_TIMEOUT = 0.1
 """Seconds that the thread waits for sound before it looks whether all is well."""
-
-
-@dataclass(frozen=True)
-class Status:
-    """Whether sound is coming in at this moment, and what is going on, in words."""
-
-    listening: bool
-    words: str
 
 
 class Listener:
@@ -58,6 +48,7 @@ class Listener:
     preset : what to recognise with.
     choice : which microphone, channel and rate; the system's default where it names none.
     pitch : measure `f0` too, which no rule needs.
+    phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none.
     tape : records from the first sample on; see `record`.
     on_heard : called in the listening thread with each block, as soon as it is known; it must not wait.
     on_sound : called there with each block of sound, shape (n, n_channels), and its rate; it must not wait either.
@@ -66,7 +57,8 @@ class Listener:
 
     def __init__(
         self, preset: Preset, choice: InputChoice | None = None, *, pitch: bool = False,
-        tape: Tape | None = None, on_heard: Callable[[Analysis], object] = lambda _analysis: None,
+        phonemes_only: bool = False, tape: Tape | None = None,
+        on_heard: Callable[[Analysis], object] = lambda _analysis: None,
         on_sound: Callable[[NDArray[np.float32], int], object] = lambda _block, _rate: None,
         open_input: Callable[[InputChoice], Input] = CardInput,
     ) -> None:  # fmt: skip
@@ -74,6 +66,7 @@ class Listener:
         self.n_dropped = 0
         self._preset = preset
         self._pitch = pitch
+        self._phonemes_only = phonemes_only
         self._on_heard = on_heard
         self._on_sound = on_sound
         self._open_input = open_input
@@ -128,17 +121,10 @@ class Listener:
         """Whether sound comes in now, and what is going on."""
         source, ear = self._source, self._ear
         if self._closing or not self._thread.is_alive():
-            return Status(listening=False, words="not listening")
+            return NOT_LISTENING
         if source is None:
             return Status(listening=False, words=self._refusal)
-        if ear is None:
-            return Status(listening=False, words=f"waiting for the first sound from {source.name}")
-        silent = time.monotonic() - self._heard_at
-        if silent < QUIET:
-            return Status(listening=True, words=source.name)
-        return Status(
-            listening=False, words=f"nothing comes from {source.name} since {silent:.0f} s; trying again every 2 s"
-        )
+        return status_of(source, heard=ear is not None, silent=time.monotonic() - self._heard_at)
 
     @property
     def rate(self) -> int:
@@ -231,7 +217,8 @@ class Listener:
 
     def _warm_up(self) -> None:
         """Analyse silence, so that the first sound need not wait for what is imported at the first use."""
-        Analyser(self._preset, pitch=self._pitch).push(np.zeros(2 * WINDOW, np.float32))
+        analyser = Analyser(self._preset, pitch=self._pitch, phonemes_only=self._phonemes_only)
+        analyser.push(np.zeros(2 * WINDOW, np.float32))
 
     def _open(self) -> None:
         try:
@@ -275,7 +262,10 @@ class Listener:
         if self._gap_is_loss:
             self._lost_before += (start - self._next_frame) * FRAME_PERIOD
         self._gap_is_loss = True
-        return Ear(source, self.choice.channel, self._preset, pitch=self._pitch, start=start)
+        return Ear(
+            source, self.choice.channel, self._preset, pitch=self._pitch, start=start,
+            phonemes_only=self._phonemes_only,
+        )  # fmt: skip
 
     def _hand_over(self, analysis: Analysis) -> None:
         self._next_frame = analysis.start + len(analysis)

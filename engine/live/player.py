@@ -8,52 +8,25 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
-from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.analyser import PRE_ROLL, Analyser, Analysis
 from engine.audio.files import mono_of
 from engine.audio.output import ClockOutput, Output, open_output
+from engine.audio.source import Reader
+from engine.live.waiting import Waiting
 from engine.presets.preset import Preset
-from engine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, Channel
+from engine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
 STEP = 2 * HOP
 """Samples that are read, played and analysed at a time."""
-MOST_WAITING = 1500
-"""Blocks that wait for `take` at most; older ones are dropped and counted."""
 RETRY = 2.0
 """Seconds between two tries to find a sound card again."""
 PATIENCE = 1.0
 """Seconds that a sound card may take to open or close before that goes on without whoever asked for it."""
 WAKING = 0.3
 """Seconds that a sound card is given to ask for sound."""
-
-
-class Reader(Protocol):
-    """Gives a sound at 44.1 kHz, block by block."""
-
-    channel: Channel
-    n_channels: int
-    n_samples: int
-
-    @property
-    def duration(self) -> float:
-        """Length of the sound, seconds."""
-        ...
-
-    def read(self, n: int) -> NDArray[np.float32]:
-        """Give the next samples, shape (m, n_channels), fewer than `n` only at the end."""
-        ...
-
-    def seek(self, sample: int) -> None:
-        """Go to a sample."""
-        ...
-
-    def close(self) -> None:
-        """Let go."""
-        ...
 
 
 class Player:
@@ -72,7 +45,6 @@ class Player:
     def __init__(self, reader: Reader, preset: Preset, open_device: Callable[[int], Output] = open_output) -> None:
         self.reader = reader
         self.loop = False
-        self.n_dropped = 0
         self._open_device = open_device
         self._output: Output = ClockOutput()
         self._opened = threading.Event()
@@ -85,8 +57,7 @@ class Player:
         self._target: int | None = None
         self._error: Exception | None = None
         self._segments: tuple[tuple[int, int], ...] = ((0, 0),)
-        self._waiting: deque[tuple[int, Analysis]] = deque()
-        self._handover = threading.Lock()
+        self._waiting = Waiting()
         self._commands: deque[Callable[[], None]] = deque()
         self._wake = threading.Event()
         self._thread = threading.Thread(target=self._run, name="analysis", daemon=True)
@@ -105,6 +76,11 @@ class Player:
             return False
         drained = self._output.heard >= self._output.n_written
         return self._at_end and not self._waiting and (drained or not self._playing)
+
+    @property
+    def n_dropped(self) -> int:
+        """Frames that were analysed but not taken in time."""
+        return self._waiting.n_dropped
 
     @property
     def output_name(self) -> str:
@@ -161,12 +137,7 @@ class Player:
             raise error
         if self._output.lost:
             self._do(self._leave_card)
-        heard = self._output.heard
-        due = []
-        with self._handover:
-            while self._waiting and self._waiting[0][0] <= heard:
-                due.append(self._waiting.popleft()[1])
-        return due
+        return self._waiting.take(self._output.heard)
 
     def ahead(self) -> list[tuple[float, Analysis]]:
         """Give what is analysed and not heard yet: `take` gives it later.
@@ -176,9 +147,7 @@ class Player:
         each block with the seconds until it is taken, negative ones where it waits for that: the middle of its last
         frame is heard then.
         """
-        heard = self._output.heard
-        with self._handover:
-            return [((due - heard) / SAMPLE_RATE, analysis) for due, analysis in self._waiting]
+        return self._waiting.ahead(self._output.heard)
 
     def close(self) -> None:
         """Stop, and let file and device go; a device that hangs is left to itself."""
@@ -247,7 +216,7 @@ class Player:
 
     def _jump(self, frame: int) -> None:
         self._hold()
-        self._forget_waiting()
+        self._waiting.clear()
         self._output.skip()
         self._begin(frame)
         if self._target == frame:
@@ -272,14 +241,7 @@ class Player:
             return
         self._next_frame = analysis.start + len(analysis)
         due = written + (self._next_frame - 1) * HOP + HOP // 2 - sample
-        with self._handover:
-            self._waiting.append((min(due, self._output.n_written), analysis))
-            while len(self._waiting) > MOST_WAITING:
-                self.n_dropped += len(self._waiting.popleft()[1])
-
-    def _forget_waiting(self) -> None:
-        with self._handover:
-            self._waiting.clear()
+        self._waiting.push(min(due, self._output.n_written), analysis)
 
     def _leave_card(self) -> None:
         """Go on silently, since the card has gone."""
@@ -309,9 +271,9 @@ class Player:
         """Go on elsewhere from the first frame that was not handed out."""
         old = self._output
         output.gain = old.gain
-        with self._handover:
+        with self._waiting.lock:
             place, over = round(self.position * SAMPLE_RATE), self._at_end and not self._waiting
-            frame = self._waiting[0][1].start if self._waiting else self._next_frame
+            frame = self._next_frame if self._waiting.next_frame is None else self._waiting.next_frame
             self._waiting.clear()
             self._target = frame
             self._output = output

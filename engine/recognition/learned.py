@@ -49,9 +49,9 @@ class LearnedRecogniser:
         scores = found.dot(self._head.weights)
         scores += self._head.bias
         phonemes = scores.argmax(axis=1).astype(np.uint8)
-        scores -= scores.max(axis=1, keepdims=True)
+        scores -= np.maximum.reduce(scores, axis=1, keepdims=True)
         np.exp(scores, out=scores)
-        scores /= scores.sum(axis=1, keepdims=True)
+        scores /= np.add.reduce(scores, axis=1, keepdims=True)
         return Recognition(phonemes, scores)
 
     def shortfalls(self, features: Features) -> Block | None:

@@ -8,6 +8,7 @@ one and those one and two dilations back, and adds what it finds to what came in
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.lib.stride_tricks import as_strided
 from numpy.typing import NDArray
 
 Block = NDArray[np.float32]
@@ -16,6 +17,9 @@ TAPS = 3
 """Frames that a layer looks at."""
 ROOM = 64
 """Frames for which a layer keeps room, so that what it remembers is moved seldom."""
+FEW = 4
+"""Up to so many frames are worked on one by one: a matrix of a few rows costs more than as many vectors."""
+ZERO = np.zeros((), np.float32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,34 +53,42 @@ class Delayed:
     """
 
     def __init__(self, layer: Layer, before: Block) -> None:
-        self._layer = layer
+        self._weights, self._bias = layer.weights, layer.bias
         self._reach, self._step = layer.reach, layer.dilation
         self._seen = np.empty((self._reach + ROOM, len(before)), np.float32)
         self._seen[: self._reach] = before
+        self._taps = _taps_of(self._seen, self._step)
         self._end = self._reach
 
     def push(self, block: Block) -> Block:
         """Take the next frames, shape (n, n_in), and give what it finds in them, shape (n, n_out)."""
-        first = self._end - self._reach
-        last = self._end + len(block)
-        if last > len(self._seen):
-            self._seen = np.concatenate((self._seen[first : self._end], block, self._seen[:ROOM]))
-            first, last = 0, self._reach + len(block)
-        else:
-            self._seen[self._end : last] = block
-        self._end = last
-        found: Block = self._taps(first, last).dot(self._layer.weights)
-        found += self._layer.bias
-        return np.maximum(found, 0, out=found)
+        found = self._few(block) if len(block) <= FEW else self._many(block)
+        found += self._bias
+        return np.maximum(found, ZERO, out=found)
 
-    def _taps(self, first: int, last: int) -> Block:
-        """Put the frames that each answer looks at beside each other, shape (n, 3 x n_in)."""
-        seen, step = self._seen, self._step
-        if last - first == self._reach + 1:
-            return seen[first:last:step].reshape(1, -1)
-        n = last - first - self._reach
-        starts = range(first, last - n + 1, step)
-        return np.concatenate([seen[k : k + n] for k in starts], axis=1)
+    def _few(self, block: Block) -> Block:
+        n, seen, end = len(block), self._seen, self._end
+        if end + n > len(seen):
+            seen[: self._reach] = seen[end - self._reach : end]
+            end = self._reach
+        first, self._end = end - self._reach, end + n
+        seen[end : end + n] = block
+        taps = self._taps[first : first + n].reshape(n, 1, -1)
+        found: Block = np.matmul(taps, self._weights)
+        return found.reshape(n, -1)
+
+    def _many(self, block: Block) -> Block:
+        n = len(block)
+        seen = np.concatenate((self._seen[self._end - self._reach : self._end], block))
+        self._seen[: self._reach], self._end = seen[n:], self._reach
+        found: Block = _taps_of(seen, self._step).reshape(n, -1).dot(self._weights)
+        return found
+
+
+def _taps_of(seen: Block, step: int) -> Block:
+    """Give a view of frames in which those that an answer looks at lie beside each other, shape (n, 3, n_in)."""
+    n_answers, (frame, value) = len(seen) - (TAPS - 1) * step, seen.strides
+    return as_strided(seen, (n_answers, TAPS, seen.shape[1]), (frame, step * frame, value), writeable=False)
 
 
 class Network:

@@ -80,6 +80,8 @@ RECOGNISERS: dict[str, Callable[[Tuning], Recogniser]] = {
     "templates": lambda tuning: TemplateRecogniser(_templates_of(tuning)),
 }
 """The recognisers that come with the program; no other package can take their names."""
+HEARERS = frozenset({"learned", "templates"})
+"""Those that listen to the windows themselves, and need no variables."""
 
 
 def _model_of(tuning: Tuning) -> Model:

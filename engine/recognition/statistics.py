@@ -63,12 +63,12 @@ class Statistics:
         them there is no hysteresis.
         """
         if shortfalls is not None:
-            phonemes = self._steadied(phonemes, shortfalls <= self.hysteresis)
+            phonemes = self._steadied(phonemes.tolist(), (shortfalls <= self.hysteresis).tolist())
         return self._held_on(phonemes)
 
-    def _steadied(self, phonemes: NDArray[np.uint8], may_stay: NDArray[np.bool_]) -> NDArray[np.uint8]:
+    def _steadied(self, phonemes: list[int], may_stay: list[list[bool]]) -> NDArray[np.uint8]:
         steady, out = self._steady, []
-        for raw, stays in zip(phonemes.tolist(), may_stay, strict=True):
+        for raw, stays in zip(phonemes, may_stay, strict=True):
             steady = steady if stays[steady] else raw
             out.append(steady)
         self._steady = steady

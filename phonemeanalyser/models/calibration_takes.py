@@ -12,12 +12,12 @@ from engine.audio.files import SoundReader
 from engine.calibration.scores.corpus import Utterance
 from engine.calibration.takes.check import TakeReport, check_take
 from engine.calibration.takes.project import TakeProject
-from engine.calibration.takes.take import TAKES, Take
-from engine.errors import TakeError
+from engine.calibration.takes.take import Take
 from engine.phonemes import Phoneme
 from engine.settings import SAMPLE_RATE
 from phonemeanalyser.models.backroom import Backroom
 from phonemeanalyser.models.catch import in_house_form
+from phonemeanalyser.models.take_labels import write_labels_of
 from phonemeanalyser.models.take_reports import noise_in, report_of, reports_of, sound_in
 
 Block = NDArray[np.float32]
@@ -208,7 +208,7 @@ class TakesModel(QObject):
 
     def write_labels(self, suffix: str, program: str) -> None:
         """Write label files for another program beside the sounds of all takes: its name, and how they end."""
-        self._disk.do(lambda _heed: self._labels_in_work(suffix, program), self.told.emit)
+        self._disk.do(lambda _heed: write_labels_of(self._project, suffix, program), self.told.emit)
 
     def select(self, number: int | None) -> None:
         """Choose a take, whose sound is read."""
@@ -260,16 +260,6 @@ class TakesModel(QObject):
         if before is not None:
             before.close()
         return self._snapshot_of(project)
-
-    def _labels_in_work(self, suffix: str, program: str) -> str:
-        """Write label files beside all takes, and say how many."""
-        project = self._project
-        if project is None or not project.takes:
-            raise TakeError("There are no takes yet whose labels could be written; record one first.")
-        aside, n = project.write_copies(suffix), len(project.takes)
-        files = f"{n} label file{'s' if n > 1 else ''} for {program} {'lie' if n > 1 else 'lies'} beside the takes"
-        kept = f"; what else was there is kept, such as {aside[0].name}" if aside else ""
-        return f"{files} in {project.folder / TAKES}{kept}."
 
     def _show(self, now: Snapshot) -> None:
         self.now = now

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from engine.calibration.scores.scoring import TEN, Counts
 from engine.phonemes import Phoneme
+from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_keys import name_of
 
@@ -59,18 +60,16 @@ class ConfusionView(QWidget):
         """Paint headings and cells."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(self._theme.base))
-        self._write(painter, QRectF(LEFT, 1, self.width() - LEFT, 15), "recognised as →", self._theme.faint, 10)
-        self._write(
-            painter, QRectF(6, TOP - 17, LEFT, 15), "said ↓", self._theme.faint, 10, Qt.AlignmentFlag.AlignLeft
-        )
+        write(painter, QRectF(LEFT, 1, self.width() - LEFT, 15), "recognised as →", self._theme.faint, 10, CENTRED)
+        write(painter, QRectF(6, TOP - 17, LEFT, 15), "said ↓", self._theme.faint, 10, Qt.AlignmentFlag.AlignLeft)
         for column, phoneme in enumerate(TAKEN):
             box = self.cell_rect(0, column)
             heading = QRectF(box.left(), TOP - 18, box.width(), 16)
-            self._write(painter, heading, SHORT.get(phoneme, name_of(phoneme)), self._theme.text, 12)
+            write(painter, heading, SHORT.get(phoneme, name_of(phoneme)), self._theme.text, 12, CENTRED)
         for row, phoneme in enumerate(SAID):
             box = self.cell_rect(row, 0)
             place = QRectF(6, box.top(), LEFT - 10, box.height())
-            self._write(painter, place, name_of(phoneme), self._theme.text, 12, _LEFT)
+            write(painter, place, name_of(phoneme), self._theme.text, 12)
             for column in range(len(TAKEN)):
                 self._paint_cell(painter, row, column)
         if self.cell is not None:
@@ -94,23 +93,13 @@ class ConfusionView(QWidget):
         percent = f"{100 * share:.0f}" if self.difference is None else f"{100 * share:+.0f}"
         if self.difference is None and box.height() >= TALL:
             upper, lower = box.adjusted(0, 1, 0, -box.height() / 2 + 3), box.adjusted(0, box.height() / 2 - 2, 0, 0)
-            self._write(painter, upper, f"{percent} %", colour, 12)
-            self._write(painter, lower, str(count), colour, 9)
+            write(painter, upper, f"{percent} %", colour, 12, CENTRED)
+            write(painter, lower, str(count), colour, 9, CENTRED)
         elif self.difference is None and box.width() >= WIDE:
-            self._write(painter, box.adjusted(4, 0, 0, 0), f"{percent} %", colour, 11, _LEFT)
-            self._write(painter, box.adjusted(0, 0, -3, 0), str(count), colour, 8, _RIGHT)
+            write(painter, box.adjusted(4, 0, 0, 0), f"{percent} %", colour, 11)
+            write(painter, box.adjusted(0, 0, -3, 0), str(count), colour, 8, AT_RIGHT)
         else:
-            self._write(painter, box, percent if percent not in {"0", "+0", "-0"} else "·", colour, 11)
-
-    def _write(
-        self, painter: QPainter, box: QRectF, text: str, colour: str, size: int,
-        align: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignCenter,
-    ) -> None:  # fmt: skip
-        font = painter.font()
-        font.setPixelSize(size)
-        painter.setFont(font)
-        painter.setPen(QColor(colour))
-        painter.drawText(box, align, text)
+            write(painter, box, percent if percent not in {"0", "+0", "-0"} else "·", colour, 11, CENTRED)
 
     # -- choosing -----------------------------------------------------------------------------------------
 
@@ -164,10 +153,6 @@ class ConfusionView(QWidget):
                 if self.cell_rect(row, column).contains(x, y):
                     return row, column
         return None
-
-
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 def _share(counts: Counts | None, row: int, column: int) -> float:

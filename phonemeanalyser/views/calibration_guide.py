@@ -7,6 +7,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from phonemeanalyser.lettering import CENTRED, size_that_fills, write
 from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.calibration_guide import STEPS, Phase
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
@@ -16,6 +17,8 @@ from phonemeanalyser.views.level_meter import LevelMeter
 
 RING = 15
 """Width of the ring in pixels."""
+SIZES = (12, 64)
+"""Least and largest of the letters in it, pixels."""
 
 
 class Ring(QWidget):
@@ -44,9 +47,9 @@ class Ring(QWidget):
         painter.setPen(QPen(colour, RING, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
         share = 1.0 if guide.phase is Phase.DONE else guide.share
         painter.drawArc(box, 90 * 16, -round(360 * 16 * share))
-        painter.setPen(QColor(self._theme.text))
-        inner = side - 3 * RING
-        self._write(painter, box, self._words(), inner)
+        words = self._words()
+        size = size_that_fills(painter, words, side - 3 * RING, *SIZES)
+        write(painter, box, words, self._theme.text, size, CENTRED)
 
     def _words(self) -> str:
         guide = self._guide
@@ -57,15 +60,6 @@ class Ring(QWidget):
         if guide.phase is Phase.SHOWING:
             return "again" if guide.advice else "✓"
         return guide.step.say
-
-    def _write(self, painter: QPainter, box: QRectF, text: str, width: float) -> None:
-        font = painter.font()
-        font.setPixelSize(100)
-        painter.setFont(font)
-        wide = max(1, painter.fontMetrics().horizontalAdvance(text))
-        font.setPixelSize(max(12, min(64, math.floor(100 * width / wide))))
-        painter.setFont(font)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 
 class StepsLine(QWidget):
@@ -82,9 +76,6 @@ class StepsLine(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         cell = self.width() / len(STEPS)
-        font = painter.font()
-        font.setPixelSize(12)
-        painter.setFont(font)
         for k, step in enumerate(STEPS):
             box = QRectF(k * cell + 2, 2, cell - 4, self.height() - 4)
             done, here = k in self._guide.numbers, k == self._guide.index
@@ -93,9 +84,9 @@ class StepsLine(QWidget):
             painter.drawRoundedRect(box, 4, 4)
             painter.fillRect(QRectF(box.left() + 4, box.bottom() - 5, box.width() - 8, 3),
                              QColor(PHONEME_COLOURS[step.phoneme]))  # fmt: skip
-            painter.setPen(QColor(self._theme.text if here or done else self._theme.faint))
-            mark = "✓ " if done else ""
-            painter.drawText(box.adjusted(0, 0, 0, -5), Qt.AlignmentFlag.AlignCenter, mark + name_of(step.phoneme))
+            colour = self._theme.text if here or done else self._theme.faint
+            words = f"✓ {name_of(step.phoneme)}" if done else name_of(step.phoneme)
+            write(painter, box.adjusted(0, 0, 0, -5), words, colour, 12, CENTRED)
 
 
 class GuideView(QWidget):

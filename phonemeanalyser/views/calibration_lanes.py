@@ -11,11 +11,14 @@ from PySide6.QtWidgets import QScrollBar, QSizePolicy, QVBoxLayout, QWidget
 from engine.calibration.scores.confusion import Confusion
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
+from phonemeanalyser.lettering import CENTRED, write
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.views.calibration_keys import name_of
 
 LEFT = 76
 HEADING, LANE, GAP = 14, 20, 2
+SIZE = 11
+"""Of letters, pixels."""
 NARROWEST, WIDEST = 0.02, 12.0
 """Pixels of a frame at most zoom out and in."""
 LEAST_TEXT = 16
@@ -59,7 +62,7 @@ class Lanes(QWidget):
         tops = (HEADING, HEADING + LANE + GAP)
         lanes = (self.confusion.labels.phonemes, self.confusion.answers)
         for top, word, codes in zip(tops, ("said", "recognised"), lanes, strict=True):
-            self._write(painter, QRectF(6, top, LEFT - 8, LANE), word, self._theme.text)
+            write(painter, QRectF(6, top, LEFT - 8, LANE), word, self._theme.text, SIZE)
             self._paint_lane(painter, top, codes)
         self._paint_edges(painter, self.confusion)
 
@@ -83,7 +86,7 @@ class Lanes(QWidget):
             x = LEFT + (first + start - self.first) * self.scale
             box = QRectF(max(x, LEFT), top, (end - start) * self.scale, LANE)
             if painter.fontMetrics().horizontalAdvance(name) < box.width() - 2:
-                self._write(painter, box, name, "#ffffff", Qt.AlignmentFlag.AlignCenter)
+                write(painter, box, name, "#ffffff", SIZE, CENTRED)
 
     def _paint_edges(self, painter: QPainter, confusion: Confusion) -> None:
         for k, edge in enumerate(confusion.edges[:-1].tolist()):
@@ -95,17 +98,7 @@ class Lanes(QWidget):
             room = min(end, self.width()) - max(x, LEFT) - 6
             if room > 24:
                 text = painter.fontMetrics().elidedText(self.names[k], Qt.TextElideMode.ElideMiddle, int(room))
-                self._write(painter, QRectF(max(x, LEFT) + 4, 0, room, HEADING), text, self._theme.faint)
-
-    def _write(
-        self, painter: QPainter, box: QRectF, text: str, colour: str,
-        align: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter,
-    ) -> None:  # fmt: skip
-        font = painter.font()
-        font.setPixelSize(11)
-        painter.setFont(font)
-        painter.setPen(QColor(colour))
-        painter.drawText(box, align, text)
+                write(painter, QRectF(max(x, LEFT) + 4, 0, room, HEADING), text, self._theme.faint, SIZE)
 
 
 class LanesView(QWidget):

@@ -5,6 +5,7 @@ from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from engine.phonemes import Phoneme
+from phonemeanalyser.lettering import CENTRED, write
 from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.session import Source
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
@@ -45,18 +46,12 @@ class PhonemeButton(QToolButton):
         painter.fillRect(box.left() + 4, box.bottom() - 4, box.width() - 8, 3, colour)
         text = QColor("#ffffff" if down and self._theme.name == "light" else self._theme.text)
         name = name_of(self.phoneme)
-        self._write(painter, name, text, 15 if len(name) < 4 else 12, Qt.AlignmentFlag.AlignCenter)
+        inner = self.rect().adjusted(5, 2, -5, -3)
+        write(painter, inner.adjusted(-5, 0, 5, 0), name, text, 15 if len(name) < 4 else 12, CENTRED)
         faint = text if down else QColor(self._theme.faint)
-        self._write(painter, KEYS[self.phoneme], faint, 10, Qt.AlignmentFlag.AlignLeft)
+        write(painter, inner, KEYS[self.phoneme], faint, 10, Qt.AlignmentFlag.AlignLeft)
         if self.n_takes:
-            self._write(painter, f"×{self.n_takes}", faint, 10, Qt.AlignmentFlag.AlignRight)
-
-    def _write(self, painter: QPainter, text: str, colour: QColor, size: int, align: Qt.AlignmentFlag) -> None:
-        font = painter.font()
-        font.setPixelSize(size)
-        painter.setFont(font)
-        painter.setPen(colour)
-        painter.drawText(self.rect().adjusted(5, 2, -5, -3), align, text)
+            write(painter, inner, f"×{self.n_takes}", faint, 10, Qt.AlignmentFlag.AlignRight)
 
 
 class RecordPanel(QWidget):

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from engine.calibration.bench.distributions import Distribution, Spread
 from engine.phonemes import Phoneme
+from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
 from phonemeanalyser.models.calibration_bench import BenchModel, Line
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.views.calibration_keys import name_of
@@ -84,7 +85,7 @@ class SpreadView(QWidget):
                 if self._bench.busy
                 else "Record takes, or load labelled recordings, to see how they are spread"
             )
-            self._write(painter, QRectF(self.rect()), words, self._theme.faint, 13, Qt.AlignmentFlag.AlignCenter)
+            write(painter, QRectF(self.rect()), words, self._theme.faint, 13, CENTRED)
             return
         self._paint_axis(painter, distribution)
         height = (self.height() - TOP - BOTTOM) / max(1, len(distribution.spreads))
@@ -99,7 +100,7 @@ class SpreadView(QWidget):
     ) -> None:  # fmt: skip
         colour, middle = QColor(PHONEME_COLOURS[phoneme]), top + height / 2
         row = QRectF(0, top, self.width(), height)
-        self._write(painter, row.adjusted(8, 0, 0, 0), name_of(phoneme), self._theme.text, 12)
+        write(painter, row.adjusted(8, 0, 0, 0), name_of(phoneme), self._theme.text, 12)
         self._paint_histogram(painter, distribution, spread, colour, middle, 0.46 * height)
         painter.setPen(QColor(self._theme.text))
         low, high = self.x_of(spread.minimum), self.x_of(spread.maximum)
@@ -113,7 +114,7 @@ class SpreadView(QWidget):
         x = self.x_of(spread.median)
         painter.fillRect(QRectF(x - 1.5, middle - half - 2, 3, 2 * half + 4), QColor(self._theme.text))
         for k, value in enumerate((spread.minimum, spread.median, spread.maximum)):
-            self._write(painter, self._cell(k, top, height), short(value), self._theme.text, 11, _RIGHT)
+            write(painter, self._cell(k, top, height), short(value), self._theme.text, 11, AT_RIGHT)
 
     def _paint_histogram(
         self, painter: QPainter, distribution: Distribution, spread: Spread, colour: QColor, middle: float,
@@ -134,13 +135,13 @@ class SpreadView(QWidget):
         for value in _ticks(distribution):
             x = self.x_of(value)
             painter.fillRect(QRectF(x, TOP, 1, bottom - TOP), QColor(self._theme.raised))
-            self._write(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, _CENTRE)
+            write(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
         unit = {"zero_crossings": " (a second)", "f0": " (Hz)"}.get(distribution.variable, " (amplitude)")
         scale = ", logarithmic scale" if distribution.logarithmic else ""
         label = QRectF(LEFT, bottom + 15, self.width() - LEFT - RIGHT, 16)
-        self._write(painter, label, f"{distribution.variable}{unit}{scale}", self._theme.text, 11, _CENTRE)
+        write(painter, label, f"{distribution.variable}{unit}{scale}", self._theme.text, 11, CENTRED)
         for k, name in enumerate(COLUMNS):
-            self._write(painter, self._cell(k, TOP - 18, 16), name, self._theme.faint, 10, _RIGHT)
+            write(painter, self._cell(k, TOP - 18, 16), name, self._theme.faint, 10, AT_RIGHT)
 
     def _paint_line(self, painter: QPainter, k: int, line: Line) -> None:
         x, colour = self.x_of(line.value), QColor(self._theme.bad)
@@ -157,21 +158,11 @@ class SpreadView(QWidget):
         text = f"{line.sign} {short(line.value)}  {line.name if not line.is_limit else ''}".strip()
         box = QRectF(x - 75, 1 + 13 * (k % 2), 150, 13)
         box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
-        self._write(painter, box, text, self._theme.bad, 10, _CENTRE)
+        write(painter, box, text, self._theme.bad, 10, CENTRED)
 
     def _cell(self, k: int, top: float, height: float) -> QRectF:
         width = (RIGHT - 16) / len(COLUMNS)
         return QRectF(self.width() - RIGHT + 8 + k * width, top, width, height)
-
-    def _write(
-        self, painter: QPainter, box: QRectF, text: str, colour: str, size: int,
-        align: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignVCenter,
-    ) -> None:  # fmt: skip
-        font = painter.font()
-        font.setPixelSize(size)
-        painter.setFont(font)
-        painter.setPen(QColor(colour))
-        painter.drawText(box, align, text)
 
     # -- dragging -----------------------------------------------------------------------------------------
 
@@ -226,10 +217,6 @@ class SpreadView(QWidget):
     def _line_near(self, x: float) -> Line | None:
         near = [line for line in self.lines if abs(self.x_of(line.value) - x) <= NEAR]
         return min(near, key=lambda line: abs(self.x_of(line.value) - x)) if near else None
-
-
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_CENTRE = Qt.AlignmentFlag.AlignCenter
 
 
 def short(value: float) -> str:

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from engine.settings import SAMPLE_RATE
+from phonemeanalyser.lettering import set_size
 from phonemeanalyser.models.calibration_takes import TakesModel
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 
@@ -62,9 +63,7 @@ class TakeWave(QWidget):
             painter.fillRect(QRectF(x - 1, HEADING, 2, self.height() - HEADING), counting)
             painter.fillRect(QRectF(x - 4, (self.height() + HEADING) / 2 - 8, 8, 16), counting)
         painter.setPen(QColor(self._theme.text))
-        font = painter.font()
-        font.setPixelSize(10)
-        painter.setFont(font)
+        set_size(painter, 10)
         words = f"{take.name}   {self.ends[0]:.2f} – {self.ends[1]:.2f} s of {take.duration:.2f} s"
         painter.drawText(self.rect().adjusted(6, 2, -4, 0), Qt.AlignmentFlag.AlignLeft, words)
 

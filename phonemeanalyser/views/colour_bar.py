@@ -8,6 +8,8 @@ from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 
+from phonemeanalyser.lettering import set_size
+
 BAR = 14
 """Width of the bar in pixels."""
 
@@ -33,9 +35,7 @@ class ColourBar(QWidget):
         top, height = 12, self.height() - 24
         image = QImage(self._colours.data, 1, 256, 4, QImage.Format.Format_RGB32)
         painter.drawImage(QRect(4, top, BAR, height), image)
-        font = painter.font()
-        font.setPixelSize(10)
-        painter.setFont(font)
+        set_size(painter, 10)
         align = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         for label, y in zip(self._labels, (top, top + height // 2, top + height), strict=True):
             painter.drawText(QRect(BAR + 7, y - 8, self.width() - BAR - 7, 16), align, label)

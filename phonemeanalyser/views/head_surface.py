@@ -44,11 +44,12 @@ class Scene:
     wireframe: bool
 
 
-def in_window() -> ModuleType:
-    """Give what draws heads."""
-    from phonemeanalyser.rendering import in_window  # noqa: PLC0415 - 200 ms that only who sees a head waits for
+def rendering() -> ModuleType:
+    """Give what draws heads: 200 ms that only who sees one waits for."""
+    import phonemeanalyser.rendering.pictures  # noqa: PLC0415
+    import phonemeanalyser.rendering.renderer  # noqa: PLC0415
 
-    return in_window
+    return phonemeanalyser.rendering
 
 
 def has_graphics_card() -> bool:
@@ -128,7 +129,8 @@ class GlSurface(QOpenGLWidget):
     def _renderer_of(self, figure: Figure) -> Any:
         if self._renderer is None or figure is not self._figure:
             self._leave()
-            self._renderer, self._figure = in_window().renderer_in_window(figure), figure
+            context = rendering().contexts.window_context()
+            self._renderer, self._figure = rendering().renderer.HeadRenderer(context, figure), figure
         return self._renderer
 
 
@@ -158,7 +160,7 @@ class PictureSurface(QWidget):
         self._rest.timeout.connect(self._draw_finely)
         self._scene = scene
         self._figure: Figure | None = None
-        self._sketcher: Any = None
+        self._photographer: Any = None
         self._kept = b""
         self._image: QImage | None = None
 
@@ -197,22 +199,25 @@ class PictureSurface(QWidget):
     def let_go(self) -> None:
         """Give everything back to the graphics driver."""
         self._rest.stop()
-        if self._sketcher is not None:
-            self._sketcher.release()
-        self._sketcher = self._figure = None
+        if self._photographer is not None:
+            self._photographer.release()
+        self._photographer = self._figure = None
 
     def _image_of(self, scene: Scene, *, fine: bool) -> QImage | None:
         width, height = self._size(MOST_PIXELS if fine else MOST_QUICK_PIXELS)
         try:
-            self._kept = self._sketcher_of(scene.figure).sketch(
-                scene.camera, scene.positions, scene.pose, size=(width, height), background=scene.background,
+            photographer = self._photographer_of(scene.figure)
+            photographer.resize((width, height))
+            picture = photographer.picture(
+                scene.camera, scene.positions, scene.pose, background=scene.background,
                 wireframe=scene.wireframe, light=scene.light, fine=fine,
             )  # fmt: skip
         except RenderingError as error:
             self.failed.emit(str(error))
             return None
         self.n_drawn += 1
-        return QImage(self._kept, width, height, 4 * width, QImage.Format.Format_RGBX8888)
+        self._kept = picture.tobytes()
+        return QImage(self._kept, width, height, 3 * width, QImage.Format.Format_RGB888)
 
     def _size(self, most: int) -> tuple[int, int]:
         scale = self.devicePixelRatio()
@@ -220,8 +225,8 @@ class PictureSurface(QWidget):
         less = min(1.0, (most / (width * height)) ** 0.5)
         return max(1, round(width * less)), max(1, round(height * less))
 
-    def _sketcher_of(self, figure: Figure) -> Any:
-        if self._sketcher is None or figure is not self._figure:
+    def _photographer_of(self, figure: Figure) -> Any:
+        if self._photographer is None or figure is not self._figure:
             self.let_go()
-            self._sketcher, self._figure = in_window().Sketcher(figure), figure
-        return self._sketcher
+            self._photographer, self._figure = rendering().pictures.Photographer(figure), figure
+        return self._photographer

@@ -7,6 +7,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from phonemeanalyser.lettering import set_size
 from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.theme import Theme
 
@@ -48,9 +49,7 @@ class LevelMeter(QWidget):
         self._paint_light(painter, level.clipped_ago)
 
     def _paint_scale(self, painter: QPainter, track: QRectF) -> None:
-        font = painter.font()
-        font.setPixelSize(9)
-        painter.setFont(font)
+        set_size(painter, 9)
         painter.setPen(QColor(self._theme.faint))
         for mark in MARKS_DB:
             x = self._x_of(10 ** (mark / 20), track)
@@ -68,9 +67,7 @@ class LevelMeter(QWidget):
         painter.fillRect(box, QColor(self._theme.bad if fresh else self._theme.raised))
         faded = self._theme.bad if recent else self._theme.faint
         painter.setPen(QColor(self._theme.on_colour if fresh else faded))
-        font = painter.font()
-        font.setPixelSize(10)
-        painter.setFont(font)
+        set_size(painter, 10)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words_of(ago))
 
     def _x_of(self, amplitude: float, track: QRectF) -> float:

@@ -1,7 +1,12 @@
 """Which page of the window is seen: one button for each, side by side."""
 
+from collections.abc import Callable
+from typing import Generic, TypeVar
+
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QStackedWidget, QToolButton, QWidget
+
+Page = TypeVar("Page", bound=QWidget)
 
 
 class PageStack(QStackedWidget):
@@ -20,6 +25,36 @@ class PageStack(QStackedWidget):
         """Ask for what the page that is seen needs."""
         seen = self.currentWidget()
         return seen.minimumSizeHint().expandedTo(seen.minimumSize()) if seen else super().minimumSizeHint()
+
+
+class LatePage(Generic[Page]):
+    """A page that is made when it is first asked for, so that the first picture of the window need not wait for it.
+
+    Parameters
+    ----------
+    stack : gets a place for the page at its end.
+    make : makes the page.
+
+    Attributes
+    ----------
+    made : the page, or None as long as nobody has asked for it.
+    """
+
+    def __init__(self, stack: PageStack, make: Callable[[], Page]) -> None:
+        self.made: Page | None = None
+        self._stack = stack
+        self._make = make
+        self._place = QWidget()
+        stack.addWidget(self._place)
+
+    def get(self) -> Page:
+        """Give the page."""
+        if self.made is None:
+            self.made = self._make()
+            self._stack.insertWidget(self._stack.indexOf(self._place), self.made)
+            self._stack.removeWidget(self._place)
+            self._place.deleteLater()
+        return self.made
 
 
 class PageSwitch(QWidget):

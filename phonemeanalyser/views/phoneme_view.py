@@ -1,14 +1,14 @@
 """The recognised phoneme in large letters, its intensity, why it was recognised, and the plain measures."""
 
-import math
 from typing import Any
 
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from engine.phonemes import Phoneme
 from engine.recognition.trace import Comparison, Trace
+from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
 from phonemeanalyser.models.session import Session
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 
@@ -86,24 +86,24 @@ class PhonemeView(QWidget):
         painter.fillRect(box, QColor(colour.red(), colour.green(), colour.blue(), 50))
         painter.fillRect(QRectF(box.left(), box.top(), 5, box.height()), colour)
         name = "nothing comes" if self.deaf else self.phoneme.label
-        self._write(painter, box, name, self._theme.text, 42 if len(name) < 4 else 30, Qt.AlignmentFlag.AlignCenter)
+        write(painter, box, name, self._theme.text, 42 if len(name) < 4 else 30, CENTRED)
 
     def _paint_intensity(self, painter: QPainter, box: QRectF) -> None:
         painter.fillRect(box, QColor(self._theme.raised))
         bar = QRectF(box.left(), box.top(), box.width() * self.intensity, box.height())
         accent = QColor(self._theme.accent)
         painter.fillRect(bar, QColor(accent.red(), accent.green(), accent.blue(), 110))
-        inner, right = box.adjusted(5, 0, -5, 0), Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        self._write(painter, inner, f"intensity {self.intensity:.2f}", self._theme.text, 10)
+        inner = box.adjusted(5, 0, -5, 0)
+        write(painter, inner, f"intensity {self.intensity:.2f}", self._theme.text, 10)
         if self.changes is not None:
-            self._write(painter, inner, f"{self.changes:.1f} changes/s", self._theme.text, 10, right)
+            write(painter, inner, f"{self.changes:.1f} changes/s", self._theme.text, 10, AT_RIGHT)
 
     def _paint_meters(self, painter: QPainter, box: QRectF) -> None:
         cell = box.width() / len(METERS)
         for k, (name, _, _) in enumerate(METERS):
             place = QRectF(box.left() + k * cell, box.top(), cell, box.height())
-            self._write(painter, place.adjusted(0, 0, 0, -16), name, self._theme.faint, 10)
-            self._write(painter, place.adjusted(0, 14, 0, 0), self.meters.get(name, "–"), self._theme.text, 14)
+            write(painter, place.adjusted(0, 0, 0, -16), name, self._theme.faint, 10)
+            write(painter, place.adjusted(0, 14, 0, 0), self.meters.get(name, "–"), self._theme.text, 14)
 
     def _paint_trace(self, painter: QPainter, trace: Trace, line: QRectF) -> None:
         rows = rows_of(trace)
@@ -111,30 +111,18 @@ class PhonemeView(QWidget):
         for comparison, asked, fired in rows:
             colour = self._theme.text if fired else self._theme.faint
             mark = self._theme.good if comparison.margin > 0 else self._theme.bad
-            self._write(painter, line, "✓" if comparison.margin > 0 else "✗", mark, 11)
+            write(painter, line, "✓" if comparison.margin > 0 else "✗", mark, 11)
             words = QRectF(line.left() + indent, line.top(), line.width() - indent - MARGIN_WIDTH, ROW)
-            self._write(painter, QRectF(line.left() + 16, line.top(), indent - 18, ROW), asked, colour, 11)
-            self._write(painter, words, _words(comparison), colour, 11)
-            right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            self._write(painter, line, _signed(comparison.margin), mark, 11, right)
+            write(painter, QRectF(line.left() + 16, line.top(), indent - 18, ROW), asked, colour, 11)
+            write(painter, words, _words(comparison), colour, 11)
+            write(painter, line, _signed(comparison.margin), mark, 11, AT_RIGHT)
             line = line.translated(0, ROW)
         if not trace.comparisons:
-            self._write(painter, line.adjusted(16, 0, 0, 0), trace.rule, self._theme.text, 11)
+            write(painter, line.adjusted(16, 0, 0, 0), trace.rule, self._theme.text, 11)
             line = line.translated(0, ROW)
         if self.recognised is not self.phoneme:
             calmed = f"statistics: {self.recognised.label} → {self.phoneme.label}"
-            self._write(painter, line.adjusted(16, 0, 0, 0), calmed, self._theme.accent, 11)
-
-    def _write(
-        self, painter: QPainter, box: QRectF, text: str, colour: str, size: int,
-        align: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignVCenter,
-    ) -> None:  # fmt: skip
-        font = painter.font()
-        font.setPixelSize(size)
-        painter.setFont(font)
-        painter.setPen(QColor(colour))
-        fitting = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, math.ceil(box.width()))
-        painter.drawText(box, align, fitting)
+            write(painter, line.adjusted(16, 0, 0, 0), calmed, self._theme.accent, 11)
 
 
 def rows_of(trace: Trace) -> list[tuple[Comparison, str, bool]]:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QImage, QPainter
 
 from engine.phonemes import Phoneme
 from engine.settings import BIN_WIDTH, FRAME_PERIOD
+from phonemeanalyser.lettering import set_size
 from phonemeanalyser.models.history import CAPACITY, MOST_BINS, History
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 
@@ -142,9 +143,7 @@ class PhonemeLane(pg.GraphicsObject):
         room = np.diff(edges) * FRAME_PERIOD * transform.m11()
         painter.resetTransform()
         painter.setPen(Qt.GlobalColor.white)
-        font = painter.font()
-        font.setPixelSize(11)
-        painter.setFont(font)
+        set_size(painter, 11)
         for k in np.flatnonzero(room >= NARROWEST_LETTER).tolist():
             begin, end = int(edges[k]), int(edges[k + 1])
             name = self._names[codes[begin]]

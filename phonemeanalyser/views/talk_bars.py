@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from engine.mouth.names import EYELIDS
+from phonemeanalyser.lettering import set_size
 from phonemeanalyser.models.talking import Talking
 from phonemeanalyser.theme import Theme
 
@@ -55,9 +56,7 @@ class MovestateBars(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint name, bar and number of each."""
         painter = QPainter(self)
-        font = painter.font()
-        font.setPixelSize(11)
-        painter.setFont(font)
+        set_size(painter, 11)
         width = (self.width() - GAP * (COLUMNS - 1)) / COLUMNS
         percentages = self._talking.percentages
         for k, (name, states) in enumerate(self.rows):

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from engine.mouth.table import MouthTable
+from phonemeanalyser.lettering import set_size
 from phonemeanalyser.models.talking import Talking
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_keys import KEYS
@@ -52,9 +53,7 @@ class VisemeButton(QToolButton):
         inner = box.adjusted(6, 0, -6, 0)
         painter.setPen(QColor(self._theme.on_colour if down else self._theme.text))
         painter.drawText(inner, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, self.shape)
-        font = painter.font()
-        font.setPixelSize(10)
-        painter.setFont(font)
+        set_size(painter, 10)
         painter.setPen(QColor(self._theme.on_colour if down else self._theme.faint))
         painter.drawText(inner, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, self._keys)
 

@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from phonemeanalyser.lettering import set_size
 from phonemeanalyser.models.session import Session
 from phonemeanalyser.theme import Theme
 
@@ -72,9 +73,7 @@ class TimeLine(QWidget):
         duration = self._session.duration
         if duration <= 0:
             return
-        font = painter.font()
-        font.setPixelSize(9)
-        painter.setFont(font)
+        set_size(painter, 9)
         painter.setPen(QColor(self._theme.faint))
         spacing = next((s for s in SPACINGS if duration / s * 46 < self.width() - 60), SPACINGS[-1])
         for k in range(int(duration / spacing) + 1):

@@ -12,7 +12,8 @@ from engine.mouth.movestate_set import MovestateSet
 from engine.mouth.table import load_table
 from engine.phonemes import Phoneme
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.pictures import Photographer, offscreen_context
+from phonemeanalyser.rendering.contexts import offscreen_context
+from phonemeanalyser.rendering.pictures import Photographer
 from phonemeanalyser.rendering.renderer import HeadRenderer
 from phonemeanalyser.rendering.smoothing import smoothed
 from tests.bench.figures import Figure
@@ -36,11 +37,11 @@ def figures() -> list[Figure]:
 
 def _window(context: moderngl.Context, size: int, renderer: str) -> Figure:
     head = load_head()
-    drawing, talking = HeadRenderer(context, head, samples=0), _Talking(MovestateSet(head.mesh, head.states))
+    drawing, talking = HeadRenderer(context, head), _Talking(MovestateSet(head.mesh, head.states))
     target, camera = context.framebuffer(context.renderbuffer((size, size), 4)), Camera.facing(head.mesh)
 
     def draw() -> None:
-        drawing.draw(camera, talking.positions(), size=(size, size), background=GREY, target=target)
+        drawing.draw(camera, talking.positions(), size=(size, size), background=GREY, fine=False, target=target)
         context.finish()
 
     seconds = _processor_time(draw)

@@ -53,7 +53,7 @@ def _hours() -> list[Figure]:
         mesh = Path(folder) / "face.glb"
         mesh.write_bytes(face_with_targets(ARKIT))
         for name, form in FORMATS.items():
-            exporter = Exporter(name, Wishes(mesh=mesh if form.needs_mesh else None))
+            exporter = Exporter(name, Wishes(mesh=mesh if form.moves_mesh else None))
             began = time.perf_counter()
             size = sum(len(part) for part in exporter.parts_of(speech))
             seconds = time.perf_counter() - began

@@ -96,7 +96,7 @@ def _gather(session: Session, blocks: list[Analysis], minutes: float) -> None:
 
 
 def _measured(desktop: Desktop) -> Cost:
-    session, viewport = desktop.session, desktop.window.spectrum.graphics.viewport()
+    session, viewport = desktop.session, desktop.window.analysis.spectrum.graphics.viewport()
     painted = Painted()
     session.play()
     live_for(WARM_UP)

@@ -45,7 +45,7 @@ def main() -> None:
         session, painted = desktop.session, Painted()
         session.toggle_recording()
         live_for(WARM_UP)
-        desktop.window.spectrum.graphics.viewport().installEventFilter(painted)
+        desktop.window.analysis.spectrum.graphics.viewport().installEventFilter(painted)
         n_before, recorded = session.history.n, session.microphone.recorded_seconds
         wall, processor = time.perf_counter(), time.process_time()
         live_for(MEASURED)

@@ -9,6 +9,7 @@ import soundfile
 from pygltflib import GLTF2
 
 from engine.mouth.exports.formats import FORMATS
+from engine.mouth.head import load_head
 from engine.mouth.names import ARKIT
 from engine.mouth.table import TABLES
 from engine.settings import SAMPLE_RATE
@@ -18,7 +19,7 @@ from tests.glb_faces import face_with_targets
 from tests.sounds import silence
 from tests.tables import refused
 
-TEXTS = [name for name, form in FORMATS.items() if not form.needs_mesh]
+TEXTS = [name for name, form in FORMATS.items() if not form.moves_mesh]
 
 
 def exported(*words: object) -> None:
@@ -56,6 +57,22 @@ def test_a_face_is_animated(sound: Path, tmp_path: Path) -> None:
     assert gltf.accessors[sampler.input].count == n_frames
     assert gltf.accessors[sampler.output].count == n_frames * 52
     assert gltf.meshes[0].extras["targetNames"] == list(ARKIT)
+
+
+def test_the_programs_own_head_is_animated_where_no_other_is_named(sound: Path, tmp_path: Path) -> None:
+    exported(sound, "--format", "gltf", "--fps", 25, "-o", tmp_path / "talking.glb")
+    gltf, head = GLTF2().load(str(tmp_path / "talking.glb")), load_head()
+    assert gltf is not None
+    (primitive,) = gltf.meshes[0].primitives
+    assert gltf.accessors[primitive.attributes.POSITION].count == len(head.mesh)
+    names = gltf.meshes[0].extras["targetNames"]
+    assert sorted(names) == sorted(ARKIT)
+    (channel,), (sampler,) = gltf.animations[0].channels, gltf.animations[0].samplers
+    assert (gltf.nodes[channel.target.node].mesh, channel.target.path) == (0, "weights")
+    form = gltf.accessors[sampler.output]
+    begin = gltf.bufferViews[form.bufferView].byteOffset
+    weights = np.frombuffer(gltf.binary_blob(), "<f4", form.count, begin).reshape(-1, len(names))
+    assert weights[:, names.index("jawOpen")].max() > 0.2
 
 
 def test_wishes_reach_the_format(sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -133,8 +150,7 @@ def test_two_sounds_of_one_name_do_not_overwrite_each_other(
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (("--format", "gltf"), "gltf moves a face of yours; name its file with --mesh FACE.glb"),
-        (("--format", "gltf", "--mesh", "a.glb"), "gltf is no text to be printed; name a file or a folder with -o"),
+        (("--format", "gltf"), "gltf is no text to be printed; name a file or a folder with -o"),
         (
             ("--format", "gltf", "--mesh", "a.glb", "-o", "o.glb"),
             "a.glb: it cannot be read (No such file or directory)",

@@ -6,11 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pygltflib import GLTF2
 
 from engine.mouth.face import Figure, face_of
 from engine.mouth.files.gltf_writing import format_glb
 from engine.mouth.files.obj import format_obj
 from engine.mouth.files.opening import load_face, load_figure, save_face
+from engine.mouth.head import load_head
 from engine.mouth.mesh import mesh_of
 from phonemeanalyser.cli import main
 from tests.meshes import CORNERS, GLTF_TEXT, TRIANGLES, figure_of_cube, moved_by
@@ -50,6 +52,39 @@ def test_the_morph_targets_of_a_gltf_count_as_targets(folder: Path, capsys: pyte
     (folder / "more.glb").write_bytes(format_glb(figure_of_cube()))
     assert run(folder, "export", "base.obj", "open.obj", "more.glb", "-o", "all.3dm", capsys=capsys)[0] == 0
     assert [state.name for state in load_face(folder / "all.3dm").states] == ["open", "lid up", "größer", "still"]
+
+
+def test_the_programs_own_head_becomes_a_glb_that_others_read(folder: Path, capsys: pytest.CaptureFixture[str]):
+    code, out, _ = run(folder, "convert", "head", "face.glb", capsys=capsys)
+    assert code == 0
+    assert out.startswith("face.glb: 52 movestates, ")
+    gltf, head = GLTF2().load(str(folder / "face.glb")), load_head()
+    assert gltf is not None
+    (primitive,) = gltf.meshes[0].primitives
+
+    def points(accessor: int) -> np.ndarray:
+        form = gltf.accessors[accessor]
+        assert (form.componentType, form.type) == (5126, "VEC3")
+        begin = gltf.bufferViews[form.bufferView].byteOffset
+        return np.frombuffer(gltf.binary_blob(), "<f4", 3 * form.count, begin).reshape(-1, 3)
+
+    np.testing.assert_array_equal(points(primitive.attributes.POSITION), head.mesh.positions)
+    assert gltf.accessors[primitive.indices].count == 3 * len(head.mesh.triangles)
+    assert gltf.meshes[0].extras["targetNames"] == [state.name for state in head.states]
+    for state, target in zip(head.states, primitive.targets, strict=True):
+        offsets = points(target["POSITION"])
+        np.testing.assert_array_equal(offsets[state.numbers], state.offsets)
+        assert np.count_nonzero(offsets.any(axis=1)) == len(state)
+
+
+def test_movestates_of_the_programs_own_head_go_through_the_thesis_format(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+):
+    assert run(folder, "convert", "head", "face.3dm", capsys=capsys)[0] == 0
+    code, out, _ = run(folder, "convert", "face.3dm", "again.glb", "--mesh", "head", capsys=capsys)
+    assert code == 0
+    assert "renumbered" not in out
+    assert [s.name for s in load_face(folder / "again.glb").states] == [s.name for s in load_head().states]
 
 
 def test_info_tells_what_a_file_holds(folder: Path, capsys: pytest.CaptureFixture[str]):

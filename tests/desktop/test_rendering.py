@@ -11,18 +11,20 @@ from scipy.ndimage import binary_fill_holes
 
 from engine.errors import EngineError
 from engine.mouth.face import Figure
-from engine.mouth.head import load_head
+from engine.mouth.head import HEAD, load_head
 from engine.mouth.head_motion import HeadPose
 from engine.mouth.mesh import Vectors, mesh_of
 from engine.mouth.movestate_set import MovestateSet
 from engine.mouth.table import load_table
 from engine.phonemes import Phoneme
-from phonemeanalyser.rendering import pictures
+from phonemeanalyser.rendering import contexts
 from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
-from phonemeanalyser.rendering.pictures import Photographer, offscreen_context
+from phonemeanalyser.rendering.pictures import Photographer
 from phonemeanalyser.rendering.renderer import HeadRenderer, colour_of
+from phonemeanalyser.rendering.smoothing import smoothed
 from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined, photographer, seen
 from tests.meshes import cube, figure_of_cube
 
@@ -110,6 +112,41 @@ def test_a_picture_has_the_size_that_was_asked_for_and_all_of_the_head(
     assert max(np.ptp(rows) / size[1], np.ptp(columns) / size[0]) > 0.45
 
 
+def test_pictures_may_change_their_size(head: Figure, photographer: Hire):
+    camera, positions = Camera.facing(head.mesh), head.mesh.positions
+    hired = photographer(head, (64, 48))
+    for size in ((80, 101), (64, 48)):
+        hired.resize(size)
+        wanted = photographer(head, size).picture(camera, positions, background=DARK)
+        assert np.array_equal(hired.picture(camera, positions, background=DARK), wanted)
+
+
+def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: Figure, photographer: Hire):
+    """Teeth, which are the whitest of all but the eyes, are painted magenta."""
+    with np.load(HEAD, allow_pickle=False) as file:
+        teeth = np.isin(file["part"], (2, 5))
+    colours = head.mesh.colours.copy()
+    colours[teeth] = MAGENTA
+    painted = replace(head, mesh=replace(head.mesh, colours=colours))
+    for figure in (painted, smoothed(painted)):
+        hired, camera = photographer(figure, (300, 300)), Camera.facing(figure.mesh).zoom(10).pan(0.0, -0.16)
+        n_seen = {
+            phoneme: max(
+                _n_magenta(hired.picture(camera.orbit(azimuth, 0.0), saying(figure, phoneme), background=DARK))
+                for azimuth in (-0.7, 0.0, 0.7)
+            )
+            for phoneme in (Phoneme.SILENCE, Phoneme.M, Phoneme.P, Phoneme.U, Phoneme.SZ)
+        }
+        closed = max(n_seen[phoneme] for phoneme in (Phoneme.SILENCE, Phoneme.M, Phoneme.P))
+        assert closed < 0.005 * n_seen[Phoneme.SZ]
+        assert n_seen[Phoneme.U] < 0.25 * n_seen[Phoneme.SZ]
+
+
+def _n_magenta(picture: Picture) -> int:
+    red, green, blue = (picture[..., k].astype(int) for k in range(3))
+    return int(((blue > 2 * green) & (red > 2 * green)).sum())
+
+
 @pytest.mark.parametrize("colour", ["#1f2228", "#f3f4f6", "#000000", "#ffffff"])
 def test_the_background_has_exactly_the_colour_of_the_theme(colour: str, head: Figure, photographer: Hire):
     picture = photographer(head, (64, 64)).picture(
@@ -180,20 +217,39 @@ def test_without_light_everything_is_black_but_the_background(photographer: Hire
     assert picture[0, 0].min() > 200
 
 
-def test_what_stands_in_the_light_casts_a_shadow(photographer: Hire):
-    """A small ball between a large one and the light; the camera looks past it."""
-    large, small = ball(), ball(0.2)
-    scene = joined(large, replace(small, positions=small.positions + np.float32((0.0, 0.0, 1.6))))
+LARGE, SMALL = ball(), ball(0.2)
+ASKANCE = replace(Camera.facing(LARGE), azimuth=0.9)
+
+
+def darkened(photographer: Hire, *, fine: bool) -> NDArray[np.int_]:
+    """Tell by how much a small ball between a large one and the light darkens it; the camera looks past it."""
+    scene = joined(LARGE, replace(SMALL, positions=SMALL.positions + np.float32((0.0, 0.0, 1.6))))
     aside = scene.positions.copy()
-    aside[len(large) :] -= np.float32((0.0, 0.0, 3.4))
-    camera, light = replace(Camera.facing(large), azimuth=0.9), Light(azimuth=-0.9, elevation=0.0)
-    hired = photographer(Figure(scene))
+    aside[len(LARGE) :] -= np.float32((0.0, 0.0, 3.4))
+    hired, light = photographer(Figure(scene)), Light(azimuth=-0.9, elevation=0.0)
     shadowed, plain = (
-        hired.picture(camera, positions, background=DARK, light=light).astype(int).sum(axis=2)
+        hired.picture(ASKANCE, positions, background=DARK, light=light, fine=fine).astype(int).sum(axis=2)
         for positions in (scene.positions, aside)
     )
-    alone = seen(photographer(Figure(large)).picture(camera, large.positions, background=DARK))
-    rows, columns = np.argwhere(alone & (plain - shadowed > 60)).T
+    alone = seen(photographer(Figure(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
+    return np.where(alone, plain - shadowed, 0)
+
+
+def test_the_edge_of_a_shadow_is_soft_in_a_fine_picture(photographer: Hire):
+    """Its soft edge is the part of it that is neither dark nor bright."""
+    shares = []
+    for fine in (False, True):
+        dark = darkened(photographer, fine=fine)
+        shadow = dark > 0.1 * dark.max()
+        shares.append((dark[shadow] < 0.8 * dark.max()).mean())
+    assert shares[1] > 1.5 * shares[0]
+
+
+@pytest.mark.parametrize("fine", [False, True])
+def test_what_stands_in_the_light_casts_a_shadow(photographer: Hire, fine: bool):
+    dark = darkened(photographer, fine=fine)
+    alone = seen(photographer(Figure(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
+    rows, columns = np.argwhere(dark > 60).T
     middle, radius = 119.5, np.ptp(np.argwhere(alone)[:, 0]) / 2
     assert len(rows) > 100
     assert rows.mean() == pytest.approx(middle, abs=3)
@@ -228,7 +284,7 @@ def test_a_renderer_leaves_its_framebuffer_bound_and_can_be_made_again(context, 
     camera = Camera.facing(head.mesh)
     for size in ((50, 40), (80, 80)):
         target = context.framebuffer(context.renderbuffer(size, 4))
-        renderer = HeadRenderer(context, head, samples=0)
+        renderer = HeadRenderer(context, head)
         target.use()
         renderer.draw(camera, head.mesh.positions, size=size, background=MAGENTA)
         picture = np.frombuffer(target.read(components=3, alignment=1), np.uint8).reshape(size[1], size[0], 3)
@@ -263,7 +319,7 @@ def test_a_machine_without_opengl_is_told_in_one_sentence(monkeypatch: pytest.Mo
     def fail(**_kinds: object) -> None:
         raise Exception("libEGL.so.1 not loaded\nand more")
 
-    monkeypatch.setattr(pictures.moderngl, "create_context", fail)
+    monkeypatch.setattr(contexts.moderngl, "create_context", fail)
     with pytest.raises(
         RenderingError, match=r"there is none \(libEGL.so.1 not loaded\); install a graphics"
     ) as caught:

@@ -80,7 +80,7 @@ def test_of_the_head_eyes_teeth_and_lips_are_wet_and_skin_and_brows_dry(head: Fi
 
 def test_a_ball_in_a_ball_is_dark_and_one_alone_is_open(context: moderngl.Context):
     inner, outer = ball(0.4), ball(1.0)
-    renderer = HeadRenderer(context, Figure(joined(inner, outer)), samples=0)
+    renderer = HeadRenderer(context, Figure(joined(inner, outer)))
     openness = np.frombuffer(renderer._looks.read(), np.float32).reshape(-1, 5)[:, 4]
     assert openness[: len(inner)].max() < 0.02
     assert openness[len(inner) :][NO_POLES].min() > 0.9
@@ -88,7 +88,7 @@ def test_a_ball_in_a_ball_is_dark_and_one_alone_is_open(context: moderngl.Contex
 
 
 def test_the_closed_mouth_and_the_nostrils_are_darker_than_the_forehead(context: moderngl.Context, head: Figure):
-    renderer = HeadRenderer(context, head, samples=0)
+    renderer = HeadRenderer(context, head)
     openness = np.frombuffer(renderer._looks.read(), np.float32).reshape(-1, 5)[:, 4]
     x, y, z = head.mesh.positions.T
     forehead = (np.abs(x) < 0.3) & (y > 0.9) & (z > 1.0)

@@ -344,3 +344,26 @@ def test_another_set_is_sent_under_its_own_names(stage: Stage, receiver: Receive
     osc.set_on(True)
     osc.set_table("vrm")
     qtbot.waitUntil(lambda: (stage.talking.tick(), "A" in receiver.weights())[1])
+
+
+@pytest.mark.parametrize("asked_first", [False, True])
+def test_keys_and_sliders_move_the_receivers_mouth_too(
+    stage: Stage, receiver: Receiver, qtbot: QtBot, asked_first: bool
+) -> None:
+    osc, talking = stage.talking.osc, stage.talking
+    osc.set_address(f"127.0.0.1:{receiver.address.port}")
+    osc.set_table("vrm")
+    if asked_first:
+        talking.press(Phoneme.U)
+    osc.set_on(True)
+    qtbot.waitUntil(lambda: (talking.tick(), "U" in receiver.weights())[1])
+    talking.press(Phoneme.U)
+    qtbot.waitUntil(lambda: receiver.weights()["U"] > 0.5)
+    qtbot.waitUntil(lambda: ("u", 1.0) in receiver.of("/phoneme"))
+    talking.release()
+    talking.ask("a", 0.5)
+    qtbot.waitUntil(lambda: receiver.weights()["U"] < 0.01 and receiver.weights()["A"] > 0.2)
+    qtbot.waitUntil(lambda: receiver.of("/viseme")[-1] == ("A", 0.5))
+    talking.ask_nothing()
+    qtbot.waitUntil(lambda: receiver.weights()["A"] < 0.01)
+    osc.set_on(False)

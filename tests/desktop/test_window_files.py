@@ -41,10 +41,10 @@ def test_a_dropped_sound_is_opened(desktop, window):
 
 def test_a_sound_may_be_dropped_onto_any_view(desktop, window):
     for view in (
-        window.spectrum,
-        window.averaged,
-        window.waveform,
-        window.time_view,
+        window.analysis.spectrum,
+        window.analysis.averaged,
+        window.analysis.waveform,
+        window.analysis.time_view,
         window.filters,
         window.thresholds,
     ):
@@ -172,7 +172,7 @@ def test_unusual_sounds_are_opened_without_complaint(desktop, window, qtbot, tmp
         window.dialogs.open_sound(write(tmp_path))
         assert not window.banner.isVisible(), (name, window.banner.label.text())
         desktop.session.follow(0.3)
-        window.refresh_all()
+        window.drawing.refresh_all()
         assert desktop.session.history.n > 0, name
 
 

@@ -26,7 +26,7 @@ from phonemeanalyser.app import Desktop
 from phonemeanalyser.main_window import MainWindow
 from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
-from phonemeanalyser.rendering import in_window
+from phonemeanalyser.rendering import pictures
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.views.head_view import HeadView
@@ -132,7 +132,7 @@ def test_without_opengl_a_sentence_stands_where_the_head_would_be(desktop, qtbot
     def refuse(_figure):
         raise RenderingError("pictures need OpenGL 3.3, and there is none")
 
-    monkeypatch.setattr(in_window, "Sketcher", refuse)
+    monkeypatch.setattr(pictures, "Photographer", refuse)
     window = shown(desktop, qtbot, wav(tmp_path, AN_A))
     press(window, Qt.Key.Key_3, CONTROL)
     qtbot.waitUntil(lambda: bool(window.talk.head.trouble))
@@ -414,6 +414,22 @@ def test_the_switch_sends_the_mouth_to_the_address_that_was_typed(window, deskto
     click(window.talk.osc.switch)
     assert window.talk.osc.state.text() == "off"
     assert not window.talk.osc.switch.isChecked()
+
+
+def test_test_keys_and_sliders_reach_the_receiver_too(window, qtbot, receiver):
+    type_address(window, f"127.0.0.1:{receiver.address.port}")
+    click(window.talk.osc.switch)
+    qtbot.waitUntil(lambda: receiver.weights().get("jawOpen") == 0)
+    window.talk.head.setFocus()
+    QTest.keyPress(window.talk.head, Qt.Key.Key_A)
+    qtbot.waitUntil(lambda: receiver.weights()["jawOpen"] > 0.5)
+    qtbot.waitUntil(lambda: ("a", 1.0) in receiver.of("/phoneme"))
+    QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
+    window.talk.visemes.sliders["u"].setValue(60)
+    qtbot.waitUntil(lambda: receiver.weights()["mouthPucker"] > 0.3 > receiver.weights()["jawOpen"])
+    qtbot.waitUntil(lambda: receiver.of("/viseme")[-1] == ("u", pytest.approx(0.6)))
+    click(window.talk.visemes.leave)
+    qtbot.waitUntil(lambda: receiver.weights()["mouthPucker"] < 0.01)
 
 
 def test_a_wrong_address_is_told_and_the_switch_goes_back(window, desktop):

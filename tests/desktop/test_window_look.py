@@ -53,7 +53,7 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     assert not window.isVisible()
     assert (desktop.session.history.n, desktop.session.path) == (n, path)
     assert desktop.window.isWindowModified()
-    assert desktop.window.frozen
+    assert desktop.window.drawing.frozen
     assert desktop.window.menus.actions["Freeze Views"].isChecked()
     assert desktop.window.thresholds.numbers["sz_s1"].value() == 3.5
     qtbot.waitUntil(desktop.window.isActiveWindow, timeout=2000)
@@ -65,8 +65,8 @@ def test_another_theme_keeps_loaded_curves(desktop, qtbot, tmp_path):
     followed(desktop, qtbot, seconds=1.0)
     desktop.session.averages.save(tmp_path / "voice.csv", "front end")
     desktop.set_theme("dark")
-    assert len(desktop.window.averaged.item.curves) == 2
-    assert [label.text() for label in desktop.window.averaged._names] == ["voice Δ 0.0 dB"]
+    assert len(desktop.window.analysis.averaged.item.curves) == 2
+    assert [label.text() for label in desktop.window.analysis.averaged._names] == ["voice Δ 0.0 dB"]
 
 
 def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
@@ -179,32 +179,32 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     window = shown(desktop, qtbot)
     window.resize(1500, 900)
     qtbot.wait(20)
-    window._rows.setSizes([300, 100, 300])
-    window._spectra.setSizes([300, 600])
+    window.analysis.setSizes([300, 100, 300])
+    window.analysis.spectra.setSizes([300, 600])
     window.findChild(QDockWidget, "Filters").close()
     window.transport.volume.setValue(-20)
     click(window.transport.loop)
     desktop.session.set_channel(Channel.LEFT)
-    window.time_view.variable.setCurrentText("m_s1")
-    window.time_view.colours.setCurrentText("magma")
-    window.time_view.low.setValue(-80)
-    window.time_view.high.setValue(-10)
+    window.analysis.time_view.variable.setCurrentText("m_s1")
+    window.analysis.time_view.colours.setCurrentText("magma")
+    window.analysis.time_view.low.setValue(-80)
+    window.analysis.time_view.high.setValue(-10)
     for switch in (
-        window.spectrum.decibels,
-        window.averaged.coarse,
-        window.waveform.coarse,
-        window.time_view.decibels,
+        window.analysis.spectrum.decibels,
+        window.analysis.averaged.coarse,
+        window.analysis.waveform.coarse,
+        window.analysis.time_view.decibels,
     ):
         click(switch)
     qtbot.wait(20)
-    sizes = window._rows.sizes(), window._spectra.sizes()
+    sizes = window.analysis.sizes(), window.analysis.spectra.sizes()
     again = start_again()
     new = again.window
     new.show()
     new.resize(1500, 900)  # Qt holds a restored window within the screen, and the offscreen one is small
     qtbot.wait(20)
-    assert new._rows.sizes() == pytest.approx(sizes[0], abs=25)
-    assert new._spectra.sizes() == pytest.approx(sizes[1], abs=25)
+    assert new.analysis.sizes() == pytest.approx(sizes[0], abs=25)
+    assert new.analysis.spectra.sizes() == pytest.approx(sizes[1], abs=25)
     assert not new.findChild(QDockWidget, "Filters").isVisible()
     assert new.findChild(QDockWidget, "Thresholds").isVisible()
     assert new.transport.volume.value() == again.session.volume == -20
@@ -212,14 +212,14 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     assert new.transport.loop.isChecked()
     assert again.session.channel is Channel.LEFT
     assert new.transport.channel.currentText() == "left"
-    assert new.time_view.variable.currentText() == "m_s1"
-    assert new.time_view.colours.currentText() == "magma"
-    assert (new.time_view.low.value(), new.time_view.high.value()) == (-80, -10)
-    assert new.spectrum.decibels.isChecked()
-    assert new.averaged.coarse.isChecked()
-    assert new.waveform.coarse.isChecked()
-    assert not new.time_view.decibels.isChecked()
-    assert not new.spectrum.coarse.isChecked()
+    assert new.analysis.time_view.variable.currentText() == "m_s1"
+    assert new.analysis.time_view.colours.currentText() == "magma"
+    assert (new.analysis.time_view.low.value(), new.analysis.time_view.high.value()) == (-80, -10)
+    assert new.analysis.spectrum.decibels.isChecked()
+    assert new.analysis.averaged.coarse.isChecked()
+    assert new.analysis.waveform.coarse.isChecked()
+    assert not new.analysis.time_view.decibels.isChecked()
+    assert not new.analysis.spectrum.coarse.isChecked()
 
 
 def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):

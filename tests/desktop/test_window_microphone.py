@@ -53,8 +53,8 @@ def test_choosing_the_microphone_listens_and_lets_the_files_device_go(open_booth
 
 def test_a_sine_is_seen_at_its_frequency(booth: Booth, mic: HandDrivenMicrophone):
     booth.hear(mic, tone(ON_BIN, 1.0, 0.5))
-    booth.window.refresh_all()
-    x, y = booth.window.spectrum.item.curves[0].getData()
+    booth.window.drawing.refresh_all()
+    x, y = booth.window.analysis.spectrum.item.curves[0].getData()
     assert x[np.argmax(y)] == pytest.approx(ON_BIN, abs=BIN_WIDTH)
     assert TimeEyes(booth.window).brightest(-0.3) == pytest.approx(ON_BIN, abs=2 * BIN_WIDTH)
     assert booth.window.phoneme.meters["vol"] == "0.500"
@@ -63,7 +63,7 @@ def test_a_sine_is_seen_at_its_frequency(booth: Booth, mic: HandDrivenMicrophone
 
 def test_the_phonemes_are_those_of_the_analysis_of_a_file(booth: Booth, mic: HandDrivenMicrophone):
     booth.hear(mic, HEARD)
-    booth.window.refresh_all()
+    booth.window.drawing.refresh_all()
     history = booth.desktop.session.history
     found = history.phonemes[history.indices(0, history.n)]
     expected = offline(HEARD, booth.desktop.preset.in_force).phonemes[: len(found)]

@@ -109,7 +109,7 @@ def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, wi
 def test_closing_without_changes_asks_nothing(desktop, window, asked):
     assert window.close()
     assert asked.times == 0
-    assert not window._timer.isActive()
+    assert not window.drawing.timer.isActive()
 
 
 def test_closing_while_it_plays_silences_it(desktop, window):
@@ -126,7 +126,7 @@ def test_cancel_keeps_the_window_and_the_changes(desktop, window, asked):
     assert window.isVisible()
     assert window.isWindowModified()
     assert desktop.session.playing
-    assert window._timer.isActive()
+    assert window.drawing.timer.isActive()
 
 
 def test_discard_closes_and_writes_nothing(desktop, window, asked, tmp_path):

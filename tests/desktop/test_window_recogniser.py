@@ -105,7 +105,7 @@ def test_choosing_a_recogniser_acts_at_once_and_undo_takes_it_back(loudness, des
 def test_the_decision_of_a_plug_in_is_shown(loudness, desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
     choose(window, "loudness")
-    window.refresh_all()
+    window.drawing.refresh_all()
     assert window.phoneme.phoneme is Phoneme.A
     assert [c.rule for c in window.phoneme.trace.comparisons] == ["opens", "stays"]
     assert not window.phoneme.grab().isNull()
@@ -116,7 +116,7 @@ def test_thresholds_that_a_recogniser_does_not_use_are_grey_and_say_so(loudness,
     view = window.thresholds
     assert not view.unused.isVisible()
     choose(window, "loudness")
-    window.refresh_all()
+    window.drawing.refresh_all()
     live = {name for name, slider in view.sliders.items() if slider.isEnabled()}
     assert live == {
         "silence_energy", "time_smooth", "frequency_smooth", "high_pass_start", "high_pass_end", "denoise_threshold",
@@ -137,9 +137,9 @@ def test_the_course_shows_no_limit_that_the_recogniser_does_not_use(shelf, deskt
     shelf.offer("")
     desktop.window.recogniser.names.addItem("own")
     window = followed(desktop, qtbot)
-    assert len(window.time_view._limits) == 1
+    assert len(window.analysis.time_view._limits) == 1
     choose(window, "own")
-    assert window.time_view._limits == []
+    assert window.analysis.time_view._limits == []
 
 
 def test_analyse_uses_an_installed_recogniser(loudness: Path, tmp_path: Path):

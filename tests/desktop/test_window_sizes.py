@@ -87,8 +87,8 @@ def test_the_window_fits_on_a_small_screen_even_with_a_banner_and_curves(desktop
     window.dialogs.open_sound(tmp_path / "there is no such file.wav")
     for k in range(3):
         desktop.session.averages.save(tmp_path / f"speaker {k}.csv", "front end")
-    click(window.averaged.measure)
-    window.refresh_all()
+    click(window.analysis.averaged.measure)
+    window.drawing.refresh_all()
     qtbot.wait(50)
     assert (window.width(), window.height()) == (1280, 800)
     assert window.minimumSizeHint().width() <= 1280
@@ -99,10 +99,10 @@ def test_every_dialog_and_dock_can_be_seen_at_once(desktop, qtbot):
     window = shown(desktop, qtbot, None)
     for view in (
         window.transport,
-        window.spectrum,
-        window.averaged,
-        window.waveform,
-        window.time_view,
+        window.analysis.spectrum,
+        window.analysis.averaged,
+        window.analysis.waveform,
+        window.analysis.time_view,
         window.filters,
         window.phoneme,
         window.thresholds,
@@ -110,5 +110,5 @@ def test_every_dialog_and_dock_can_be_seen_at_once(desktop, qtbot):
         assert view.isVisible()
         assert view.width() >= 200
         assert view.height() >= 30
-    assert window.waveform.graphics.height() >= 90
-    assert window.spectrum.graphics.height() >= 120
+    assert window.analysis.waveform.graphics.height() >= 90
+    assert window.analysis.spectrum.graphics.height() >= 120

@@ -35,7 +35,7 @@ def top(view) -> float:
 
 @pytest.fixture(params=["spectrum", "averaged"])
 def view(request, window):
-    return getattr(window, request.param)
+    return getattr(window.analysis, request.param)
 
 
 def test_a_tone_is_a_peak_of_its_amplitude_at_its_frequency(view):
@@ -103,33 +103,33 @@ def test_the_read_out_lies_inside_the_plot_and_goes_with_the_mouse(view, qtbot):
 def test_the_view_menu_switches_all_spectra_at_once(window):
     window.menus.actions["Coarse Display"].trigger()
     window.menus.actions["Spectra in dB"].trigger()
-    assert window.spectrum.coarse.isChecked()
-    assert window.averaged.coarse.isChecked()
-    assert window.waveform.coarse.isChecked()
-    assert window.spectrum.decibels.isChecked()
-    assert window.averaged.decibels.isChecked()
+    assert window.analysis.spectrum.coarse.isChecked()
+    assert window.analysis.averaged.coarse.isChecked()
+    assert window.analysis.waveform.coarse.isChecked()
+    assert window.analysis.spectrum.decibels.isChecked()
+    assert window.analysis.averaged.decibels.isChecked()
 
 
 def test_the_waveform_shows_the_window_and_its_scale_enlarges_it(window):
-    x, y = curve(window.waveform)
+    x, y = curve(window.analysis.waveform)
     assert len(y) == 512
     assert x[-1] < 46.5
     assert np.abs(y).max() == pytest.approx(0.5, abs=0.01)
-    assert top(window.waveform) == pytest.approx(1.05, abs=0.01)
-    window.waveform.scale.setValue(20)
-    assert top(window.waveform) == pytest.approx(0.105, abs=0.001)
-    click(window.waveform.coarse)
-    _, coarse = curve(window.waveform)
+    assert top(window.analysis.waveform) == pytest.approx(1.05, abs=0.01)
+    window.analysis.waveform.scale.setValue(20)
+    assert top(window.analysis.waveform) == pytest.approx(0.105, abs=0.001)
+    click(window.analysis.waveform.coarse)
+    _, coarse = curve(window.analysis.waveform)
     assert len(coarse) == 512 // 8 * 2
     assert coarse.max() == y.max()
     assert coarse.min() == y.min()
 
 
 def test_the_waveform_cursor_reads_out_time_and_amplitude(window, qtbot):
-    hover(window.waveform.graphics, window.waveform.item, 20, 0)
-    qtbot.waitUntil(window.waveform._cursor_label.isVisible, timeout=2000)
+    hover(window.analysis.waveform.graphics, window.analysis.waveform.item, 20, 0)
+    qtbot.waitUntil(window.analysis.waveform._cursor_label.isVisible, timeout=2000)
     milliseconds, amplitude = re.fullmatch(
-        r"([\d.]+) ms   ([+-][\d.]+)", window.waveform._cursor_label.text()
+        r"([\d.]+) ms   ([+-][\d.]+)", window.analysis.waveform._cursor_label.text()
     ).groups()
     assert float(milliseconds) == pytest.approx(20, abs=0.2)
     assert abs(float(amplitude)) <= 0.51
@@ -138,10 +138,10 @@ def test_the_waveform_cursor_reads_out_time_and_amplitude(window, qtbot):
 def test_other_settings_change_the_axis(desktop, window):
     desktop.preset.set_setting("quantise", 1)
     desktop.session.follow(0.5)
-    window.refresh_all()
-    x, _ = curve(window.spectrum)
+    window.drawing.refresh_all()
+    x, _ = curve(window.analysis.spectrum)
     assert len(x) == 1024
-    assert window.spectrum.item.viewRange()[0][1] == pytest.approx(22050, abs=30)
+    assert window.analysis.spectrum.item.viewRange()[0][1] == pytest.approx(22050, abs=30)
 
 
 # -- curves -------------------------------------------------------------------------------------------
@@ -149,16 +149,20 @@ def test_other_settings_change_the_axis(desktop, window):
 
 def choose_save(window, monkeypatch, path):
     monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: (str(path), ""))
-    next(a for a in button(window.averaged, "curves").menu().actions() if a.text() == "Save Curve…").trigger()
+    next(
+        a for a in button(window.analysis.averaged, "curves").menu().actions() if a.text() == "Save Curve…"
+    ).trigger()
 
 
 def choose_load(window, monkeypatch, *paths):
     monkeypatch.setattr(dialogs.QFileDialog, "getOpenFileNames", lambda *_a, **_k: ([str(p) for p in paths], ""))
-    next(a for a in button(window.averaged, "curves").menu().actions() if a.text() == "Load Curve…").trigger()
+    next(
+        a for a in button(window.analysis.averaged, "curves").menu().actions() if a.text() == "Load Curve…"
+    ).trigger()
 
 
 def entries(window) -> list[str]:
-    return [label.text() for label in window.averaged._names]
+    return [label.text() for label in window.analysis.averaged._names]
 
 
 def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, monkeypatch, tmp_path):
@@ -166,9 +170,9 @@ def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, monke
     saved = load_curve(tmp_path / "tone.csv")
     assert saved.n_frames == 80
     assert "quantise 4 plain" in saved.front_end
-    window.refresh_all()
+    window.drawing.refresh_all()
     assert entries(window) == ["tone Δ 0.0 dB"]
-    assert np.allclose(curve(window.averaged, 0)[1], curve(window.averaged, 1)[1])
+    assert np.allclose(curve(window.analysis.averaged, 0)[1], curve(window.analysis.averaged, 1)[1])
 
 
 def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qtbot, monkeypatch, tmp_path):
@@ -177,19 +181,19 @@ def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qt
     desktop.session.follow(0.8)
     choose_save(window, monkeypatch, tmp_path / "hiss.csv")
     choose_load(window, monkeypatch, tmp_path / "tone.csv", tmp_path / "hiss.csv")
-    window.refresh_all()
+    window.drawing.refresh_all()
     names = [text.split(" Δ ")[0] for text in entries(window)]
     distances = [float(text.split(" Δ ")[1].removesuffix(" dB")) for text in entries(window)]
     assert names == ["tone", "hiss", "tone", "hiss"]
     assert distances[1] == distances[3] == 0
     assert distances[0] == distances[2] > 5
-    assert len(window.averaged.item.curves) == 5
-    pens = [c.opts["pen"].color().name() for c in window.averaged.item.curves[1:]]
+    assert len(window.analysis.averaged.item.curves) == 5
+    pens = [c.opts["pen"].color().name() for c in window.analysis.averaged.item.curves[1:]]
     assert len(set(pens)) == 4
-    crosses = [b for b in window.averaged.findChildren(QToolButton) if b.toolTip() == "Remove tone"]
+    crosses = [b for b in window.analysis.averaged.findChildren(QToolButton) if b.toolTip() == "Remove tone"]
     click(crosses[-1])
-    window.refresh_all()
-    assert len(window.averaged.item.curves) == 4
+    window.drawing.refresh_all()
+    assert len(window.analysis.averaged.item.curves) == 4
     assert len(desktop.session.averages.curves) == 3
 
 
@@ -210,6 +214,6 @@ def test_without_a_sound_there_is_no_curve_to_save(desktop, qtbot, monkeypatch, 
 
 def test_curves_follow_the_switch_to_db(window, monkeypatch, tmp_path):
     choose_save(window, monkeypatch, tmp_path / "tone")
-    click(window.averaged.decibels)
-    assert curve(window.averaged, 1)[1].max() == pytest.approx(curve(window.averaged, 0)[1].max())
-    assert curve(window.averaged, 1)[1].max() < 0
+    click(window.analysis.averaged.decibels)
+    assert curve(window.analysis.averaged, 1)[1].max() == pytest.approx(curve(window.analysis.averaged, 0)[1].max())
+    assert curve(window.analysis.averaged, 1)[1].max() < 0

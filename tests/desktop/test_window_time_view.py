@@ -29,7 +29,7 @@ def window(desktop, qtbot, tmp_path):
     """A window that has heard two seconds of a tone of a tenth of the full scale, without normalising."""
     desktop.preset.set_filter("normalise", on=False)
     window = followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, 2.5, 0.1)), 2.0)
-    window.time_view.colours.setCurrentText(GREY)
+    window.analysis.time_view.colours.setCurrentText(GREY)
     return window
 
 
@@ -52,7 +52,7 @@ def test_a_tone_is_a_bright_line_at_its_frequency_for_as_long_as_it_was_heard(wi
 @pytest.mark.parametrize(("in_decibels", "lightness"), [(True, 255 * 40 / 60), (False, 25.5)])
 def test_brightness_is_the_level_in_db_or_linear(close, in_decibels, lightness):
     if not in_decibels:
-        click(close.time_view.decibels)
+        click(close.analysis.time_view.decibels)
     eyes = TimeEyes(close)
     assert eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness() == pytest.approx(lightness, abs=4)
 
@@ -60,23 +60,23 @@ def test_brightness_is_the_level_in_db_or_linear(close, in_decibels, lightness):
 def test_the_range_darkens_and_brightens(close):
     lightness = []
     for low, high in ((-60, 0), (-40, 0), (-60, -20), (-25, -15)):
-        close.time_view.low.setValue(low)
-        close.time_view.high.setValue(high)
+        close.analysis.time_view.low.setValue(low)
+        close.analysis.time_view.high.setValue(high)
         eyes = TimeEyes(close)
         lightness.append(eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness())
     assert lightness == pytest.approx([170, 127, 255, 127], abs=6)
 
 
 def test_a_typed_range_counts(close):
-    type_number(close.time_view.low, "-40")
+    type_number(close.analysis.time_view.low, "-40")
     eyes = TimeEyes(close)
     assert eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness() == pytest.approx(127, abs=4)
 
 
 def test_a_colour_map_colours_sonagram_and_colour_bar(close):
-    bar = close.time_view.findChild(ColourBar)
+    bar = close.analysis.time_view.findChild(ColourBar)
     for name in COLOUR_MAPS:
-        close.time_view.colours.setCurrentText(name)
+        close.analysis.time_view.colours.setCurrentText(name)
         colours, eyes, image = colours_of(name), TimeEyes(close), bar.grab().toImage()
         pixels = {
             170: eyes.colour(eyes.sonagram, -1.0, ON_BIN),
@@ -89,26 +89,26 @@ def test_a_colour_map_colours_sonagram_and_colour_bar(close):
 
 
 def test_the_colour_bar_names_the_range(window):
-    bar = window.time_view.findChild(ColourBar)
+    bar = window.analysis.time_view.findChild(ColourBar)
     assert bar._labels == ("0 dB", "-30 dB", "-60 dB")
-    window.time_view.low.setValue(-80)
+    window.analysis.time_view.low.setValue(-80)
     assert bar._labels == ("0 dB", "-40 dB", "-80 dB")
-    click(window.time_view.decibels)
+    click(window.analysis.time_view.decibels)
     assert bar._labels == ("1.0", "0.5", "0.0")
 
 
 def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbot):
     window = shown(desktop, qtbot, None)
-    window.time_view.colours.setCurrentText(GREY)
+    window.analysis.time_view.colours.setCurrentText(GREY)
     sound = np.concatenate((tone(ON_BIN, 62.0), tone(3 * ON_BIN, 2.0)))
     for analysis in analyses_of(np.array_split(sound, 30), desktop.preset.preset):
         desktop.session.findings.gather(analysis)
-        window.time_view.refresh()
+        window.analysis.time_view.refresh()
     assert desktop.session.history.n > CAPACITY + 300
     eyes = TimeEyes(window)
     assert [round(eyes.brightest(s) / ON_BIN) for s in (-0.2, -1.8, -2.2, -5.5)] == [3, 3, 1, 1]
     ring = eyes.image
-    window.time_view.sonagram.recolour()
+    window.analysis.time_view.sonagram.recolour()
     assert TimeEyes(window).image == ring
 
 
@@ -126,7 +126,7 @@ def test_the_whole_minute_can_be_seen_and_no_more(desktop, qtbot):
 def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
-    label = window.time_view._cursor_label
+    label = window.analysis.time_view._cursor_label
     qtbot.waitUntil(label.isVisible, timeout=2000)
     seconds, phoneme, hertz, amplitude, level = re.fullmatch(
         r"([\d.]+) s   (\w+)   (\d+) Hz   ([\d.]+)   (-[\d.]+|−∞) dB", label.text()
@@ -142,10 +142,10 @@ def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, 
 
 
 def test_over_the_course_the_cursor_reads_out_the_variable(window, qtbot):
-    window.time_view.variable.setCurrentText("volume")
+    window.analysis.time_view.variable.setCurrentText("volume")
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.course, -1.0, 0.05)
-    label = window.time_view._cursor_label
+    label = window.analysis.time_view._cursor_label
     qtbot.waitUntil(label.isVisible, timeout=2000)
     assert re.fullmatch(r"[\d.]+ s   \w+   volume 0\.1", label.text())
 
@@ -153,7 +153,7 @@ def test_over_the_course_the_cursor_reads_out_the_variable(window, qtbot):
 def test_left_of_what_was_heard_there_is_nothing_to_read(window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
-    label = window.time_view._cursor_label
+    label = window.analysis.time_view._cursor_label
     qtbot.waitUntil(label.isVisible, timeout=2000)
     hover(eyes.graphics, eyes.sonagram, -4.0, ON_BIN)
     qtbot.waitUntil(lambda: not label.isVisible(), timeout=2000)
@@ -164,7 +164,7 @@ def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
     desktop.session.follow(1.0)
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -0.5, ON_BIN)
-    label = window.time_view._cursor_label
+    label = window.analysis.time_view._cursor_label
     qtbot.waitUntil(label.isVisible, timeout=2000)
     assert float(label.text().split(" s")[0]) == pytest.approx(1.5, abs=0.025)
 
@@ -185,9 +185,9 @@ def test_the_lane_s_colours_are_the_phonemes(desktop, qtbot):
 
 def test_the_box_offers_every_variable_and_its_extremes_since_clear(desktop, qtbot):
     window = followed(desktop, qtbot)
-    box = window.time_view.variable
+    box = window.analysis.time_view.variable
     assert [box.itemText(k) for k in range(box.count())] == list(BUILT_IN_NAMES)
-    label = next(w for w in window.time_view.findChildren(QLabel) if w.toolTip().startswith("Largest"))
+    label = next(w for w in window.analysis.time_view.findChildren(QLabel) if w.toolTip().startswith("Largest"))
     history = desktop.session.history
     for name in BUILT_IN_NAMES:
         box.setCurrentText(name)
@@ -202,7 +202,7 @@ def test_the_course_is_the_variable_over_time(desktop, qtbot):
     window = followed(desktop, qtbot, seconds=2.0)
     history = desktop.session.history
     for name in ("volume", "m_szsch1", "f0"):
-        window.time_view.variable.setCurrentText(name)
+        window.analysis.time_view.variable.setCurrentText(name)
         course = next(i for i in TimeEyes(window).course.items if isinstance(i, pg.PlotCurveItem))
         x, y = course.getData()
         assert np.array_equal(y, history.features(history.indices(0, history.n))[name])
@@ -219,9 +219,9 @@ def test_the_thresholds_of_the_chosen_variable_are_lines(desktop, qtbot):
         return sorted(line.value() for line in items if isinstance(line, pg.InfiniteLine))
 
     for name in BUILT_IN_NAMES:
-        window.time_view.variable.setCurrentText(name)
+        window.analysis.time_view.variable.setCurrentText(name)
         thresholds = desktop.preset.preset.thresholds
         assert lines() == sorted(getattr(thresholds, c.threshold) for c in CONDITIONS if c.variable == name)
-    window.time_view.variable.setCurrentText("m_s1")
+    window.analysis.time_view.variable.setCurrentText("m_s1")
     type_number(window.thresholds.numbers["sz_s1"], "12.5")
     assert lines() == [12.5]

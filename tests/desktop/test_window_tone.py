@@ -29,7 +29,7 @@ def heard(desktop, window, qtbot):
     def wait(n: int = 30) -> np.ndarray:
         until = desktop.session.history.n + n + 10  # what was written before a change is still to be heard
         qtbot.waitUntil(lambda: desktop.session.history.n >= until, timeout=10_000)
-        window.refresh_all()
+        window.drawing.refresh_all()
         return desktop.session.history.newest.spectra
 
     return wait
@@ -37,7 +37,7 @@ def heard(desktop, window, qtbot):
 
 def peak(window: MainWindow) -> float:
     """The frequency at which the drawn spectrum is highest, Hz."""
-    x, y = window.spectrum.item.curves[0].getData()
+    x, y = window.analysis.spectrum.item.curves[0].getData()
     return float(x[np.argmax(y)])
 
 
@@ -108,7 +108,7 @@ def test_a_vowel_of_the_list_brings_its_formants_to_the_ear(desktop, window, hea
     choose(window.transport.tone.vowel, "u")
     assert desktop.session.tone.formants == VOWELS["u"]
     heard()
-    x, y = window.spectrum.item.curves[0].getData()
+    x, y = window.analysis.spectrum.item.curves[0].getData()
     below, above = y[(x > 200) & (x < 900)].max(), y[(x > 1100) & (x < 1500)].max()
     assert below > 10 * above
 
@@ -136,7 +136,7 @@ def test_the_level_is_what_is_measured_and_the_volume_only_what_is_heard(desktop
 
 def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
     heard()
-    window.spectrum.setFocus()
+    window.analysis.spectrum.setFocus()
     press(window, Qt.Key.Key_Space)
     assert not desktop.session.playing
     qtbot.wait(100)  # what was heard until then is still taken

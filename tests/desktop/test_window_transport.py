@@ -34,7 +34,7 @@ def test_a_click_on_play_plays_and_another_one_pauses(desktop, window):
 def test_playing_moves_the_views_on(desktop, window, qtbot):
     click(window.transport.play)
     qtbot.waitUntil(lambda: desktop.session.history.n > 40, timeout=5000)
-    x, _ = window.spectrum.item.curves[0].getData()
+    x, _ = window.analysis.spectrum.item.curves[0].getData()
     assert len(x) == 256
     assert window.transport.time.text() != "0:00.0 / 0:03.5"
     assert desktop.session.position > 0.3
@@ -180,27 +180,27 @@ def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(des
     click(window.transport.play)
     qtbot.waitUntil(lambda: desktop.session.history.n > 20, timeout=5000)
     press(window, Qt.Key.Key_F)
-    still = window.time_view.grab().toImage(), window.spectrum.grab().toImage()
+    still = window.analysis.time_view.grab().toImage(), window.analysis.spectrum.grab().toImage()
     assert "views frozen" in window.status.right.text()
     n = desktop.session.history.n
     qtbot.waitUntil(lambda: desktop.session.history.n > n + 30, timeout=5000)
-    assert (window.time_view.grab().toImage(), window.spectrum.grab().toImage()) == still
+    assert (window.analysis.time_view.grab().toImage(), window.analysis.spectrum.grab().toImage()) == still
     press(window, Qt.Key.Key_F)
-    qtbot.waitUntil(lambda: window.time_view.grab().toImage() != still[0], timeout=2000)
+    qtbot.waitUntil(lambda: window.analysis.time_view.grab().toImage() != still[0], timeout=2000)
     assert "frozen" not in window.status.right.text()
 
 
 def test_frozen_views_catch_up_even_when_the_sound_has_stopped(desktop, window, qtbot):
     press(window, Qt.Key.Key_F)
-    still = window.time_view.grab().toImage()
+    still = window.analysis.time_view.grab().toImage()
     desktop.session.follow(2)
     press(window, Qt.Key.Key_F)
-    qtbot.waitUntil(lambda: window.time_view.grab().toImage() != still, timeout=2000)
+    qtbot.waitUntil(lambda: window.analysis.time_view.grab().toImage() != still, timeout=2000)
 
 
 def test_clear_empties_the_views(desktop, window):
     desktop.session.follow(2)
-    window.refresh_all()
+    window.drawing.refresh_all()
     eyes = TimeEyes(window)
     assert eyes.colour(eyes.sonagram, -1, 1000) != eyes.colour(eyes.sonagram, -3, 1000)
     press(window, Qt.Key.Key_C)
@@ -209,7 +209,7 @@ def test_clear_empties_the_views(desktop, window):
     eyes = TimeEyes(window)
     assert eyes.colour(eyes.sonagram, -1, 1000) == eyes.colour(eyes.sonagram, -3, 1000)
     assert window.thresholds.sliders["silence_energy"].live is None
-    for view in (window.spectrum, window.averaged, window.waveform):
+    for view in (window.analysis.spectrum, window.analysis.averaged, window.analysis.waveform):
         x, _ = view.item.curves[0].getData()
         assert x is None or len(x) == 0
 

@@ -70,9 +70,9 @@ def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_cho
     booth = open_booth(mic)
     booth.studio.openers.may_answer.clear()
     booth.listen()
-    ticks = booth.window._ticks
+    ticks = booth.window.drawing.n_ticks
     booth.until(lambda: booth.banner == "Opening the microphone.")
-    booth.until(lambda: booth.window._ticks > ticks + 30)
+    booth.until(lambda: booth.window.drawing.n_ticks > ticks + 30)
     choose(booth.window.transport.source, "file")
     assert booth.desktop.session.source is Source.FILE
     press(booth.window, Qt.Key.Key_Space)

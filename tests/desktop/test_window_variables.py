@@ -35,7 +35,7 @@ def will_answer(monkeypatch, name, *, kind="sum", accepted=True):
 
 def mark(window, low: float, high: float) -> None:
     """Click on `variable`, drag the region's edges, and click again."""
-    view = window.averaged
+    view = window.analysis.averaged
     click(view.measure)
     assert view.region.isVisible()
     for edge, target in zip(view.region.lines, (low, high), strict=True):
@@ -58,18 +58,18 @@ def pull(view, start: float, end: float) -> None:
 
 
 def chosen(window) -> list[str]:
-    box = window.time_view.variable
+    box = window.analysis.time_view.variable
     return [box.itemText(k) for k in range(box.count())]
 
 
 def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, window, qtbot, monkeypatch):
     offered = will_answer(monkeypatch, "my_hiss")
     mark(window, 2500, 4000)
-    width = 5513 / window.averaged.item.vb.width()
+    width = 5513 / window.analysis.averaged.item.vb.width()
     assert offered[0] == pytest.approx((2500, 4000), abs=3 * width + BIN_WIDTH)
     assert chosen(window)[-1] == "my_hiss"
-    assert window.time_view.variable.currentText() == "my_hiss"
-    assert not window.averaged.region.isVisible()
+    assert window.analysis.time_view.variable.currentText() == "my_hiss"
+    assert not window.analysis.averaged.region.isVisible()
     assert window.isWindowModified()
     click(window.transport.play)
     qtbot.waitUntil(lambda: desktop.session.history.extremes("my_hiss") is not None, timeout=5000)
@@ -78,8 +78,8 @@ def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, 
 
 def test_a_variable_is_in_the_saved_preset(desktop, window, monkeypatch, tmp_path):
     will_answer(monkeypatch, "my_hiss", kind="max")
-    click(window.averaged.measure)
-    click(window.averaged.measure)
+    click(window.analysis.averaged.measure)
+    click(window.analysis.averaged.measure)
     desktop.preset.save(tmp_path / "mine.toml")
     (entry,) = tomllib.loads((tmp_path / "mine.toml").read_text())["variables"]
     assert entry["name"] == "my_hiss"
@@ -94,8 +94,8 @@ def test_a_name_that_cannot_be_is_refused_with_a_sentence(desktop, window, monke
     before, names = desktop.preset.preset, chosen(window)
     for name in ("9 lives", "", "ä", "energy", "m_s1", "phoneme", "a-b"):
         will_answer(monkeypatch, name)
-        click(window.averaged.measure)
-        click(window.averaged.measure)
+        click(window.analysis.averaged.measure)
+        click(window.analysis.averaged.measure)
         assert window.banner.isVisible()
         assert repr(name) in window.banner.label.text() or f"{name} exists already" in window.banner.label.text()
         assert "\n" not in window.banner.label.text()
@@ -106,8 +106,8 @@ def test_a_name_that_cannot_be_is_refused_with_a_sentence(desktop, window, monke
 
 def test_cancel_adds_nothing(desktop, window, monkeypatch):
     will_answer(monkeypatch, "my_hiss", accepted=False)
-    click(window.averaged.measure)
-    click(window.averaged.measure)
+    click(window.analysis.averaged.measure)
+    click(window.analysis.averaged.measure)
     assert not desktop.preset.preset.variables
     assert not window.banner.isVisible()
 
@@ -115,16 +115,16 @@ def test_cancel_adds_nothing(desktop, window, monkeypatch):
 def test_the_key_v_marks_too(desktop, window, monkeypatch):
     will_answer(monkeypatch, "my_hiss")
     press(window, Qt.Key.Key_V)
-    assert window.averaged.region.isVisible()
+    assert window.analysis.averaged.region.isVisible()
     press(window, Qt.Key.Key_V)
     assert [v.name for v in desktop.preset.preset.variables] == ["my_hiss"]
 
 
 def test_a_region_dragged_over_the_edge_is_still_a_range(desktop, window, monkeypatch):
     will_answer(monkeypatch, "my_hiss")
-    click(window.averaged.measure)
-    window.averaged.region.setRegion((-500, 99_999))
-    click(window.averaged.measure)
+    click(window.analysis.averaged.measure)
+    window.analysis.averaged.region.setRegion((-500, 99_999))
+    click(window.analysis.averaged.measure)
     assert not window.banner.isVisible()
     (variable,) = desktop.preset.preset.variables
     assert 0 <= variable.low <= variable.high <= 22_050
@@ -133,11 +133,11 @@ def test_a_region_dragged_over_the_edge_is_still_a_range(desktop, window, monkey
 def test_a_variable_is_removed_through_the_menu_and_comes_back_by_undo(desktop, window, monkeypatch):
     desktop.preset.add_variable(Variable("my_hiss", 3000, 5000))
     desktop.preset.add_variable(Variable("my_hum", 50, 200))
-    window.time_view.variable.setCurrentText("my_hiss")
+    window.analysis.time_view.variable.setCurrentText("my_hiss")
     monkeypatch.setattr(QInputDialog, "getItem", lambda *a, **_k: (a[3][0], True))
     window.menus.actions["Remove Variable…"].trigger()
     assert "my_hiss" not in chosen(window)
-    assert window.time_view.variable.currentText() == "energy"
+    assert window.analysis.time_view.variable.currentText() == "energy"
     press(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert chosen(window)[-2:] == ["my_hiss", "my_hum"]
 

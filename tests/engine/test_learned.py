@@ -87,6 +87,31 @@ def test_the_answer_comes_as_many_frames_late_as_are_looked_ahead(model):
         assert first == WINDOW // 2 // HOP + frames
 
 
+@pytest.mark.parametrize("frames", [0, 3])
+def test_where_phonemes_alone_are_wanted_they_are_the_same_and_no_spectrum_is_made(model, frames):
+    preset = preset_of(model, frames / 100, statistics=True, hysteresis=0.2)
+    whole, alone = (Analyser(preset, phonemes_only=only) for only in (False, True))
+    for part in np.array_split(SOUND, 50):
+        one, other = whole.push(part), alone.push(part)
+        assert one.start == other.start
+        for name in ("phonemes", "recognised", "intensities"):
+            np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
+        assert (other.spectra.shape, other.waveforms.shape) == ((len(one), 0), (len(one), 0))
+        np.testing.assert_array_equal(one.features["p_a"], other.features["p_a"])
+
+
+def test_a_recogniser_that_needs_variables_gets_them_though_phonemes_alone_are_wanted(model):
+    rules = Preset(settings=AnalysisSettings(statistics=False))
+    analyser, whole = Analyser(preset_of(model, 0.0), phonemes_only=True), Analyser(rules)
+    half = HOP * 60
+    assert analyser.push(SOUND[:half]).spectra.shape[1] == 0
+    analyser.use(rules)
+    whole.push(SOUND[:half])
+    one, other = whole.push(SOUND[half:]), analyser.push(SOUND[half:])
+    np.testing.assert_array_equal(one.phonemes, other.phonemes)
+    np.testing.assert_array_equal(one.spectra, other.spectra)
+
+
 def test_scores_are_probabilities_and_columns_of_the_features(model):
     analysis = heard(preset_of(model))[0]
     assert analysis.features.names[-len(SCORES) :] == SCORES

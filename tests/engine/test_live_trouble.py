@@ -10,7 +10,7 @@ import pytest
 
 from engine.audio.files import SoundReader
 from engine.errors import AudioError
-from engine.live import player as live
+from engine.live import waiting
 from engine.live.player import Player
 from engine.settings import FRAME_PERIOD
 from tests.bad_files import BAD_FILES
@@ -108,7 +108,7 @@ def test_a_device_lost_in_a_pause_stays_paused_on_the_clock(rig: Rig) -> None:
 
 
 def test_frames_that_nobody_takes_are_dropped_and_counted(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(live, "MOST_WAITING", 5)
+    monkeypatch.setattr(waiting, "MOST_WAITING", 5)
     rig.output.ahead = 10 * len(SPEECH)
     rig.player.play()
     rig.settle()
@@ -147,7 +147,7 @@ class SlowDeque(deque[Any]):
 
 
 def test_a_seek_between_looking_and_taking_trips_nobody(rig: Rig) -> None:
-    rig.player._waiting = SlowDeque()
+    rig.player._waiting._blocks = SlowDeque()
     rig.player.play()
     for _ in range(30):
         rig.settle()

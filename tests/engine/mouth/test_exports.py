@@ -26,7 +26,7 @@ from engine.recognition.runs import Run
 from tests.engine.mouth.speaking import DURATION, speech
 
 GOLDEN = Path(__file__).resolve().parents[2] / "data" / "exports"
-TEXTS = [name for name, form in FORMATS.items() if not form.needs_mesh]
+TEXTS = [name for name, form in FORMATS.items() if not form.moves_mesh]
 CURVES = ["livelink-csv", "oculus-csv", "curves-json"]
 
 
@@ -362,7 +362,6 @@ REFUSALS = {
         {"table": "five"},
         "separates names by spaces, so 'slightly open' of the table .* cannot be",
     ),
-    "no mesh": ("gltf", {}, "gltf moves a face of yours; name its file with --mesh FACE.glb"),
     "a mesh for cues": ("anno", {"mesh": Path("a.glb")}, "anno moves no mesh; leave a.glb out, or choose gltf"),
     "no such table": ("anno", {"table": "gone"}, "there is no such mouth table"),
     "times": ("anno", {"minimum": 5}, "minimum must lie in 0..1 s, got 5"),

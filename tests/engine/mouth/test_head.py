@@ -62,6 +62,17 @@ def test_the_rim_of_the_neck_is_smooth(figure: Figure):
     assert np.abs(residual).max() < 0.02
 
 
+def test_the_skull_is_round(figure: Figure):
+    """Nowhere does the arc over an edge rise by more than a third of a millimetre, a pixel of a large window."""
+    mesh = figure.mesh
+    a, b = np.concatenate([mesh.triangles[:, (k, (k + 1) % 3)] for k in range(3)]).T
+    skull = (mesh.positions[a, 1] > 0.7) & (mesh.positions[b, 1] > 0.7)
+    turned = np.arccos(np.clip((mesh.normals[a] * mesh.normals[b]).sum(axis=1), -1, 1))
+    arcs = turned * np.linalg.norm(mesh.positions[a] - mesh.positions[b], axis=1) / 8
+    assert skull.sum() > 500
+    assert arcs[skull].max() < 0.0045
+
+
 def test_it_looks_to_the_front_and_stands_upright(figure: Figure):
     positions = figure.mesh.positions
     nose = positions[positions[:, 2].argmax()]

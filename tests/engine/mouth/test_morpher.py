@@ -65,6 +65,16 @@ def test_lips_meet_faster_than_anything_else_moves() -> None:
     assert manner.closing < manner.attack < manner.release
 
 
+def test_a_vowel_of_a_tenth_of_a_second_is_seen_by_its_middle() -> None:
+    """After m the mouth has some 20 ms before the vowel is heard: more would open the lips of the m."""
+    manner = replace(ARKIT.manner, randomness=0, loudness=0)
+    found = mouth_of(replace(ARKIT, manner=manner), [(0.0, M, 1.0), (0.48, A, 1.0)], np.array([0.46, 0.5, 0.55]))
+    jaw = found[:, ARKIT.movestates.index("jawOpen")] / ARKIT.weights()[A, ARKIT.movestates.index("jawOpen")]
+    assert jaw[0] == 0
+    assert jaw[1] < 0.2
+    assert jaw[2] > 0.8
+
+
 def test_silence_has_priority_over_all_that_goes_on() -> None:
     heard = [(0.01 * k, (A, E, U)[k % 3], 1.0) for k in range(100)] + [(1.0, SILENCE, 1.0)]
     for detail in Detail:

@@ -81,6 +81,26 @@ def test_a_vtuber_program_opens_the_mouth_for_a_and_shuts_it_at_the_end(receiver
     assert set(receiver.weights()) == set(VRM)
 
 
+def test_what_is_asked_for_wins_over_what_is_heard_until_it_is_asked_no_more(receiver: Receiver) -> None:
+    with mouth_to(receiver) as mouth, speaking(mouth, Phoneme.A):
+        wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "what is heard")
+        mouth.ask({Phoneme.U: 0.5, Phoneme.I: 0.25})
+        wait_for(lambda: receiver.weights()["A"] < 0.01 < receiver.weights()["U"], "what is asked for")
+        wait_for(lambda: ("u", 0.5) in receiver.of("/phoneme"), "its name")
+        wait_for(lambda: receiver.weights()["U"] == pytest.approx(2 * receiver.weights()["I"], rel=0.02), "halves")
+        mouth.ask({})
+        wait_for(lambda: receiver.weights()["A"] > 0.7 and receiver.weights()["U"] < 0.01, "what is heard again")
+        assert receiver.of("/phoneme")[-1][0] == "a"
+
+
+def test_a_mouth_that_is_asked_to_open_is_shut_at_the_end(receiver: Receiver) -> None:
+    with mouth_to(receiver) as mouth:
+        mouth.ask({Phoneme.A: 1.0})
+        wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an open mouth")
+    wait_for(lambda: receiver.weights()["A"] < 1e-6, "a shut mouth")
+    assert receiver.of("/phoneme")[-1][0] == "silence"
+
+
 def test_weights_are_applied_after_all_of_them_were_sent(receiver: Receiver) -> None:
     with mouth_to(receiver):
         wait_for(lambda: len(receiver.of("/VMC/Ext/Blend/Apply")) >= 3, "three pictures")

@@ -1,0 +1,36 @@
+"""The heads of a window: that of the page, once it is there, and that of the dock."""
+
+from phonemeanalyser.models.talking import Talking
+from phonemeanalyser.views.head_view import HeadView
+from phonemeanalyser.views.page_switch import LatePage
+from phonemeanalyser.views.talk_page import TalkPage
+
+
+class Heads:
+    """Moves the heads that are seen."""
+
+    def __init__(self, talking: Talking, page: LatePage[TalkPage], docked: HeadView) -> None:
+        self._talking = talking
+        self._page = page
+        self._docked = docked
+
+    def move(self, *, frozen: bool) -> None:
+        """Have the head say what is heard, where it is seen."""
+        seen = [view for view in (self._page.made, self._docked) if view is not None and view.isVisible()]
+        self._talking.watch(bool(seen) and not frozen)
+        self._talking.tick()
+        for view in seen:
+            if not frozen:
+                view.refresh()
+
+    def look_like(self, other: "Heads") -> None:
+        """Show the heads from where another window shows them."""
+        if other._page.made is not None:
+            self._page.get().head.look_like(other._page.made.head)
+        self._docked.look_like(other._docked)
+
+    def let_go(self) -> None:
+        """Give everything back to the graphics driver."""
+        if self._page.made is not None:
+            self._page.made.head.let_go()
+        self._docked.let_go()

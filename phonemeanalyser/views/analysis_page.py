@@ -1,0 +1,85 @@
+"""The page of the analysis: spectra above, the waveform amid, and the time view below."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractButton, QSplitter
+
+from phonemeanalyser.models.history import shown_spectra
+from phonemeanalyser.models.preset import PresetModel
+from phonemeanalyser.models.session import Session
+from phonemeanalyser.theme import Theme
+from phonemeanalyser.views.averaged_view import AveragedView
+from phonemeanalyser.views.spectrum_view import SpectrumView
+from phonemeanalyser.views.time_view import TimeView
+from phonemeanalyser.views.waveform_view import WaveformView
+
+
+class AnalysisPage(QSplitter):
+    """Lays out what is drawn of the sound in hand.
+
+    Attributes
+    ----------
+    spectra : the splitter between the two spectra.
+    """
+
+    def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
+        super().__init__(Qt.Orientation.Vertical)
+        self._history = session.history
+        self.spectrum = SpectrumView("Spectrum", theme)
+        self.averaged = AveragedView(session.averages, theme)
+        self.waveform = WaveformView(theme)
+        self.time_view = TimeView(session.history, preset, theme)
+        self.spectra = QSplitter(Qt.Orientation.Horizontal)
+        self._lay_out()
+
+    def refresh_fast(self) -> None:
+        """Draw what changes with every picture."""
+        newest = self._history.newest
+        if newest is not None:
+            self.spectrum.draw(shown_spectra(newest)[-1])
+            self.waveform.draw(newest.waveforms[-1])
+        else:
+            self.spectrum.clear()
+            self.waveform.clear()
+        self.time_view.refresh()
+
+    def refresh_slow(self) -> None:
+        """Draw numbers, and what changes slowly."""
+        self.averaged.refresh()
+        self.time_view.refresh_numbers()
+
+    def set_coarse(self, on: bool) -> None:
+        """Draw everything coarsely, or all of it finely."""
+        for view in (self.spectrum, self.averaged, self.waveform):
+            view.coarse.setChecked(on)
+
+    def set_decibels(self, on: bool) -> None:
+        """Draw both spectra in decibels, or linearly."""
+        for view in (self.spectrum, self.averaged):
+            view.decibels.setChecked(on)
+
+    @property
+    def splitters(self) -> dict[str, QSplitter]:
+        """What the user may have moved, by the names under which it is kept."""
+        return {"rows": self, "spectra": self.spectra}
+
+    @property
+    def switches(self) -> dict[str, QAbstractButton]:
+        """What the user may have switched, by the names under which it is kept."""
+        return {
+            "sonagram_db": self.time_view.decibels,
+            "coarse_spectrum": self.spectrum.coarse,
+            "coarse_average": self.averaged.coarse,
+            "coarse_waveform": self.waveform.coarse,
+            "spectrum_db": self.spectrum.decibels,
+            "average_db": self.averaged.decibels,
+        }
+
+    def _lay_out(self) -> None:
+        self.spectra.addWidget(self.spectrum)
+        self.spectra.addWidget(self.averaged)
+        self.spectra.setSizes([380, 380])
+        for widget in (self.spectra, self.waveform, self.time_view):
+            self.addWidget(widget)
+        self.setSizes([190, 130, 370])
+        for splitter in (self.spectra, self):
+            splitter.setChildrenCollapsible(False)
