@@ -21,12 +21,12 @@ from engine.phonemes import Phoneme
 from engine.recognition.model import Head, Model
 from engine.recognition.network import Delayed, Layer, Network
 
-FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 30, 120, 50
+FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 40, 120, 50
 """Steps that are taken: one for so many frames of the voice, within these bounds."""
 MOST_FRAMES = 1500
 """Frames of the voice that a step hears; more of them take turns."""
 ANCHORS_PER_STEP = 2
-ANCHORED = 1.0
+ANCHORED = 0.5
 """How much the anchors of a step count against the voice."""
 SMOOTHING = 0.05
 """Share of the certainty that is spread over all phonemes: labels lie a little beside the truth."""
@@ -34,6 +34,8 @@ LEAST_FRAMES = 3
 """A phoneme of which fewer frames are given is not touched."""
 LEAST_GAIN = 0.002
 """By how much likelier the labels must be that are held back."""
+OWN = (1.0,)
+"""The vocal tract that a model listens with which knows it."""
 LEAST_LIKELY = 1e-4
 """One frame that is quite wrong does not outweigh hundreds."""
 LEAST_SECONDS = 2.0
@@ -131,7 +133,8 @@ def adapt(model: Model, lessons: Sequence[Lesson]) -> Adaptation:
     after, way = max(zip(likely, WAYS, strict=True))
     if after < before + LEAST_GAIN:
         return Adaptation(model, before, before)
-    return Adaptation(_between(model, _moved(model, heard, said, anchors), way), before, after)
+    moved = _between(model, _moved(model, heard, said, anchors), way)
+    return Adaptation(replace(moved, warps=OWN), before, after)
 
 
 def _moved(model: Model, heard: Sequence[_Heard], said: _Said, anchors: Sequence[Stretch]) -> Model:

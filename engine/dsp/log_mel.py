@@ -22,9 +22,13 @@ Block = NDArray[np.float32]
 _MIDDLE = slice((WINDOW - SHORT) // 2, (WINDOW + SHORT) // 2)
 
 
-def log_mels_of(windows: Block) -> Block:
-    """Give the base-10 logarithms of the powers in 40 mel bands, about -11 to 0; see `mel_powers_of`."""
-    powers = mel_powers_of(windows, _bank())
+def log_mels_of(windows: Block, warps: tuple[float, ...] = (1.0,)) -> Block:
+    """Give the base-10 logarithms of the powers in 40 mel bands, about -11 to 0; see `mel_powers_of`.
+
+    With several `warps` (see `bank_of`) the bands of each lie beside those of the one before: shape
+    (n_frames, n_warps x 40).
+    """
+    powers = mel_powers_of(windows, _banks(warps))
     powers += np.float32(FLOOR)
     logarithms: Block = np.log10(powers, out=powers)
     return logarithms
@@ -36,11 +40,11 @@ def mel_powers_of(windows: Block, bank: Block) -> Block:
     Parameters
     ----------
     windows : float32, shape (n_frames, 2048), full scale ±1.
-    bank : the bands, as from `bank_of`.
+    bank : the bands, as from `bank_of`, shape (n_bins, n_bands).
 
     Returns
     -------
-    float32, shape (n_frames, 40); a full-scale sine has the power 1.
+    float32, shape (n_frames, n_bands); a full-scale sine has the power 1.
     """
     from scipy.fft import rfft  # noqa: PLC0415 - it costs half a second that a window should not wait for
 
@@ -77,6 +81,6 @@ def bank_of(warp: float = 1.0) -> Block:
     return np.asarray(weights / weights.sum(axis=0), np.float32)
 
 
-@lru_cache(maxsize=1)
-def _bank() -> Block:
-    return bank_of()
+@lru_cache(maxsize=8)
+def _banks(warps: tuple[float, ...]) -> Block:
+    return np.concatenate([bank_of(warp) for warp in warps], axis=1)

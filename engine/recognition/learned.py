@@ -10,14 +10,13 @@ from engine.recognition.network import Network
 from engine.recognition.recognition import Recognition
 from engine.recognition.scores import SCORES, shortfalls_of_scores, trace_of_scores
 from engine.recognition.trace import Trace
+from engine.recognition.tracts import TractJudge
 from engine.settings import FRAME_PERIOD
 
 Block = NDArray[np.float32]
 
-
-def network_of(model: Model) -> Network:
-    """Set a model's network to work on a sound that begins after silence."""
-    return Network(model.layers, np.full(N_BANDS, np.log10(FLOOR), np.float32))
+NOTHING = Recognition(np.zeros(0, np.uint8), np.zeros((0, len(SCORES)), np.float32))
+"""What is said of no frames."""
 
 
 class LearnedRecogniser:
@@ -35,24 +34,32 @@ class LearnedRecogniser:
     def __init__(self, model: Model, look_ahead: float) -> None:
         self.look_ahead = min(int(look_ahead / FRAME_PERIOD + 1e-6), len(model.heads) - 1)
         self._head = model.heads[self.look_ahead]
-        self._network = network_of(model)
+        self._warps = model.warps
+        self._network = Network(model.layers, np.full((len(model.warps), N_BANDS), np.log10(FLOOR), np.float32))
+        self._judge = TractJudge(len(model.warps))
         self._n_early = self.look_ahead
 
     def recognise(self, features: Features) -> Recognition:
         """Recognise the next frames; the answers are about those `look_ahead` frames before."""
         if not len(features.windows):
-            return Recognition(np.zeros(0, np.uint8), np.zeros((0, len(SCORES)), np.float32))
-        found = self._network.push(log_mels_of(features.windows))
+            return NOTHING
+        found = self._network.push(log_mels_of(features.windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
         if self._n_early:
             n_early = min(self._n_early, len(found))
             found, self._n_early = found[n_early:], self._n_early - n_early
-        scores = found.dot(self._head.weights)
+        if not len(found):
+            return NOTHING
+        scores = self._judge.mix(self._shares_of(found))
+        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
+
+    def _shares_of(self, found: Block) -> Block:
+        """Give how likely each phoneme is with each vocal tract, shape (n, n_warps, n_phonemes)."""
+        scores: Block = found.reshape(-1, found.shape[2]).dot(self._head.weights)
         scores += self._head.bias
-        phonemes = scores.argmax(axis=1).astype(np.uint8)
         scores -= np.maximum.reduce(scores, axis=1, keepdims=True)
         np.exp(scores, out=scores)
         scores /= np.add.reduce(scores, axis=1, keepdims=True)
-        return Recognition(phonemes, scores)
+        return scores.reshape(len(found), len(self._warps), -1)
 
     def shortfalls(self, features: Features) -> Block | None:
         """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""

@@ -21,6 +21,7 @@ FORMAT = 1
 """The version of the file's layout; a newer one is refused."""
 LARGEST_FILE = 8 << 20
 MOST_LAYERS, MOST_CHANNELS, MOST_DILATION = 32, 1024, 256
+MOST_WARPS, LEAST_WARP, MOST_WARP = 8, 0.5, 2.0
 MOST_FRAMES_AHEAD = 5
 """Frames of 10 ms that the longest look-ahead has."""
 
@@ -49,6 +50,8 @@ class Model:
     ----------
     layers : the network.
     heads : one for each look-ahead, 0, 1, ... frames.
+    warps : of the mel bands, as if the speaker's vocal tract were shorter (above 1) or longer; what is heard with
+        each is mixed, see `engine.recognition.tracts`.
     anchors : stretches of the speech that it was trained on, as `engine.dsp.log_mel` gives it, shape (n, n_frames,
         40), so that an adaptation to one voice does not forget them; may be empty.
     about : what it was trained with, in words, for people: name, speakers, seed, figures.
@@ -56,6 +59,7 @@ class Model:
 
     layers: tuple[Layer, ...]
     heads: tuple[Head, ...]
+    warps: tuple[float, ...] = (1.0,)
     anchors: Block = field(default_factory=lambda: np.zeros((0, 0, N_BANDS), np.float32))
     about: dict[str, Any] = field(default_factory=dict)
 
@@ -130,6 +134,7 @@ def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
         "format": np.array(FORMAT),
         "dilations": np.array([layer.dilation for layer in model.layers]),
         "n_heads": np.array(len(model.heads)),
+        "warps": np.array(model.warps),
         "anchors": model.anchors.astype(np.float16),
     }
     for k, layer in enumerate(model.layers):
@@ -167,7 +172,14 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
         for k in range(n_heads)
     )
     anchors = _checked(arrays["anchors"], (None, None, N_BANDS))
-    return Model(tuple(layers), heads, anchors, _about_of(arrays["about"]))
+    return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, _about_of(arrays["about"]))
+
+
+def _warps_of(array: NDArray[Any]) -> tuple[float, ...]:
+    warps = tuple(array.astype(float).ravel().tolist())
+    if not (0 < len(warps) <= MOST_WARPS and all(LEAST_WARP <= warp <= MOST_WARP for warp in warps)):
+        raise ModelError(f"a model has 1..{MOST_WARPS} warps of {LEAST_WARP:g}..{MOST_WARP:g}; get it anew")
+    return warps
 
 
 def _halved(array: Block) -> Block:

@@ -49,19 +49,20 @@ class Delayed:
     Parameters
     ----------
     layer : the layer.
-    before : what lay before the sound, shape (n_in,).
+    before : what lay before the sound, shape (n_in,); or (n_lanes, n_in), where several sounds of equal length are
+        worked on side by side.
     """
 
     def __init__(self, layer: Layer, before: Block) -> None:
         self._weights, self._bias = layer.weights, layer.bias
         self._reach, self._step = layer.reach, layer.dilation
-        self._seen = np.empty((self._reach + ROOM, len(before)), np.float32)
+        self._seen = np.empty((self._reach + ROOM, *before.shape), np.float32)
         self._seen[: self._reach] = before
         self._taps = _taps_of(self._seen, self._step)
         self._end = self._reach
 
     def push(self, block: Block) -> Block:
-        """Take the next frames, shape (n, n_in), and give what it finds in them, shape (n, n_out)."""
+        """Take the next frames, shape (n, ..., n_in), and give what it finds in them, shape (n, ..., n_out)."""
         found = self._few(block) if len(block) <= FEW else self._many(block)
         found += self._bias
         return np.maximum(found, ZERO, out=found)
@@ -73,22 +74,23 @@ class Delayed:
             end = self._reach
         first, self._end = end - self._reach, end + n
         seen[end : end + n] = block
-        taps = self._taps[first : first + n].reshape(n, 1, -1)
+        taps = self._taps[first : first + n].reshape(-1, 1, len(self._weights))
         found: Block = np.matmul(taps, self._weights)
-        return found.reshape(n, -1)
+        return found.reshape(*block.shape[:-1], -1)
 
     def _many(self, block: Block) -> Block:
         n = len(block)
         seen = np.concatenate((self._seen[self._end - self._reach : self._end], block))
         self._seen[: self._reach], self._end = seen[n:], self._reach
-        found: Block = _taps_of(seen, self._step).reshape(n, -1).dot(self._weights)
-        return found
+        found: Block = _taps_of(seen, self._step).reshape(-1, len(self._weights)).dot(self._weights)
+        return found.reshape(*block.shape[:-1], -1)
 
 
 def _taps_of(seen: Block, step: int) -> Block:
-    """Give a view of frames in which those that an answer looks at lie beside each other, shape (n, 3, n_in)."""
-    n_answers, (frame, value) = len(seen) - (TAPS - 1) * step, seen.strides
-    return as_strided(seen, (n_answers, TAPS, seen.shape[1]), (frame, step * frame, value), writeable=False)
+    """Give a view of frames in which those that an answer looks at lie beside each other, shape (n, ..., 3, n_in)."""
+    n_answers, (frame, *lanes, value) = len(seen) - (TAPS - 1) * step, seen.strides
+    shape = (n_answers, *seen.shape[1:-1], TAPS, seen.shape[-1])
+    return as_strided(seen, shape, (frame, *lanes, step * frame, value), writeable=False)
 
 
 class Network:
@@ -97,15 +99,15 @@ class Network:
     Parameters
     ----------
     layers : the layers, the first one on the input.
-    before : the input before the sound began, shape (n_in,).
+    before : the input before the sound began, shape (n_in,); or (n_lanes, n_in), see `Delayed`.
     """
 
     def __init__(self, layers: tuple[Layer, ...], before: Block) -> None:
-        nothing = np.zeros(layers[0].bias.shape, np.float32)
+        nothing = np.zeros((*before.shape[:-1], len(layers[0].bias)), np.float32)
         self._stack = [Delayed(layer, nothing if k else before) for k, layer in enumerate(layers)]
 
     def push(self, block: Block) -> Block:
-        """Take the next frames, shape (n, n_in), and give what the last layer makes of them, shape (n, n_out)."""
+        """Take the next frames, shape (n, ..., n_in), and give what the last layer makes of them, (n, ..., n_out)."""
         hidden = self._stack[0].push(block)
         for layer in self._stack[1:]:
             found = layer.push(hidden)

@@ -133,7 +133,7 @@ def further_material_of(folder: Path, variables: Sequence[Variable], seed: int) 
     taken: dict[str, int] = {}
     chosen = []
     for k in generator.permutation(len(utterances)):
-        speaker = f"{utterances[k].corpus}/{utterances[k].speaker}"
+        speaker = utterances[k].voice
         taken[speaker] = taken.get(speaker, 0) + 1
         most = next((n for kind, n in MOST_RECORDINGS.items() if speaker.startswith(kind)), MOST)
         if taken[speaker] <= most:

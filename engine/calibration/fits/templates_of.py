@@ -69,7 +69,7 @@ def heard_in(utterances: Iterable[Utterance]) -> dict[str, Heard]:
     parts: defaultdict[str, defaultdict[Phoneme, list[Block]]] = defaultdict(lambda: defaultdict(list))
     levels: defaultdict[tuple[str, bool], list[Block]] = defaultdict(list)
     for utterance in utterances:
-        speaker = _speaker_of(utterance)
+        speaker = utterance.voice
         log_mels = _log_mels_of(utterance.path)
         cepstra, loudness = cepstra_of(log_mels), levels_of(log_mels)
         for label, frames in _middles(utterance.labels):
@@ -139,11 +139,7 @@ def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, Heard]) 
     """Score the recordings of each speaker with templates of all others."""
     others = {s: templates_from({who: v for who, v in voices.items() if who != s} or voices) for s in voices}
     presets = {speaker: preset_of(templates) for speaker, templates in others.items()}
-    return scores_of((frame_labels_of(u.labels), _recognised(u.path, presets[_speaker_of(u)])) for u in utterances)
-
-
-def _speaker_of(utterance: Utterance) -> str:
-    return f"{utterance.corpus}/{utterance.speaker}"
+    return scores_of((frame_labels_of(u.labels), _recognised(u.path, presets[u.voice])) for u in utterances)
 
 
 def _recognised(path: Path, preset: Preset) -> Codes:

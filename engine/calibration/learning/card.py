@@ -4,8 +4,9 @@ from collections.abc import Iterable
 from dataclasses import fields
 
 from engine.calibration.learning.provenance import Source
-from engine.calibration.learning.teaching import HESITATION, HOLD, Taught
+from engine.calibration.learning.teaching import HESITATION, WARPS, Taught
 from engine.calibration.learning.training import Course
+from engine.calibration.learning.validation import SETTINGS
 from engine.calibration.scores.scoring import Scores
 
 KINDS = {"human": "people", "synthetic-formant": "formant synthesis"}
@@ -29,7 +30,9 @@ def card_of(name: str, taught: Taught, course: Course, n_variations: int) -> str
         f"A causal convolutional network over time, {course.width} channels, dilations "
         f"{', '.join(map(str, (1, *course.dilations)))}; {_n_numbers(taught):,} numbers, kept as float16. Input: "
         "logarithms of the power in 40 mel bands up to 8 kHz, of the middle 23 ms of each 46 ms frame, every 10 ms. "
-        "Output: eleven classes, with a look-ahead of 0 to 50 ms by choice.\n",
+        f"Output: eleven classes, with a look-ahead of 0 to 50 ms by choice. It listens with "
+        f"{len(WARPS)} vocal tracts (frequencies warped by {', '.join(f'{warp:g}' for warp in WARPS)}) and trusts "
+        "those with which it is sure.\n",
         "## Training\n",
         f"Seed {course.seed}, {course.n_epochs} epochs, batches of {course.n_together} stretches of "
         f"{course.n_frames / 100:g} s, learning rate {course.rate:g}, dropout {course.dropout:g}. Each recording as "
@@ -54,8 +57,9 @@ def _validation(taught: Taught) -> str:
     for name, scores in taught.held_out.items():
         rows.append([f"{name} ({kinds.get(name, '')})", *_figures(scores)])
     lead = (
-        f"Each speaker was left out of one training, and recognised by it, with the longest look-ahead, each phoneme "
-        f"held {HOLD * 1000:.0f} ms. The definitions are those of `phonemeanalyser score`.\n\n"
+        f"Each speaker was left out of one training, and recognised by it, as the preset does: looking "
+        f"{SETTINGS.look_ahead * 1000:.0f} ms ahead, each phoneme held {SETTINGS.minimum_hold * 1000:.0f} ms. The "
+        "definitions are those of `phonemeanalyser score`.\n\n"
     )
     return lead + _table(rows)
 

@@ -59,8 +59,7 @@ def write_book(
                 powers.write(lesson.log_powers.tobytes())
                 phonemes.write(lesson.phonemes.tobytes())
                 certainties.write(lesson.certainties.tobytes())
-            voice = f"{utterance.corpus}/{utterance.speaker}"
-            entries.append(_Entry(voice, tuple(len(lesson) for lesson in lessons)))
+            entries.append(_Entry(utterance.voice, tuple(len(lesson) for lesson in lessons)))
             progress(1)
     (folder / "index.json").write_text(json.dumps([asdict(entry) for entry in entries]))
 

@@ -16,7 +16,8 @@ from engine.calibration.learning.lesson_book import read_book, write_book
 from engine.calibration.learning.provenance import Source, sources_of
 from engine.calibration.learning.training import Course, train
 from engine.calibration.learning.validation import anchors_of, answers_of, folds_of
-from engine.calibration.scores.corpus import FrameLabels, read_corpus
+from engine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
+from engine.calibration.scores.evaluation import Answers
 from engine.calibration.scores.scoring import Codes, Scores, scores_of
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
@@ -25,12 +26,11 @@ from engine.recognition.model import Model
 HESITATION = 0.2
 """How much more an unidentified sound must be the likeliest, in units of the logarithm of its probability: its frames
 are many and of all sorts, and a mouth that stands still where somebody speaks is noticed."""
-HOLD = 0.03
-"""Seconds that a phoneme is held in the validation, as in the preset."""
+WARPS = (0.8, 1.0, 1.2)
+"""Vocal tracts that a model listens with, see `engine.recognition.tracts`; adult voices span about that."""
 
 Told = Callable[[str, float], object]
 """Is told what goes on, and how much of it is done, 0..1."""
-Answer = tuple[str, FrameLabels, Codes]
 
 
 @dataclass(frozen=True)
@@ -83,25 +83,25 @@ def teach(corpora: Sequence[Path], course: Course, n_variations: int, n_folds: i
             told("measuring", n_done / len(utterances))
 
         write_book(Path(folder), utterances, n_variations, course.seed, count)
-        groups = folds_of(list(weights), n_folds) if n_folds else []
+        groups = [[u for u in utterances if u.voice in names] for names in folds_of(list(weights), n_folds)]
         model, answers = _train_all(Path(folder), weights, groups, course, told)
-    everyone = scores_of((labels, codes) for _, labels, codes in answers) if answers else None
+    everyone = scores_of(answer.pair for answer in answers) if answers else None
     by_name: dict[str, list[tuple[FrameLabels, Codes]]] = {}
-    for name, labels, codes in answers:
-        by_name.setdefault(name, []).append((labels, codes))
+    for answer in answers:
+        by_name.setdefault(answer.utterance.voice, []).append(answer.pair)
     return Taught(model, sources, {name: scores_of(pairs) for name, pairs in by_name.items()}, everyone)
 
 
 def _train_all(
-    folder: Path, weights: dict[str, float], groups: list[set[str]], course: Course, told: Told
-) -> tuple[Model, list[Answer]]:
+    folder: Path, weights: dict[str, float], groups: list[list[Utterance]], course: Course, told: Told
+) -> tuple[Model, list[Answers]]:
     """Train on everybody, and without each group; as many trainings at a time as there are cores."""
     spawned = multiprocessing.get_context("spawn")
     done = spawned.Array("d", len(groups) + 1)
     with _single_threaded(), ProcessPoolExecutor(os.cpu_count(), spawned, _share, (done,)) as pool:
         jobs = [
             pool.submit(_train_without, k, folder, weights, left_out, course)
-            for k, left_out in enumerate((set[str](), *groups))
+            for k, left_out in enumerate(([], *groups))
         ]
         while wait(jobs, timeout=0.5).not_done:
             told("training", sum(done[:]) / len(jobs))
@@ -119,18 +119,18 @@ def _share(done: Any) -> None:
 
 
 def _train_without(
-    number: int, folder: Path, weights: dict[str, float], left_out: set[str], course: Course
-) -> tuple[Model, list[Answer]]:
+    number: int, folder: Path, weights: dict[str, float], left_out: list[Utterance], course: Course
+) -> tuple[Model, list[Answers]]:
     """Train on all voices but those left out, and let the model recognise these."""
-    voices = read_book(folder, weights)
+    strange = {utterance.voice for utterance in left_out}
+    heard = [v for v in read_book(folder, weights) if v.name not in strange]
 
     def count(step: int, n_steps: int, _loss: float) -> None:
         _done[number] = step / n_steps
 
-    heard = [v for v in voices if v.name not in left_out]
     model = _hesitant(train(heard, course, count))
-    model = replace(model, anchors=anchors_of(heard, course.seed)).rounded()
-    return model, answers_of(model, [v for v in voices if v.name in left_out], HOLD)
+    model = replace(model, warps=WARPS, anchors=anchors_of(heard, course.seed)).rounded()
+    return model, answers_of(model, left_out)
 
 
 def _hesitant(model: Model) -> Model:

@@ -6,15 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.calibration.learning.lesson_book import Voice
-from engine.calibration.learning.lessons import CERTAINTIES, Lesson
-from engine.calibration.scores.corpus import FrameLabels
-from engine.calibration.scores.scoring import Codes
-from engine.dsp.log_mel import FLOOR, N_BANDS
-from engine.recognition.learned import network_of
+from engine.calibration.scores.corpus import Utterance
+from engine.calibration.scores.evaluation import Answers, answers_to
+from engine.dsp.log_mel import N_BANDS
+from engine.presets.preset import Preset
 from engine.recognition.model import Model
-from engine.recognition.statistics import UNREPLACED, Statistics
+from engine.recognition.statistics import UNREPLACED
+from engine.settings import AnalysisSettings
 
-CERTAIN = CERTAINTIES["core"]
+SETTINGS = AnalysisSettings(look_ahead=0.05, minimum_hold=0.01, hysteresis=0.1)
+"""How a trained model is used, and so how it is validated."""
 N_ANCHORS, N_FRAMES = 32, 150
 """Anchors, and frames of each."""
 
@@ -25,14 +26,15 @@ def folds_of(names: Sequence[str], n_folds: int) -> list[set[str]]:
     return [set(ordered[k::n_folds]) for k in range(n_folds)]
 
 
-def answers_of(model: Model, voices: Iterable[Voice], hold: float) -> list[tuple[str, FrameLabels, Codes]]:
-    """Recognise all recordings as they are; gives name of the speaker, labels and codes of each."""
-    return [
-        (voice.name, _labels_of(recording[0]), _codes_of(model, recording[0], hold))
-        for voice in voices
-        for recording in voice.recordings
-        if len(recording[0])
-    ]
+def answers_of(model: Model, utterances: Iterable[Utterance]) -> list[Answers]:
+    """Recognise recordings as a user's program does.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    """
+    preset = Preset(recogniser="learned", model=model, settings=SETTINGS, successors=UNREPLACED)
+    return [answers_to(utterance, preset) for utterance in utterances]
 
 
 def anchors_of(voices: Sequence[Voice], seed: int) -> NDArray[np.float32]:
@@ -48,19 +50,3 @@ def anchors_of(voices: Sequence[Voice], seed: int) -> NDArray[np.float32]:
         first = int(generator.integers(len(lesson) - N_FRAMES + 1))
         found.append(np.asarray(lesson.log_powers[first : first + N_FRAMES], np.float32))
     return np.stack(found)
-
-
-def hidden_of(model: Model, lesson: Lesson) -> NDArray[np.float32]:
-    """Run the network over a lesson, and as many frames of silence after it as the model looks ahead."""
-    after = np.full((len(model.heads) - 1, N_BANDS), np.log10(FLOOR), np.float32)
-    return network_of(model).push(np.concatenate((lesson.log_powers.astype(np.float32), after)))
-
-
-def _labels_of(lesson: Lesson) -> FrameLabels:
-    return FrameLabels(np.asarray(lesson.phonemes), lesson.certainties == CERTAIN)
-
-
-def _codes_of(model: Model, lesson: Lesson, hold: float) -> Codes:
-    head = model.heads[-1]
-    scores = hidden_of(model, lesson)[len(model.heads) - 1 :] @ head.weights + head.bias
-    return Statistics(hold, UNREPLACED).push(scores.argmax(axis=1).astype(np.uint8))

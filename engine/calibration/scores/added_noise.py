@@ -98,7 +98,7 @@ class NoiseAdder:
         """
         period = self._period(utterance.speaker)
         gain = speech_level_of(utterance) * 10 ** (-self.noise.snr / 20)
-        name = f"{utterance.corpus}/{utterance.speaker}/{utterance.path.name}"
+        name = f"{utterance.voice}/{utterance.path.name}"
         place = int(np.random.default_rng([self.noise.seed, zlib.crc32(name.encode())]).integers(LOOP))
         with SoundReader(utterance.path) as reader:
             for block in reader.blocks(n):

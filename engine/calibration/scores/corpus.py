@@ -59,6 +59,11 @@ class Utterance:
     speaker: str
     corpus: str
 
+    @property
+    def voice(self) -> str:
+        """Who says it, as corpus/speaker."""
+        return f"{self.corpus}/{self.speaker}"
+
 
 @dataclass(frozen=True)
 class FrameLabels:
