@@ -176,10 +176,10 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
 
 
 def _warps_of(array: NDArray[Any]) -> tuple[float, ...]:
-    warps = tuple(array.astype(float).ravel().tolist())
-    if not (0 < len(warps) <= MOST_WARPS and all(LEAST_WARP <= warp <= MOST_WARP for warp in warps)):
+    known = array.dtype.kind == "f" and array.ndim == 1 and 0 < len(array) <= MOST_WARPS
+    if not (known and np.all((array >= LEAST_WARP) & (array <= MOST_WARP))):
         raise ModelError(f"a model has 1..{MOST_WARPS} warps of {LEAST_WARP:g}..{MOST_WARP:g}; get it anew")
-    return warps
+    return tuple(array.tolist())
 
 
 def _halved(array: Block) -> Block:
@@ -195,5 +195,5 @@ def _checked(array: NDArray[Any], shape: tuple[int | None, ...]) -> Block:
 
 
 def _about_of(array: NDArray[Any]) -> dict[str, Any]:
-    about = json.loads(array.astype(np.uint8).tobytes())
+    about = json.loads(array.tobytes())
     return about if isinstance(about, dict) else {}
