@@ -199,8 +199,8 @@ class Analyser:
             features = features.with_columns(self._recogniser.scores, recognition.scores)
         phonemes = recognised
         if settings.statistics:
-            steadies = self._statistics.hysteresis > 0
-            phonemes = self._statistics.push(recognised, self._recogniser.shortfalls(features) if steadies else None)
+            wavers = self._statistics.wavers(recognised)
+            phonemes = self._statistics.push(recognised, self._recogniser.shortfalls(features) if wavers else None)
         start, self._next = self._next, self._next + len(recognised)
         return Analysis(
             start, measured.spectra, measured.mel, measured.waveforms, features, recognised, phonemes,

@@ -109,6 +109,8 @@ class RuleRecogniser:
         self._members = members[:-1]
         self._labels = [self._label_of(number) for number in range(len(self._rules))]
         self._phonemes = np.array([rule.phoneme for rule in self._rules], np.uint8)
+        self._by_phoneme = np.argsort(self._phonemes, kind="stable")
+        self._named, self._firsts = np.unique(self._phonemes[self._by_phoneme], return_index=True)
         self._names: tuple[str, ...] = ()
 
     @property
@@ -143,8 +145,7 @@ class RuleRecogniser:
         costs = np.maximum(-strengths, 0)
         costs[:, 1:] = np.maximum(costs[:, 1:], in_the_way)
         least = np.full((len(margins), len(Phoneme)), np.inf, np.float32)
-        for k, phoneme in enumerate(self._phonemes):
-            least[:, phoneme] = np.minimum(least[:, phoneme], costs[:, k])
+        least[:, self._named] = np.minimum.reduceat(costs[:, self._by_phoneme], self._firsts, axis=1)
         return least
 
     def explain(self, features: Features, k: int) -> Trace:

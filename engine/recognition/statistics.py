@@ -56,11 +56,15 @@ class Statistics:
         self._steady = int(Phoneme.SILENCE)
         self._held = self._least
 
+    def wavers(self, phonemes: NDArray[np.uint8]) -> bool:
+        """Say whether hysteresis has anything to decide about the next phonemes: mostly none changes."""
+        return self.hysteresis > 0 and bool((phonemes != self._steady).any())
+
     def push(self, phonemes: NDArray[np.uint8], shortfalls: NDArray[np.float32] | None = None) -> NDArray[np.uint8]:
         """Take the next phonemes, shape (n_frames,), and give the calmed ones.
 
         `shortfalls` says by how much each phoneme falls short of being named, shape (n_frames, n_phonemes); without
-        them there is no hysteresis.
+        them there is no hysteresis, which is all the same where the phonemes do not waver.
         """
         if shortfalls is not None:
             phonemes = self._steadied(phonemes.tolist(), (shortfalls <= self.hysteresis).tolist())
