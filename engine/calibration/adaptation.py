@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from engine.calibration.fine_tuning import Stretch, TunedLayers, first_tuned
 from engine.calibration.learning.lessons import Lesson
-from engine.dsp.log_mel import FLOOR, N_BANDS
+from engine.dsp.log_mel import silence_of
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.recognition.model import Head, Model
@@ -195,7 +195,7 @@ def _likelihood(cases: Sequence[tuple[Model, Sequence[_Heard]]], said: _Said) ->
 
 def _heard(model: Model, lesson: Lesson) -> _Heard:
     """Run the first layers over a lesson, and as many frames of silence after it as the model looks ahead."""
-    after = np.full((len(model.heads) - 1, N_BANDS), np.log10(FLOOR), np.float32)
+    after = silence_of(len(model.heads) - 1)
     hidden = _first_layers(model).push(np.concatenate((lesson.log_powers.astype(np.float32), after)))
     certain = np.flatnonzero(lesson.certainties > 0)
     firsts = [part[0] for part in np.array_split(certain, N_PARTS)[1:] if len(part)]
@@ -243,7 +243,7 @@ def _shares_of(found: Block, head: Head, competing: NDArray[np.bool_]) -> Block:
 
 
 def _first_layers(model: Model) -> Network:
-    return Network(model.layers[: first_tuned(model)], np.full(N_BANDS, np.log10(FLOOR), np.float32))
+    return Network(model.layers[: first_tuned(model)], silence_of())
 
 
 def _through_last_layers(model: Model, hidden: Block) -> Block:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.calibration.learning.optimiser import Optimiser
+from engine.calibration.learning.trained_network import HEAD_SHARES
 from engine.recognition.model import Head, Model
 from engine.recognition.network import TAPS, Layer
 
@@ -20,8 +21,6 @@ N_TUNED = 3
 RATE = 2e-3
 DROPOUT = 0.2
 """Share of what the layers hear that is dropped, so that they do not learn the recordings by heart."""
-HEAD_SHARES = np.array([0.11, 0.11, 0.15, 0.15, 0.15, 0.33], np.float32)
-"""How much each look-ahead counts."""
 
 
 @dataclass(frozen=True)

@@ -34,6 +34,11 @@ def log_mels_of(windows: Block, warps: tuple[float, ...] = (1.0,)) -> Block:
     return logarithms
 
 
+def silence_of(*shape: int) -> Block:
+    """Give what digital silence reads in all 40 bands, shape (*shape, 40)."""
+    return np.full((*shape, N_BANDS), np.log10(FLOOR), np.float32)
+
+
 def mel_powers_of(windows: Block, bank: Block) -> Block:
     """Give the powers in mel bands.
 

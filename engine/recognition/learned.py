@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.dsp.log_mel import FLOOR, N_BANDS, log_mels_of
+from engine.dsp.log_mel import N_BANDS, log_mels_of, silence_of
 from engine.features.measure import Features
 from engine.recognition.model import Model
 from engine.recognition.network import Network
@@ -35,7 +35,7 @@ class LearnedRecogniser:
         self.look_ahead = min(int(look_ahead / FRAME_PERIOD + 1e-6), len(model.heads) - 1)
         self._head = model.heads[self.look_ahead]
         self._warps = model.warps
-        self._network = Network(model.layers, np.full((len(model.warps), N_BANDS), np.log10(FLOOR), np.float32))
+        self._network = Network(model.layers, silence_of(len(model.warps)))
         self._judge = TractJudge(len(model.warps))
         self._n_early = self.look_ahead
 

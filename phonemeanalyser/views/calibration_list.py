@@ -33,6 +33,7 @@ class TakesList(QTableWidget):
 
     def __init__(self, takes: TakesModel, theme: Theme) -> None:
         super().__init__(0, len(HEADINGS))
+        self.setIconSize(QSize(10, 10))
         self._takes = takes
         self._theme = theme
         self._filling = False
@@ -111,16 +112,17 @@ class TakesList(QTableWidget):
         faults = report.faults if report else {}
         verdict = "excluded" if take.excluded else next((str(fault) for fault in faults), "good")
         level = f"{report.level:.0f}" if report else "–"
-        words = (f"■ {name_of(take.phoneme)}", take.speaker, f"{take.end - take.start:.2f}", level, verdict)
+        words = (name_of(take.phoneme), take.speaker, f"{take.end - take.start:.2f}", level, verdict)
         items = [QTableWidgetItem(text) for text in words]
         items[0].setData(NUMBER, take.number)
-        colours: dict[int, str] = {0: PHONEME_COLOURS[take.phoneme]}
-        colours[4] = self._theme.faint if take.excluded else self._theme.bad if faults else self._theme.good
+        items[0].setData(Qt.ItemDataRole.DecorationRole, QColor(PHONEME_COLOURS[take.phoneme]))
+        told = self._theme.faint if take.excluded else self._theme.text
+        judged = self._theme.faint if take.excluded else self._theme.bad if faults else self._theme.good
         for column, item in enumerate(items):
             if column in {2, 3}:
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             item.setToolTip(" ".join(faults.values()) or f"{take.name}, {take.device}, {take.time}")
-            item.setForeground(QColor(colours.get(column, self._theme.faint if take.excluded else self._theme.text)))
+            item.setForeground(QColor(judged if column == 4 else told))
             font = item.font()
             font.setStrikeOut(take.excluded and column < 4)
             item.setFont(font)

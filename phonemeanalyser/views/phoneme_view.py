@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from engine.phonemes import Phoneme
 from engine.recognition.trace import Comparison, Trace
-from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
+from phonemeanalyser.lettering import AT_RIGHT, CENTRED, set_size, write
 from phonemeanalyser.models.session import Session
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 
@@ -16,8 +16,8 @@ ROW = 15
 """Height of a line of the trace in pixels."""
 MARGIN_WIDTH = 50
 """Room that the margin at a line's right end takes in pixels."""
-SHORT_NAMES, LONG_NAMES = 62, 74
-"""Where the words of a line of the trace begin, in pixels, after names such as `silence` and `silence 12`."""
+MARK_WIDTH, NAME_WIDTH, GAP = 16, 40, 8
+"""Of a line of the trace, in pixels: the mark, the least room for the name, and what lies between name and words."""
 N_ROWS = 10
 FLICKER_SECONDS = 3.0
 """Over how long the changes of the phoneme are counted."""
@@ -107,22 +107,24 @@ class PhonemeView(QWidget):
 
     def _paint_trace(self, painter: QPainter, trace: Trace, line: QRectF) -> None:
         rows = rows_of(trace)
-        indent = LONG_NAMES if any(len(asked) > len("silence") for _, asked, _ in rows) else SHORT_NAMES
+        set_size(painter, 11)
+        widths = [painter.fontMetrics().horizontalAdvance(asked) for _, asked, _ in rows]
+        indent = MARK_WIDTH + max([NAME_WIDTH, *widths]) + GAP
         for comparison, asked, fired in rows:
             colour = self._theme.text if fired else self._theme.faint
             mark = self._theme.good if comparison.margin > 0 else self._theme.bad
             write(painter, line, "✓" if comparison.margin > 0 else "✗", mark, 11)
             words = QRectF(line.left() + indent, line.top(), line.width() - indent - MARGIN_WIDTH, ROW)
-            write(painter, QRectF(line.left() + 16, line.top(), indent - 18, ROW), asked, colour, 11)
+            write(painter, QRectF(line.left() + MARK_WIDTH, line.top(), indent - MARK_WIDTH, ROW), asked, colour, 11)
             write(painter, words, _words(comparison), colour, 11)
             write(painter, line, _signed(comparison.margin), mark, 11, AT_RIGHT)
             line = line.translated(0, ROW)
         if not trace.comparisons:
-            write(painter, line.adjusted(16, 0, 0, 0), trace.rule, self._theme.text, 11)
+            write(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), trace.rule, self._theme.text, 11)
             line = line.translated(0, ROW)
         if self.recognised is not self.phoneme:
             calmed = f"statistics: {self.recognised.label} → {self.phoneme.label}"
-            write(painter, line.adjusted(16, 0, 0, 0), calmed, self._theme.accent, 11)
+            write(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), calmed, self._theme.accent, 11)
 
 
 def rows_of(trace: Trace) -> list[tuple[Comparison, str, bool]]:
@@ -150,7 +152,9 @@ def _share(comparison: Comparison) -> float:
 
 
 def _words(comparison: Comparison) -> str:
-    return f"{comparison.variable} {_short(comparison.value)} {comparison.sign} {_short(comparison.limit)}"
+    """Say what was compared; a variable that ends with its rule's name, such as `p_silence`, need not repeat it."""
+    variable = comparison.variable.removesuffix(f"_{comparison.rule}")
+    return f"{variable} {_short(comparison.value)} {comparison.sign} {_short(comparison.limit)}"
 
 
 def _short(value: float) -> str:

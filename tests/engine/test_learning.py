@@ -13,11 +13,11 @@ from engine.calibration.learning.lesson_book import Voice
 from engine.calibration.learning.lessons import Lesson, lesson_of
 from engine.calibration.learning.optimiser import Average, Optimiser
 from engine.calibration.learning.trained_layer import TrainedLayer
-from engine.calibration.learning.trained_network import TrainedNetwork, silence
+from engine.calibration.learning.trained_network import TrainedNetwork
 from engine.calibration.learning.training import Course, train
 from engine.calibration.learning.validation import anchors_of, folds_of
 from engine.calibration.learning.varied import Variation, varied
-from engine.dsp.log_mel import N_BANDS
+from engine.dsp.log_mel import N_BANDS, silence_of
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.recognition.model import Model
@@ -53,8 +53,8 @@ def accuracy_of(model: Model, voices: list[Voice]) -> float:
     """The share of frames that the model names right, with its longest look-ahead."""
     n_ahead, head, right = len(model.heads) - 1, model.heads[-1], []
     for lesson in (recording[0] for voice in voices for recording in voice.recordings):
-        heard = np.concatenate((lesson.log_powers.astype(np.float32), silence(1, n_ahead)[0]))
-        found = Network(model.layers, silence(1, 1)[0, 0]).push(heard)[n_ahead:]
+        heard = np.concatenate((lesson.log_powers.astype(np.float32), silence_of(n_ahead)))
+        found = Network(model.layers, silence_of()).push(heard)[n_ahead:]
         right.append((found @ head.weights + head.bias).argmax(axis=1) == lesson.phonemes)
     return float(np.concatenate(right).mean())
 
@@ -170,7 +170,7 @@ def test_every_speaker_is_left_out_once(n_folds):
 
 
 def test_silence_reads_the_floor():
-    np.testing.assert_allclose(silence(1, 2), -11)
+    np.testing.assert_allclose(silence_of(1, 2), -11)
 
 
 # -- one voice --------------------------------------------------------------------------------------------

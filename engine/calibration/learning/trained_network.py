@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.calibration.learning.trained_layer import TrainedLayer
-from engine.dsp.log_mel import FLOOR, N_BANDS
+from engine.dsp.log_mel import N_BANDS
 from engine.phonemes import Phoneme
 from engine.recognition.model import MOST_FRAMES_AHEAD, Head, Model
 
@@ -111,8 +111,3 @@ def _loss_of(scores: Block, truth: NDArray[np.uint8], weights: Block) -> tuple[f
         loss -= share * float((counted * wanted * logarithms).sum())
         gradient[:, k:, k] = share * counted * (np.exp(logarithms) - wanted)
     return loss, gradient
-
-
-def silence(n_batch: int, n_frames: int) -> Block:
-    """Give what silence reads, shape (n_batch, n_frames, 40)."""
-    return np.full((n_batch, n_frames, N_BANDS), np.log10(FLOOR), np.float32)
