@@ -13,7 +13,7 @@ from engine.phonemes import Phoneme
 from engine.presets.files import save_preset
 from engine.presets.preset import Preset
 from engine.recognition.recogniser import RECOGNISERS
-from engine.settings import FRAME_PERIOD
+from engine.settings import FRAME_PERIOD, SAMPLE_RATE
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
 from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number
@@ -197,8 +197,10 @@ def test_a_recogniser_that_fails_while_playing_is_one_sentence_and_another_goes_
 ):
     shelf.offer(source)
     session.open(sound)
+    ahead, outputs.last.ahead = outputs.last.ahead, SAMPLE_RATE // 4  # leave something to fail at
     session.play()
     model.set_recogniser("own")
+    outputs.last.ahead = ahead
     qtbot.waitUntil(lambda: bool(session.tick() or sentences))
     for _ in range(30):  # as many pictures
         qtbot.wait(5)
