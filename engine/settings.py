@@ -1,8 +1,9 @@
 """What one analysis agrees on: the fixed grid of frames, and the filters with their parameters."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
+from typing import Any
 
 from engine.errors import SettingsError
 
@@ -63,16 +64,15 @@ class Channel(StrEnum):
 
 
 QUANTISATIONS = (1, 2, 4)
-THESIS_FILTERS = frozenset(
-    {
-        Filter.QUANTISE,
-        Filter.FREQUENCY_SMOOTH,
-        Filter.TIME_SMOOTH,
-        Filter.HIGH_PASS,
-        Filter.DENOISE,
-        Filter.NORMALISE,
-    }
-)
+THESIS_FILTERS = frozenset({Filter.QUANTISE, Filter.HIGH_PASS, Filter.NORMALISE})
+"""The filters of the thesis that act with its usual numbers; both blurs and denoise stand at 0 there."""
+STRENGTHS: dict[Filter, tuple[str, float]] = {
+    Filter.PRE_EMPHASIS: ("pre_emphasis", 0.97),
+    Filter.FREQUENCY_SMOOTH: ("frequency_smooth", 0.5),
+    Filter.TIME_SMOOTH: ("time_smooth", 0.5),
+    Filter.DENOISE: ("denoise_threshold", 0.001),
+}
+"""The filters that do nothing at strength 0: the field of the strength, and what is usual."""
 
 # name: (lowest, highest, unit) of every parameter that is a plain number
 LIMITS: dict[str, tuple[float, float, str]] = {
@@ -155,6 +155,23 @@ class AnalysisSettings:
         self._check_order("high_pass_start", "high_pass_end")
         self._check_order("low_pass_start", "low_pass_end")
         self._check_order("intensity_low", "intensity_high")
+
+    def with_filter(self, step: Filter, on: bool) -> "AnalysisSettings":
+        """Return the settings with a filter on or off; one that would do nothing gets its usual strength."""
+        if not on:
+            return replace(self, filters=self.filters - {step})
+        name, usual = STRENGTHS.get(step, ("", 0.0))
+        strength: dict[str, Any] = {name: usual} if name and not getattr(self, name) else {}
+        return replace(self, filters=self.filters | {step}, **strength)
+
+    def with_numbers(self, **numbers: Any) -> "AnalysisSettings":
+        """Return the settings with other numbers; a filter whose strength changes is on while that is above 0."""
+        filters = self.filters
+        for step, (name, _) in STRENGTHS.items():
+            strength = numbers.get(name, getattr(self, name))
+            if strength != getattr(self, name):
+                filters = filters | {step} if strength else filters - {step}
+        return replace(self, filters=filters, **numbers)
 
     def _check_order(self, lower: str, upper: str) -> None:
         low, high = getattr(self, lower), getattr(self, upper)

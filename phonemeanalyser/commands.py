@@ -10,6 +10,7 @@ from phonemeanalyser.models.session import Session
 from phonemeanalyser.views.analysis_page import AnalysisPage
 
 Commands = tuple[Command, ...]
+PRESET_COMMANDS = ("Load Preset…", "Save Preset", "Save Preset As…", "Preset Notes…")
 PAGES = ("Analyse", "Calibrate", "Talk")
 
 

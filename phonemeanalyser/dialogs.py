@@ -1,16 +1,19 @@
 """What the user is asked: files, names, and what is to become of unsaved changes."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
-from engine.audio.takes import free_path
+from engine.audio.takes import free_path, presets_folder
 from engine.calibration.labels.files import LABEL_SUFFIXES
 from engine.errors import EngineError
 from engine.features.variables import Variable
+from engine.presets.entries import PresetEntry, preset_entries
+from engine.presets.files import FACTORY_PRESETS, own_presets
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session, Source
 from phonemeanalyser.views.variable_dialog import VariableDialog
@@ -76,7 +79,11 @@ class Dialogs(QObject):
 
     def recent_sounds(self) -> list[str]:
         """Give the paths of the sounds that were opened last, newest first."""
-        kept = self._settings.value("recent", [])
+        return self._kept("recent")
+
+    def _kept(self, key: str) -> list[str]:
+        """Return the paths that are kept in the settings."""
+        kept = self._settings.value(key, [])
         if isinstance(kept, str):
             return [kept]
         return [str(path) for path in kept] if isinstance(kept, list) else []
@@ -132,7 +139,7 @@ class Dialogs(QObject):
     def load_preset(self, path: Path) -> None:
         """Load a preset, after asking what is to become of unsaved changes."""
         if self.may_go_on() and self._try(lambda: self._preset.load(path)):
-            self._settings.setValue("preset", str(path.resolve()))
+            self._remember_preset(path)
 
     def choose_recogniser(self, name: str) -> None:
         """Recognise with another recogniser."""
@@ -156,11 +163,11 @@ class Dialogs(QObject):
         """Save the preset to its file; a factory preset is saved under a name of the user's own."""
         if self._preset.is_factory:
             return self.save_as()
-        return self._try(lambda: self._preset.save(self._preset.path))
+        return self._save_to(self._preset.path)
 
-    def save_as(self) -> bool:
+    def save_as(self, suggested: Path | None = None) -> bool:
         """Let the user choose a file to save the preset to; says whether it was saved."""
-        suggested = Path(self._folder("preset", Path.home())) / f"{self._preset.path.stem}-mine.toml"
+        suggested = suggested or self._own_presets_folder() / f"{self._preset.path.stem}-mine.toml"
         filters = "Preset (*.toml);;PhonemeData (*.phonemedata)"
         name, chosen = QFileDialog.getSaveFileName(self._window, "Save the preset", str(suggested), filters)
         if not name:
@@ -169,10 +176,55 @@ class Dialogs(QObject):
         if path.suffix.lower() not in PRESET_SUFFIXES:
             path = path.with_name(path.name + (".phonemedata" if "PhonemeData" in chosen else ".toml"))
         self._settings.setValue("folder/preset", str(path.parent))
+        return self._save_to(path)
+
+    def _save_to(self, path: Path) -> bool:
+        """Save to a file; where it cannot hold all, the user says what becomes of the rest."""
+        lost = self._preset.lost_in(path)
+        if lost:
+            answer = self._ask_what_becomes_of(lost, path)
+            if answer != QMessageBox.ButtonRole.AcceptRole:
+                return answer == QMessageBox.ButtonRole.YesRole and self.save_as(path.with_suffix(".toml"))
         saved = self._try(lambda: self._preset.save(path))
         if saved:
-            self._settings.setValue("preset", str(path.resolve()))
+            self._remember_preset(path)
         return saved
+
+    def _ask_what_becomes_of(self, lost: tuple[str, ...], path: Path) -> QMessageBox.ButtonRole:
+        """Say what a PhonemeData file cannot hold; Yes is a TOML file, Accept the numbers only, Reject neither."""
+        box = QMessageBox(QMessageBox.Icon.Question, "A PhonemeData file holds 21 numbers", "", parent=self._window)
+        box.setText(f"{path.name} cannot hold {_listed(lost)} of this preset. Save all of it as a TOML file?")
+        roles = QMessageBox.ButtonRole
+        toml = box.addButton("Save as TOML…", roles.YesRole)
+        box.addButton("Save the 21 Numbers Only", roles.AcceptRole)
+        box.addButton(QMessageBox.StandardButton.Cancel)
+        box.setDefaultButton(toml)
+        box.exec()
+        return box.buttonRole(box.clickedButton())
+
+    def _own_presets_folder(self) -> Path:
+        """Return the folder of the user's own presets; it is made where there is none yet."""
+        folder = presets_folder()
+        with suppress(OSError):  # then the dialog shows where one can save
+            folder.mkdir(parents=True, exist_ok=True)
+        return folder
+
+    def _remember_preset(self, path: Path) -> None:
+        here = str(path.resolve())
+        self._settings.setValue("preset", here)
+        recent = [here, *(other for other in self._kept("recent presets") if other != here)]
+        self._settings.setValue("recent presets", recent[:N_RECENT])
+
+    def preset_sections(self) -> dict[str, tuple[PresetEntry, ...]]:
+        """Return the presets to choose from, by heading: the program's, the user's own, and others used lately."""
+        mine = own_presets()
+        listed = {*FACTORY_PRESETS, *mine}
+        recent = [Path(kept) for kept in self._kept("recent presets")]
+        return {
+            "Factory": preset_entries(FACTORY_PRESETS),
+            "Mine": preset_entries(mine),
+            "Recent": preset_entries(path for path in recent if path not in listed),
+        }
 
     def ask_notes(self) -> None:
         """Let the user read and change the preset's notes."""
@@ -254,3 +306,7 @@ class Dialogs(QObject):
 
     def _folder(self, kind: str, default: Path | None = None) -> str:
         return str(self._settings.value(f"folder/{kind}", str(default or Path.home())))
+
+
+def _listed(words: tuple[str, ...]) -> str:
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

@@ -33,6 +33,7 @@ from phonemeanalyser.views.invitation import invitation_of
 from phonemeanalyser.views.keys import KeysOfButtons
 from phonemeanalyser.views.page_switch import LatePage, PageStack, PageSwitch
 from phonemeanalyser.views.phoneme_view import PhonemeView
+from phonemeanalyser.views.preset_box import PresetBox
 from phonemeanalyser.views.recogniser_choice import RecogniserChoice
 from phonemeanalyser.views.shortcuts import ShortcutsDialog
 from phonemeanalyser.views.status_line import StatusLine
@@ -91,6 +92,7 @@ class MainWindow(QMainWindow):
         self.analysis = AnalysisPage(session, self._preset, theme)
         self.filters = FilterColumn(self._preset, theme)
         self.recogniser = RecogniserChoice(self._preset)
+        self.preset_box = PresetBox(self._preset, self.dialogs.preset_sections)
         self.phoneme = PhonemeView(session, theme)
         self.thresholds = ThresholdView(self._preset, session.history, theme)
         self.status = StatusLine(session, self._preset, theme)
@@ -119,7 +121,7 @@ class MainWindow(QMainWindow):
         return self._late_talk.get()
 
     def _lay_out(self) -> None:
-        add_bar(self, "Transport", self.transport)
+        add_bar(self, "Transport", self.transport).addWidget(self.preset_box)
         self._banner_bar = add_bar(self, "Messages", self.banner)
         self.setCentralWidget(self.pages)
         self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
@@ -142,6 +144,7 @@ class MainWindow(QMainWindow):
     def _make_menus(self) -> None:
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
         file = add("&File", *commands.file_commands(dialogs), Command("Quit", "Ctrl+Q", self.close))
+        self.preset_box.add_commands(*(self.menus.actions[text] for text in commands.PRESET_COMMANDS))
         self._recent = RecentMenu(self, dialogs)
         file.insertMenu(self.menus.actions["Save the Phonemes…"], self._recent)
         self.menus.add_edit(preset.undo_stack)
@@ -180,6 +183,7 @@ class MainWindow(QMainWindow):
         self.analysis.averaged.variable_asked.connect(dialogs.ask_variable)
         self.filters.bypass_asked.connect(preset.set_bypassed)
         self.recogniser.chosen.connect(dialogs.choose_recogniser)
+        self.preset_box.chosen.connect(dialogs.load_preset)
         dialogs.refused.connect(self.banner.say)
         preset.refused.connect(self.banner.say)
         dialogs.variable_added.connect(self.analysis.time_view.variable.setCurrentText)

@@ -1,4 +1,4 @@
-"""Where recordings go: folders and free names. The only door to platformdirs."""
+"""Where recordings and presets go: folders and free names. The only door to platformdirs."""
 
 import os
 from datetime import datetime
@@ -16,6 +16,13 @@ def recordings_folder() -> Path:
     from platformdirs import user_music_path  # noqa: PLC0415 - as below
 
     return user_music_path() / FOLDER
+
+
+def presets_folder() -> Path:
+    """Return the folder of the user's own presets; it need not exist."""
+    from platformdirs import user_documents_path  # noqa: PLC0415 - as below
+
+    return user_documents_path() / FOLDER / "presets"
 
 
 def journal_folder() -> Path:

@@ -108,6 +108,9 @@ TABLE_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
 SCORES = tuple(f"p_{phoneme.label}" for phoneme in Phoneme)
 """How likely each phoneme is, in the order of `Phoneme`: further columns, of recognisers that measure it."""
 
+DEFICITS = tuple(f"deficit_{phoneme.label}" for phoneme in Phoneme)
+"""By how much each phoneme falls short of being the likeliest, log-odds; worked out from the scores."""
+
 BUILT_IN_NAMES = (*WHOLE_FRAME_VARIABLES, *(v.name for v in BAND_VARIABLES))
 
 
@@ -118,7 +121,7 @@ def check_user_variables(variables: tuple[Variable, ...]) -> None:
     ------
     SettingsError : a name is taken, or a variable is divided by one that is not measured or divided itself.
     """
-    seen = {*BUILT_IN_NAMES, *TABLE_COLUMNS, *SCORES}
+    seen = {*BUILT_IN_NAMES, *TABLE_COLUMNS, *SCORES, *DEFICITS}
     for variable in variables:
         if variable.name in seen:
             raise SettingsError(f"a variable named {variable.name[:60]} exists already; choose another name")

@@ -7,7 +7,7 @@ variables and rules, the recogniser's name and notes.
 import math
 import re
 import tomllib
-from dataclasses import asdict, fields
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -26,13 +26,13 @@ from engine.settings import AnalysisSettings, Decimation, Filter, WindowFunction
 
 FORMAT = "phonemeanalyser preset 1"
 
-_FRONT_END = (
+FRONT_END = (
     "filters", "quantise", "decimation", "pre_emphasis", "window_function", "low_pass_start", "low_pass_end",
     "mel_bands",
 )  # fmt: skip
 _CHOICES = ("decimation", "window_function")
-_STATISTICS = ("statistics", "minimum_hold", "hysteresis")
-_INTENSITY = ("intensity_low", "intensity_high")
+STATISTICS = ("statistics", "minimum_hold", "hysteresis")
+INTENSITY = ("intensity_low", "intensity_high")
 _AHEAD = ("look_ahead", "live_look_ahead")
 _PLAIN = (
     "format", "name", "recogniser", *_AHEAD, "model", "notes", "variables", "rules", "successors", "templates",
@@ -60,7 +60,7 @@ _WORDS = {str: "text", list: "a list", int: "a whole number", dict: "a table", b
 def preset_to_toml(preset: Preset, model: str = "") -> str:
     """Write a preset as the text of a TOML file; `model` is the name of its model's file, in the same folder."""
     settings = preset.settings
-    front_end: dict[str, Any] = {name: getattr(settings, name) for name in _FRONT_END}
+    front_end: dict[str, Any] = {name: getattr(settings, name) for name in FRONT_END}
     front_end["filters"] = [f.value for f in Filter if settings.has(f)]
     document = {
         "format": FORMAT,
@@ -71,8 +71,8 @@ def preset_to_toml(preset: Preset, model: str = "") -> str:
         "notes": preset.notes,
         "front_end": front_end,
         "phoneme_data": asdict(preset.phoneme_data),
-        "statistics": {name: getattr(settings, name) for name in _STATISTICS},
-        "intensity": {name: getattr(settings, name) for name in _INTENSITY},
+        "statistics": {name: getattr(settings, name) for name in STATISTICS},
+        "intensity": {name: getattr(settings, name) for name in INTENSITY},
         "successors": {p.label: q.label for p, q in preset.successors.items()},
         **({"sensitivities": _table_of_sensitivities(preset)} if preset.sensitivities else {}),
         "variables": [_document_of(variable) for variable in preset.variables],
@@ -108,12 +108,12 @@ def _preset_of(document: dict[str, Any], folder: Path) -> Preset:
     for key in document.keys() - {*_PLAIN, *_TABLES}:
         raise PresetError(f"a preset does not know {key[:60]}")
     texts = _checked({key: document[key] for key in _PLAIN if key in document})
-    front_end = _table(document, "front_end", _FRONT_END)
+    front_end = _table(document, "front_end", FRONT_END)
     front_end["filters"] = frozenset(_choice(Filter, f, "filters") for f in front_end["filters"])
     front_end["decimation"] = _choice(Decimation, front_end["decimation"], "decimation")
     front_end["window_function"] = _choice(WindowFunction, front_end["window_function"], "window_function")
-    statistics = _table(document, "statistics", _STATISTICS, optional=("hysteresis",))
-    intensity = _table(document, "intensity", _INTENSITY)
+    statistics = _table(document, "statistics", STATISTICS, optional=("hysteresis",))
+    intensity = _table(document, "intensity", INTENSITY)
     ahead = {key: texts[key] for key in _AHEAD if key in texts}
     data = _table(document, "phoneme_data", tuple(f.name for f in fields(PhonemeData)))
     preset = Preset(
@@ -128,7 +128,8 @@ def _preset_of(document: dict[str, Any], folder: Path) -> Preset:
         successors=_successors_of(texts.get("successors", {})),
         notes=texts.get("notes", ""),
     )
-    return preset.with_phoneme_data(PhonemeData(**data))
+    preset = preset.with_phoneme_data(PhonemeData(**data))
+    return replace(preset, settings=replace(preset.settings, filters=front_end["filters"]))
 
 
 def _table(

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
-from types import MappingProxyType
 
 from engine.errors import PresetError
 from engine.features.variables import BUILT_IN_NAMES, Variable, check_user_variables
@@ -11,7 +10,7 @@ from engine.recognition.model import Model
 from engine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, Thresholds
 from engine.recognition.recogniser import Tuning, check_recogniser
 from engine.recognition.rules import Rule
-from engine.recognition.scores import check_sensitivities
+from engine.recognition.scores import NO_SENSITIVITIES, check_sensitivities
 from engine.recognition.statistics import SUCCESSORS
 from engine.recognition.templates import Templates
 from engine.settings import BIN_WIDTH, AnalysisSettings
@@ -51,7 +50,7 @@ class Preset:
     rules: tuple[Rule, ...] = ()
     model: Model | None = None
     templates: Templates | None = None
-    sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: MappingProxyType({}))
+    sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: NO_SENSITIVITIES)
     successors: Mapping[Phoneme, Phoneme] = field(default_factory=lambda: SUCCESSORS)
     notes: str = ""
 
@@ -65,6 +64,11 @@ class Preset:
                 "or choose another recogniser"
             )
         _check_rules(self.rules, {*BUILT_IN_NAMES, *(v.name for v in self.variables)})
+
+    @property
+    def summary(self) -> str:
+        """What it is, in one line: the first one of its notes; empty where it has none."""
+        return self.notes.strip().partition("\n")[0]
 
     @property
     def tuning(self) -> Tuning:
@@ -81,12 +85,12 @@ class Preset:
         return PhonemeData(**asdict(self.thresholds), **numbers)
 
     def with_phoneme_data(self, data: PhonemeData) -> "Preset":
-        """Give the preset that has these 21 numbers and is otherwise the same."""
+        """Return the preset with these 21 numbers; a blur or denoise that changes is on while it is above 0."""
         numbers = {name: getattr(data, name) for name in FILTER_FIELDS}
         for name in _IN_BINS:
             numbers[name] = float(f"{numbers[name] * BIN_WIDTH:.15g}")  # what was round in Hz is so again
         thresholds = Thresholds(**{f.name: getattr(data, f.name) for f in fields(Thresholds)})
-        return replace(self, settings=replace(self.settings, **numbers), thresholds=thresholds)
+        return replace(self, settings=self.settings.with_numbers(**numbers), thresholds=thresholds)
 
 
 def _check_rules(rules: tuple[Rule, ...], known: set[str]) -> None:

@@ -1,7 +1,6 @@
 """The learned recogniser: a network that was trained on many speakers, and may be adapted to one."""
 
 from collections.abc import Mapping
-from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +11,7 @@ from engine.phonemes import Phoneme
 from engine.recognition.model import Model
 from engine.recognition.network import Network
 from engine.recognition.recognition import Recognition
-from engine.recognition.scores import SCORES, Sensitivity, shortfalls_of_scores, trace_of_scores
+from engine.recognition.scores import NO_SENSITIVITIES, SCORES, Sensitivity, shortfalls_of_scores, trace_of_scores
 from engine.recognition.trace import Trace
 from engine.recognition.tracts import TractJudge
 from engine.settings import FRAME_PERIOD
@@ -37,7 +36,7 @@ class LearnedRecogniser:
     used_thresholds: frozenset[str] = frozenset()
 
     def __init__(
-        self, model: Model, look_ahead: float, sensitivities: Mapping[Phoneme, float] = MappingProxyType({})
+        self, model: Model, look_ahead: float, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
     ) -> None:
         self.look_ahead = min(int(look_ahead / FRAME_PERIOD + 1e-6), len(model.heads) - 1)
         self._head = model.heads[self.look_ahead]

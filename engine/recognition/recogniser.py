@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Protocol
 
 import numpy as np
@@ -17,6 +16,7 @@ from engine.recognition.phoneme_data import Thresholds
 from engine.recognition.plug_ins import PlugIn, package_of, plug_ins
 from engine.recognition.recognition import Recognition
 from engine.recognition.rules import Rule, RuleRecogniser, ThesisRules
+from engine.recognition.scores import NO_SENSITIVITIES
 from engine.recognition.templates import TemplateRecogniser, Templates
 from engine.recognition.trace import Trace
 
@@ -40,7 +40,7 @@ class Tuning:
     model: Model | None = None
     templates: Templates | None = None
     look_ahead: float = 0.0
-    sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: MappingProxyType({}))
+    sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: NO_SENSITIVITIES)
 
 
 class Recogniser(Protocol):

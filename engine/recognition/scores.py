@@ -5,6 +5,7 @@ They become columns of the features, one for each phoneme, and all that such a r
 
 import math
 from collections.abc import Mapping
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,6 +62,26 @@ def check_sensitivities(sensitivities: Mapping[Phoneme, float]) -> None:
             raise SettingsError(
                 f"the sensitivity for {phoneme.label} must lie within ±{MOST_LOG_ODDS:g}, got {value:g}"
             )
+
+
+NO_SENSITIVITIES: Mapping[Phoneme, float] = MappingProxyType({})
+LEAST_PROBABILITY = 1e-9
+"""Below it a logarithm means nothing: float32 probabilities add up to 1 within some 1e-7."""
+
+
+def deficits_of(scores: Block, phoneme: Phoneme) -> Block:
+    """Return by how much a phoneme falls short of the likeliest other one, shape (n_frames,), in nats of log-odds.
+
+    Where it is below 0 the phoneme is named; a sensitivity above it would have named it.
+
+    Parameters
+    ----------
+    scores : probabilities, shape (n_frames, n_phonemes).
+    phoneme : which one.
+    """
+    logs = np.log(np.maximum(scores, np.float32(LEAST_PROBABILITY)))
+    deficits: Block = np.delete(logs, phoneme, axis=1).max(axis=1) - logs[:, phoneme]
+    return deficits
 
 
 def scores_in(features: Features) -> NDArray[np.float32] | None:

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +14,7 @@ from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.recognition.phoneme_data import LARGEST
 from engine.recognition.recognition import Recognition
-from engine.recognition.scores import SCORES, Sensitivity, shortfalls_of_scores, trace_of_scores
+from engine.recognition.scores import NO_SENSITIVITIES, SCORES, Sensitivity, shortfalls_of_scores, trace_of_scores
 from engine.recognition.trace import Trace
 
 WITHOUT = (Phoneme.SILENCE, Phoneme.UNIDENTIFIED)
@@ -76,7 +75,7 @@ class TemplateRecogniser:
     scores = SCORES
     used_thresholds: frozenset[str] = frozenset()
 
-    def __init__(self, templates: Templates, sensitivities: Mapping[Phoneme, float] = MappingProxyType({})) -> None:
+    def __init__(self, templates: Templates, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES) -> None:
         self._sensitivity = Sensitivity(sensitivities)
         self._silence_below = templates.silence_below
         self._phonemes = list(templates.means)

@@ -1,6 +1,7 @@
 """The workbench of the takes and recordings at hand: measured in the background, asked at once."""
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import Signal
@@ -12,26 +13,28 @@ from engine.calibration.heed import Heed
 from engine.calibration.scores.confusion import Confusion, Passage
 from engine.calibration.scores.corpus import Utterance
 from engine.errors import EngineError
+from engine.features.variables import DEFICITS
 from engine.phonemes import Phoneme
-from engine.recognition.rules import CONDITIONS
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.workplace import Workplace
 
 Pair = tuple[Phoneme, Phoneme | None]
 
 
+@dataclass(frozen=True)
 class Line:
     """A threshold that is drawn into a distribution, and can be moved.
 
     Attributes
     ----------
-    name : what it is called.
+    name : the control's.
     sign : the comparison with it, ``<`` or ``>``.
     value : where it lies.
     """
 
-    def __init__(self, name: str, sign: str, value: float, *, is_limit: bool) -> None:
-        self.name, self.sign, self.value, self.is_limit = name, sign, value, is_limit
+    name: str
+    sign: str
+    value: float
 
 
 class BenchModel(Workplace):
@@ -63,6 +66,8 @@ class BenchModel(Workplace):
         self._preset = preset
         self._utterances: tuple[Utterance, ...] = ()
         self._stale = False
+        self._ranked_for: Workbench | None = None
+        self._looked_with: Mapping[Phoneme, float] = {}
         self._measuring, self._looking, self._searching = self._room(), self._room(), self._room()
         preset.changed.connect(self._follow_preset)
 
@@ -84,42 +89,13 @@ class BenchModel(Workplace):
         return self._utterances
 
     def lines(self) -> list[Line]:
-        """Give the thresholds of the preset on the chosen variable."""
-        preset = self._preset.preset
-        if preset.recogniser == "rules":
-            found = {
-                (c.limit, c.sign): Line("limit", c.sign, c.limit, is_limit=True)
-                for rule in preset.rules
-                for c in rule.conditions
-                if c.variable == self.variable and not c.threshold
-            }
-            return list({value: line for (value, _), line in found.items()}.values())
-        used = self._preset.used_thresholds
-        conditions = {c.threshold: c for c in CONDITIONS if c.variable == self.variable and c.threshold in used}
-        return [
-            Line(name, c.sign, float(getattr(preset.thresholds, name)), is_limit=False)
-            for name, c in conditions.items()
-        ]
+        """Return the preset's thresholds, limits or sensitivities on the chosen variable."""
+        preset, controls = self._preset.preset, self._preset.controls.values()
+        return [Line(c.name, c.sign, c.read(preset)) for c in controls if c.variable == self.variable]
 
     def move(self, line: Line, value: float) -> None:
-        """Move a threshold, of the thesis rules or of the preset's own."""
-        value = float(f"{value:.4g}")
-        if not line.is_limit:
-            self._preset.set_threshold(line.name, value)
-            return
-        preset, old = self._preset.preset, line.value
-        rules = tuple(
-            replace(
-                rule,
-                conditions=tuple(
-                    replace(c, limit=value) if (c.variable, c.threshold, c.limit) == (self.variable, "", old) else c
-                    for c in rule.conditions
-                ),
-            )
-            for rule in preset.rules
-        )
-        line.value = value
-        self._preset.edit(replace(preset, rules=rules), f"change of a limit of {self.variable}")
+        """Move a threshold, a limit or a sensitivity."""
+        self._preset.tune(line.name, float(f"{value:.4g}"))
 
     def end_move(self) -> None:
         """End a drag: undo takes it back as a whole."""
@@ -168,6 +144,8 @@ class BenchModel(Workplace):
     def _follow_preset(self) -> None:
         if self.workbench is not None and self._must_measure():
             self._measure()
+        elif self._others_sensitivities() != self._looked_with:
+            self._look()
         self._stale = True
 
     def _must_measure(self) -> bool:
@@ -212,11 +190,18 @@ class BenchModel(Workplace):
         if variable not in bench.variables:
             variable = self.variable = bench.variables[0]
         ranking = self.ranking if self._ranked_for is bench else ()
+        sensitivities = self._looked_with = self._others_sensitivities()
         self._looking.instead(
-            lambda heed: _looked_at(bench, variable, ranking, heed), lambda found: self._take_look(bench, found)
+            lambda heed: _looked_at(bench, variable, sensitivities, ranking, heed),
+            lambda found: self._take_look(bench, found),
         )
 
-    _ranked_for: Workbench | None = None
+    def _others_sensitivities(self) -> Mapping[Phoneme, float]:
+        """Return the sensitivities of which a deficit's distribution depends: those of the other phonemes."""
+        if self.variable not in DEFICITS:
+            return {}
+        own = Phoneme(DEFICITS.index(self.variable))
+        return {p: s for p, s in self._preset.in_force.sensitivities.items() if p is not own}
 
     def _take_look(self, bench: Workbench, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
         self.distribution, self.ranking = found
@@ -231,6 +216,10 @@ class BenchModel(Workplace):
 
 
 def _looked_at(
-    bench: Workbench, variable: str, ranking: tuple[RankedVariable, ...], heed: Heed
+    bench: Workbench,
+    variable: str,
+    sensitivities: Mapping[Phoneme, float],
+    ranking: tuple[RankedVariable, ...],
+    heed: Heed,
 ) -> tuple[Distribution, tuple[RankedVariable, ...]]:
-    return distribution_of(bench, variable), ranking or ranked_variables(bench, heed=heed)
+    return distribution_of(bench, variable, sensitivities), ranking or ranked_variables(bench, heed=heed)

@@ -103,6 +103,12 @@ class History:
             return None
         return float(self._highest[k]), float(self._sum[k] / self._n_measured[k]), float(self._lowest[k])
 
+    def phoneme_lasted(self) -> float:
+        """Return how long the newest phoneme has been shown, seconds; at most what is remembered."""
+        codes = self.phonemes[self.indices(0, self.n)]
+        others = np.flatnonzero(codes != codes[-1:])
+        return (len(codes) - 1 - int(others[-1]) if len(others) else len(codes)) * FRAME_PERIOD
+
     def changes_per_s(self, seconds: float) -> float | None:
         """Give how often the phoneme changed in a second, over the newest seconds; None before there are any."""
         codes = self.phonemes[self.indices(self.n - round(seconds / FRAME_PERIOD), self.n)]

@@ -1,19 +1,30 @@
 """The preset that is being tuned, with undo and redo."""
 
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from engine.errors import EngineError, RecogniserError
+from engine.errors import EngineError, RecogniserError, SettingsError
 from engine.features.variables import Variable
-from engine.presets.files import DEFAULT_PRESET, FACTORY, load_preset, save_preset
+from engine.presets.controls import Control, ControlGroup, controls_of
+from engine.presets.files import (
+    DEFAULT_PRESET,
+    FACTORY,
+    THESIS_PRESETS,
+    beyond_phoneme_data,
+    factory_preset,
+    is_phoneme_data,
+    load_preset,
+    save_preset,
+)
 from engine.presets.preset import Preset
-from engine.recognition.phoneme_data import PhonemeData, Thresholds
+from engine.recognition.phoneme_data import Thresholds
 from engine.recognition.recogniser import Recogniser, recogniser_of
+from engine.recognition.rules import Rule
 from engine.settings import Filter
 
 FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
@@ -33,11 +44,6 @@ PAIRS = (
     ("low_pass_start", "low_pass_end"),
     ("intensity_low", "intensity_high"),
 )
-
-FACTORY_OF = {
-    "thesis": "thesis.toml", "learned": "learned.toml", "rules": "extended.toml", "templates": "templates.toml"
-}  # fmt: skip
-"""The factory preset that was tuned with each of the program's own recognisers."""
 
 
 class _Edit(QUndoCommand):
@@ -74,7 +80,7 @@ class PresetModel(QObject):
     -------
     changed : the preset in force is another one.
     file_changed : the file's name, or whether there are unsaved changes.
-    refused : a sentence for the user: the recogniser in use does not take that threshold.
+    refused : a sentence for the user: the recogniser in use does not take that number.
     """
 
     changed = Signal()
@@ -90,6 +96,9 @@ class PresetModel(QObject):
         self.preset = load_preset(path)
         self._saved = self.preset
         self._run = 0
+        self._left: dict[str, Preset] = {}
+        self._groups: tuple[ControlGroup, ...] = ()
+        self._kept_groups: tuple[ControlGroup, ...] = ()
         self._made: tuple[object, Recogniser] = self._make(self.preset)
 
     @property
@@ -100,12 +109,16 @@ class PresetModel(QObject):
         return self._made[1]
 
     @property
-    def used_thresholds(self) -> frozenset[str]:
-        """The thresholds that the recogniser in use compares with; all, where it cannot be made to tell."""
-        try:
-            return self.recogniser.used_thresholds
-        except EngineError:
-            return frozenset(f.name for f in fields(Thresholds))
+    def control_groups(self) -> tuple[ControlGroup, ...]:
+        """All that the recogniser in use is tuned by; the same while nothing but `tune` changes the preset."""
+        if not self._groups:
+            self._groups = controls_of(self.preset, self._made_recogniser())
+        return self._groups
+
+    @property
+    def controls(self) -> dict[str, Control]:
+        """The same, by their names."""
+        return {control.name: control for group in self.control_groups for control in group.controls}
 
     @property
     def in_force(self) -> Preset:
@@ -126,18 +139,23 @@ class PresetModel(QObject):
 
     def load(self, path: Path) -> None:
         """Load a preset or PhonemeData file; EngineError leaves everything as it was."""
-        preset = load_preset(path, self.preset)
+        preset = load_preset(path)
         self._made = self._make(preset)
         self._saved = preset
+        self._left = {}
         self.path = path
         self.undo_stack.clear()
         self._apply(preset)
         self.file_changed.emit()
 
+    def lost_in(self, path: Path) -> tuple[str, ...]:
+        """Return what saving to such a file would drop, in words; a PhonemeData file holds only the 21 numbers."""
+        return beyond_phoneme_data(self.preset) if is_phoneme_data(path) else ()
+
     def save(self, path: Path) -> None:
         """Save to a file, which becomes the preset's file; EngineError leaves everything as it was.
 
-        What a PhonemeData file cannot hold stays unsaved, and so marked.
+        Where a PhonemeData file cannot hold all, `lost_in` says what is left out; that stays unsaved, and marked.
         """
         named = replace(self.preset, name=path.stem) if path != self.path else self.preset
         save_preset(named, path)
@@ -176,13 +194,12 @@ class PresetModel(QObject):
                 changes[high] = max(value, getattr(self.preset.settings, high))
             if name == high:
                 changes[low] = min(value, getattr(self.preset.settings, low))
-        settings = replace(self.preset.settings, **changes)
+        settings = self.preset.settings.with_numbers(**changes)
         self.edit(replace(self.preset, settings=settings), f"change of {name.replace('_', ' ')}")
 
     def set_filter(self, step: Filter, on: bool) -> None:
-        """Switch a filter on or off."""
-        filters = self.preset.settings.filters
-        settings = replace(self.preset.settings, filters=filters | {step} if on else filters - {step})
+        """Switch a filter on or off; one that would do nothing gets its usual strength."""
+        settings = self.preset.settings.with_filter(step, on)
         self.edit(replace(self.preset, settings=settings), f"{step.replace('_', ' ')} {'on' if on else 'off'}")
 
     def reset_filter(self, step: Filter) -> None:
@@ -200,31 +217,34 @@ class PresetModel(QObject):
         settings = replace(self.preset.settings, **changes)
         self.edit(replace(self.preset, settings=settings), f"reset of {names[0].replace('_', ' ')}")
 
-    def set_threshold(self, name: str, value: float) -> None:
-        """Change one of the 21 numbers of PhonemeData (high-pass bounds in bins), if the recogniser takes it."""
-        data = self.preset.phoneme_data
-        numbers = {f.name: getattr(data, f.name) for f in fields(PhonemeData)} | {name: value}
-        if name == "high_pass_start":
-            numbers["high_pass_end"] = max(value, numbers["high_pass_end"])
-        if name == "high_pass_end":
-            numbers["high_pass_start"] = min(value, numbers["high_pass_start"])
+    def tune(self, name: str, value: float) -> None:
+        """Set one of the `controls`, if the recogniser takes the value."""
+        self._kept_groups = self.control_groups
         try:
-            self.edit(self.preset.with_phoneme_data(PhonemeData(**numbers)), f"change of {name.replace('_', ' ')}")
-        except RecogniserError as error:
+            self.edit(self.controls[name].write(self.preset, value), f"change of {name.replace('_', ' ')}")
+        except (RecogniserError, SettingsError) as error:
             self.refused.emit(str(error))
             self.changed.emit()  # whoever shows the refused number shows the old one again
+        finally:
+            self._kept_groups = ()
 
     def set_recogniser(self, name: str) -> None:
         """Recognise with another recogniser; EngineError, where it cannot be made, leaves everything as it was.
 
-        One of the program's own brings the front end and the statistics with it that it was tuned with, and what it
-        knows, where the preset has nothing of the kind.
+        It goes on as it was left since the preset was loaded. Else it comes as the preset's file has it, or as its
+        factory preset has it: front end, statistics, thresholds; thresholds, rules, model and templates of the user's
+        own stay.
         """
-        self.edit(self._tuned_for(name), f"recogniser {name}")
+        tuned = self._tuned_for(name)
+        left = {self.preset.recogniser: self.preset}
+        self.edit(tuned, f"recogniser {name}")
+        self._left |= left
 
-    def saved_threshold(self, name: str) -> float:
-        """Give one of the 21 numbers as the preset's file has it."""
-        return float(getattr(self._saved.phoneme_data, name))
+    def saved_value(self, name: str) -> float | None:
+        """Return a control's value as the preset's file has it; None where the file's rules are others."""
+        if self.preset.recogniser == "rules" and _shape(self._saved.rules) != _shape(self.preset.rules):
+            return None
+        return self.controls[name].read(self._saved)
 
     def add_variable(self, variable: Variable) -> None:
         """Add a user's own variable; EngineError where the name is taken."""
@@ -237,24 +257,23 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, variables=kept), f"removal of {name}")
 
     def _tuned_for(self, name: str) -> Preset:
-        preset = self.preset
-        if name == self._saved.recogniser:
+        preset, source = self.preset, self._left.get(name)
+        if source is None and name == self._saved.recogniser:
             source = self._saved
-        elif name in FACTORY_OF:
-            source = load_preset(FACTORY / FACTORY_OF[name])
-        else:
-            return replace(preset, recogniser=name)
-        mine = {v.name for v in preset.variables}
-        return replace(
-            preset,
-            recogniser=name,
-            settings=source.settings,
-            successors=source.successors,
-            variables=(*preset.variables, *(v for v in source.variables if v.name not in mine)),
-            rules=preset.rules or source.rules,
-            model=preset.model or source.model,
-            templates=preset.templates or source.templates,
-        )
+        if source is not None:
+            return _joined(source, preset, source)
+        source = factory_preset(name) or replace(preset, recogniser=name)
+        own_thresholds = preset.thresholds not in _factory_thresholds()
+        source = replace(source, thresholds=preset.thresholds if own_thresholds else source.thresholds)
+        return _joined(source, preset, preset)
+
+    def _made_recogniser(self) -> Recogniser | None:
+        try:
+            recogniser = self.recogniser
+            recogniser.used_thresholds  # noqa: B018 - one of another package is made by being asked
+        except EngineError:
+            return None
+        return recogniser
 
     def _make(self, preset: Preset) -> tuple[object, Recogniser]:
         recogniser = recogniser_of(preset.recogniser, preset.tuning)
@@ -266,8 +285,33 @@ class PresetModel(QObject):
 
     def _apply(self, preset: Preset) -> None:
         self.preset = preset
+        self._groups = self._kept_groups
         self.changed.emit()
+
+
+def _factory_thresholds() -> tuple[Thresholds, ...]:
+    """Return the thresholds that no user has tuned."""
+    return Thresholds(), *(load_preset(path).thresholds for path in THESIS_PRESETS)
+
+
+def _joined(source: Preset, preset: Preset, first: Preset) -> Preset:
+    """Return what `source` recognises with, named as `preset`, with all that either knows; `first` goes first."""
+    mine = {v.name for v in source.variables}
+    return replace(
+        source,
+        name=preset.name,
+        notes=preset.notes,
+        variables=(*source.variables, *(v for v in preset.variables if v.name not in mine)),
+        rules=first.rules or source.rules or preset.rules,
+        model=first.model or source.model or preset.model,
+        templates=first.templates or source.templates or preset.templates,
+    )
 
 
 def _recogniser_key(preset: Preset) -> object:
     return preset.recogniser, preset.tuning
+
+
+def _shape(rules: tuple[Rule, ...]) -> object:
+    """Return all of some rules but their limits."""
+    return [(rule.phoneme, [(c.variable, c.sign, c.threshold) for c in rule.conditions]) for rule in rules]

@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from engine.calibration.bench.distributions import Distribution, Spread
+from engine.features.variables import DEFICITS
 from engine.phonemes import Phoneme
 from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
 from phonemeanalyser.models.calibration_bench import BenchModel, Line
@@ -18,6 +19,7 @@ from phonemeanalyser.views.calibration_keys import name_of
 LEFT, RIGHT, TOP, BOTTOM = 88, 168, 36, 34
 """Pixels around the plot: names at its left, numbers at its right, thresholds above, the axis below."""
 NEAR = 6
+UNITS = {"zero_crossings": " (per window)", "f0": " (Hz)", **dict.fromkeys(DEFICITS, " (log-odds)")}
 COLUMNS = ("min", "median", "max")
 
 
@@ -136,7 +138,7 @@ class SpreadView(QWidget):
             x = self.x_of(value)
             painter.fillRect(QRectF(x, TOP, 1, bottom - TOP), QColor(self._theme.raised))
             write(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
-        unit = {"zero_crossings": " (a second)", "f0": " (Hz)"}.get(distribution.variable, " (amplitude)")
+        unit = UNITS.get(distribution.variable, " (amplitude)")
         scale = ", logarithmic scale" if distribution.logarithmic else ""
         label = QRectF(LEFT, bottom + 15, self.width() - LEFT - RIGHT, 16)
         write(painter, label, f"{distribution.variable}{unit}{scale}", self._theme.text, 11, CENTRED)
@@ -155,7 +157,7 @@ class SpreadView(QWidget):
         painter.setBrush(colour)
         painter.drawPolygon(tip)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        text = f"{line.sign} {short(line.value)}  {line.name if not line.is_limit else ''}".strip()
+        text = f"{line.sign} {short(line.value)}  {line.name}"
         box = QRectF(x - 75, 1 + 13 * (k % 2), 150, 13)
         box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
         write(painter, box, text, self._theme.bad, 10, CENTRED)
@@ -206,12 +208,9 @@ class SpreadView(QWidget):
 
     def _move(self, line: Line, value: float) -> None:
         self._bench.move(line, value)
-        fresh = self._bench.lines()
-        if line.is_limit:
-            self.update()
-            return
-        self.lines = fresh
-        self._held = next((f for f in fresh if f.name == line.name), None) if self._held is not None else None
+        self.lines = self._bench.lines()
+        if self._held is not None:
+            self._held = next((fresh for fresh in self.lines if fresh.name == line.name), None)
         self.update()
 
     def _line_near(self, x: float) -> Line | None:

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from engine.presets.controls import unused_settings
 from engine.settings import LIMITS, QUANTISATIONS, SAMPLE_RATE, Decimation, Filter, WindowFunction
 from phonemeanalyser.models.preset import FILTER_PARAMETERS, PresetModel
 from phonemeanalyser.theme import Theme
@@ -118,6 +119,8 @@ class FilterColumn(QScrollArea):
         self.fields: dict[str, QComboBox | QDoubleSpinBox] = {}
         self.resets: dict[str, QToolButton] = {}
         self.bypass = QCheckBox("Bypass all filters")
+        self.unused = QLabel()
+        self._headings: dict[str, QWidget] = {}
         self._grid = QGridLayout()
         self._fill()
         preset.changed.connect(self._show_preset)
@@ -132,6 +135,10 @@ class FilterColumn(QScrollArea):
         self._grid.setVerticalSpacing(3)
         self._grid.setColumnStretch(1, 1)
         self._grid.addWidget(self.bypass, 0, 0, 1, 3)
+        self.unused.setTextFormat(Qt.TextFormat.PlainText)
+        self.unused.setWordWrap(True)
+        self.unused.setStyleSheet(f"color: {self._theme.accent}")
+        self._grid.addWidget(self.unused, 1, 0, 1, 3)
         for step in Filter:
             self._add_step(step.value, TITLES[step], FILTER_PARAMETERS[step], partial(self._switch, step))
             self.resets[step.value].clicked.connect(lambda _checked, s=step: self._preset.reset_filter(s))
@@ -169,7 +176,7 @@ class FilterColumn(QScrollArea):
             self._grid.addWidget(field, row + 1 + k, 1)
             if k:
                 self._grid.addWidget(self._label(f"{FIELDS[parameters[0]].label} / {label}"), row + 1 + k, 0)
-        heading.setToolTip(f"{title[0]}: {title[1]}")
+        self._headings[key] = heading
 
     def _heading(self, key: str, text: str, switch: Callable[[bool], None] | None) -> QWidget:
         if switch is None:
@@ -243,6 +250,24 @@ class FilterColumn(QScrollArea):
             box.setChecked(settings.statistics if key == "statistics" else settings.has(Filter(key)))
             box.setEnabled(key == "statistics" or not self._preset.bypassed)
             box.blockSignals(False)
+        self._show_unused()
         self.bypass.blockSignals(True)
         self.bypass.setChecked(self._preset.bypassed)
         self.bypass.blockSignals(False)
+
+    def _show_unused(self) -> None:
+        """Say which steps do nothing to what is recognised, where they are; they shape what is seen all the same."""
+        name = self._preset.preset.recogniser
+        unused = unused_settings(self._preset.preset)
+        titles = {step.value: title for step, title in TITLES.items()}
+        titles |= {key: title for key, (title, _) in AFTER_THE_FILTERS.items()}
+        for key, heading in self._headings.items():
+            note = f" Not used by the recogniser {name}: it changes only what is seen." if key in unused else ""
+            heading.setToolTip(f"{titles[key][0]}: {titles[key][1]}{note}")
+            heading.setStyleSheet(f"color: {self._theme.faint}; font-style: italic" if key in unused else "")
+        if {step.value for step in Filter} <= unused:
+            self.unused.setText(f"{name} hears the bare sound: the filters shape only what is seen")
+        else:
+            which = ", ".join(title for key, (title, _) in titles.items() if key in unused)
+            self.unused.setText(f"Not used by {name}: {which}")
+        self.unused.setVisible(bool(unused & self._headings.keys()))

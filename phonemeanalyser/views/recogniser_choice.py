@@ -1,4 +1,4 @@
-"""Which recogniser names the phonemes: the rules of the thesis, or one of another package."""
+"""Which recogniser names the phonemes: one of the program's own, or one of another package."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
@@ -25,9 +25,9 @@ class RecogniserChoice(QWidget):
         self.names.setAccessibleName("recogniser")
         self.names.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.names.setToolTip(
-            "<p>What names the phoneme of each frame: <b>thesis</b>, the rules with the thresholds below, or a "
-            "recogniser of another package.</p><p>To add one, install its package beside this program, and start the "
-            "program again. How to write one is in the README.</p>"
+            "<p>What names the phoneme of each frame. Another one brings the front end and the numbers that it was "
+            "tuned with, unless you tuned it yourself. What it is tuned by is below.</p><p>To add one, install its "
+            "package beside this program, and start the program again. How to write one is in the README.</p>"
         )
         self._lay_out()
         self.names.activated.connect(self._choose)

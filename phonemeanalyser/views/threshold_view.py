@@ -1,6 +1,9 @@
-"""The 21 thresholds as sliders, with the live value of each one's variable drawn on it."""
+"""What the recogniser in use is tuned by, as sliders with the live value of what is compared drawn on each."""
 
 import math
+from dataclasses import dataclass
+from functools import partial
+from html import escape
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
@@ -16,46 +19,18 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from engine.recognition.phoneme_data import LAYOUT
-from engine.recognition.rules import CONDITIONS
-from engine.settings import BIN_WIDTH, LIMITS
+from engine.errors import EngineError
+from engine.features.measure import Features
+from engine.presets.controls import Control, ControlGroup, Moment
 from phonemeanalyser.models.history import History
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.keys import KeysOfNumbers
 
-GROUPS = (
-    ("Filters", ""),
-    ("Silence", "all of these, else it is no silence"),
-    ("SZ and SCH", "SZ if both, SCH if the first only"),
-    ("P", "all of these"),
-    ("A and E", "A if both, E if the first only"),
-    ("U, O, I, M", "below the first; M if no other"),
-)
-HIGHEST: dict[str, tuple[float, int]] = {
-    "time_smooth": (1, 3),
-    "frequency_smooth": (1, 3),
-    "high_pass_start": (1300, 1),
-    "high_pass_end": (1300, 1),
-    "denoise_threshold": (0.1, 5),
-    "zero_crossings": (1500, 1),
-    "energy": (20, 4),
-    "max_energy": (1, 5),
-    "m_szsch1": (51, 3),
-    "m_s1": (66, 3),
-    "energy_n": (150, 3),
-    "m_p1": (3, 4),
-    "m_p2": (1, 4),
-    "m_ae1": (1, 4),
-    "m_a1": (16, 3),
-    "m_o1": (11, 3),
-}
-"""The right end of a slider, and decimals, by variable or by filter parameter."""
-UNITS = {"high_pass_start": BIN_WIDTH, "high_pass_end": BIN_WIDTH}
-"""What PhonemeData counts, where the window shows something else: bins, shown in Hz."""
+LARGEST = 1e6
+"""A number that is typed lies within ± this."""
 CURVATURE = 2.5
 """Sliders give small values more room: position = (value / highest) ** (1 / CURVATURE)."""
-CONDITION_OF = {c.threshold: c for c in CONDITIONS}
 
 
 class ThresholdSlider(QWidget):
@@ -72,12 +47,14 @@ class ThresholdSlider(QWidget):
     moved = Signal(float)
     released = Signal()
 
-    def __init__(self, highest: float, sign: str, theme: Theme) -> None:
+    def __init__(self, control: Control, theme: Theme) -> None:
         super().__init__()
         self.value = 0.0
         self.live: float | None = None
-        self._highest = highest
-        self._sign = sign
+        self._low, self._high = control.low, control.high
+        self._decimals = control.decimals
+        self._curvature = 1.0 if control.low < 0 else CURVATURE
+        self._sign = control.sign
         self._theme = theme
         self._mark_at = -1
         self.setMinimumSize(70, 20)
@@ -148,41 +125,80 @@ class ThresholdSlider(QWidget):
         self._choose((event.position().x() - 6) / max(1, self.width() - 12))
 
     def _choose(self, share: float) -> None:
-        value = self._highest * min(max(share, 0.0), 1.0) ** CURVATURE
-        self.moved.emit(float(f"{value:.4g}"))
+        value = self._low + (self._high - self._low) * min(max(share, 0.0), 1.0) ** self._curvature
+        self.moved.emit(round(float(f"{value:.4g}"), self._decimals))
 
     def _share_of(self, value: float) -> float:
-        return float(min(max(value / self._highest, 0.0), 1.0) ** (1 / CURVATURE))
+        share = (value - self._low) / (self._high - self._low)
+        return float(min(max(share, 0.0), 1.0) ** (1 / self._curvature))
 
     def _x_of(self, value: float) -> float:
         return 6 + self._share_of(value) * (self.width() - 12)
 
 
+@dataclass(frozen=True)
+class Row:
+    """What shows one control."""
+
+    control: Control
+    slider: ThresholdSlider
+    number: QDoubleSpinBox
+    reset: QToolButton
+
+
 class ThresholdView(QScrollArea):
-    """All thresholds, grouped by rule."""
+    """All controls of the recogniser in use, in groups; another recogniser has others."""
 
     def __init__(self, preset: PresetModel, history: History, theme: Theme) -> None:
         super().__init__()
         self._preset = preset
         self._history = history
         self._theme = theme
-        self.sliders: dict[str, ThresholdSlider] = {}
-        self.numbers: dict[str, QDoubleSpinBox] = {}
-        self.resets: dict[str, QToolButton] = {}
-        self.unused = QLabel()
-        self._headings: dict[str, QLabel] = {}
-        self._rows: dict[str, tuple[QWidget, ...]] = {}
-        self._fill()
+        self.rows: dict[str, Row] = {}
+        self._shown: tuple[ControlGroup, ...] = ()
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFrameShape(QFrame.Shape.NoFrame)
         preset.changed.connect(self._show_preset)
         self._show_preset()
 
     def refresh(self) -> None:
-        """Move the marks to the newest frame's values."""
+        """Move the marks to what is compared in the newest frame."""
+        moment = self._moment()
+        for row in self.rows.values():
+            row.slider.set_live(row.control.live(self._preset.preset, moment) if moment else None)
+
+    def _moment(self) -> Moment | None:
         newest = self._history.newest
-        values = newest.features.frame(len(newest) - 1) if newest is not None else {}
-        for name, condition in CONDITION_OF.items():
-            slider = self.sliders[name]
-            slider.set_live(values.get(condition.variable) if slider.isEnabled() else None)
+        if newest is None or not len(newest):
+            return None
+        last = newest.features.part(slice(len(newest) - 1, len(newest)))
+        shown = int(newest.phonemes[-1])
+        return Moment(last.frame(0), self._shortfall(last, shown), self._history.phoneme_lasted())
+
+    def _shortfall(self, features: Features, phoneme: int) -> float | None:
+        """Return by how much the phoneme that is shown falls short; None where the recogniser does not say."""
+        try:
+            shortfalls = self._preset.recogniser.shortfalls(features)
+        except (EngineError, ValueError):  # the frame was measured for another recogniser
+            return None
+        return None if shortfalls is None else float(shortfalls[0, phoneme])
+
+    # -- rows ---------------------------------------------------------------------------------------------
+
+    def _show_preset(self) -> None:
+        if self._shown != self._preset.control_groups:
+            self._shown = self._preset.control_groups
+            self._fill()
+        preset = self._preset.preset
+        for name, row in self.rows.items():
+            value = row.control.read(preset)
+            row.slider.set_value(value)
+            row.number.blockSignals(True)
+            row.number.setValue(value)
+            row.number.blockSignals(False)
+            saved = self._preset.saved_value(name)
+            row.reset.setVisible(saved is not None and value != saved)
 
     def _fill(self) -> None:
         body = QWidget()
@@ -191,51 +207,55 @@ class ThresholdView(QScrollArea):
         grid.setHorizontalSpacing(5)
         grid.setVerticalSpacing(1)
         grid.setColumnStretch(1, 1)
-        self._add_note(grid)
-        row = 1
-        for (title, _), names in zip(GROUPS, LAYOUT, strict=True):
-            heading = self._headings[title] = QLabel()
-            heading.setContentsMargins(0, 5, 0, 1)
-            heading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-            grid.addWidget(heading, row, 0, 1, 4)
-            for row, name in enumerate(names, row + 1):  # noqa: B020 - rows go on from group to group
-                self._add_row(grid, row, name)
-            row += 1
-        grid.setRowStretch(row, 1)
+        self.rows = {}
+        for group in self._shown:
+            grid.addWidget(self._heading(group), grid.rowCount(), 0, 1, 4)
+            for control in group.controls:
+                self.rows[control.name] = self._add_row(grid, grid.rowCount(), control)
+        grid.setRowStretch(grid.rowCount(), 1)
         self.setWidget(body)
-        self.setWidgetResizable(True)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
-    def _add_note(self, grid: QGridLayout) -> None:
-        self.unused.setTextFormat(Qt.TextFormat.PlainText)
-        self.unused.setWordWrap(True)
-        self.unused.setContentsMargins(0, 4, 0, 0)
-        self.unused.setStyleSheet(f"color: {self._theme.accent}")
-        grid.addWidget(self.unused, 0, 0, 1, 4)
+    def _heading(self, group: ControlGroup) -> QLabel:
+        heading = QLabel(f"<b>{group.title}</b> <span style='color:{self._theme.faint}'>{group.note}</span>")
+        heading.setToolTip(group.note)
+        heading.setContentsMargins(0, 5, 0, 1)
+        heading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        return heading
 
-    def _add_row(self, grid: QGridLayout, row: int, name: str) -> None:
-        condition = CONDITION_OF.get(name)
-        variable = condition.variable if condition else name
-        highest, decimals = HIGHEST[variable]
-        rule = f"{name[0].upper()}: " if variable == "m_o1" else ""  # three rows that else read alike
-        label = QLabel(f"{rule}{variable} {condition.sign}" if condition else _words(name))
+    def _add_row(self, grid: QGridLayout, at: int, control: Control) -> Row:
+        label = QLabel(control.label)
         label.setTextFormat(Qt.TextFormat.PlainText)
-        label.setToolTip(f"PhonemeData name: {name}" + (", in bins there, in Hz here" if name in UNITS else ""))
-        slider = ThresholdSlider(highest, condition.sign if condition else "", self._theme)
-        slider.setAccessibleName(name)
-        slider.setToolTip(f"{name}: drag, or arrow keys (with Shift finer). The bar is the live value.")
+        label.setToolTip(f"<p>{escape(control.hint)}</p>")
+        slider = ThresholdSlider(control, self._theme)
+        slider.setAccessibleName(control.name)
+        slider.setToolTip(f"<p>{escape(control.hint)}</p><p>Drag, or arrow keys (with Shift finer).</p>")
+        row = Row(control, slider, self._number(control), self._reset())
+        for column, widget in enumerate((label, slider, row.number, row.reset)):
+            grid.addWidget(widget, at, column)
+        slider.moved.connect(partial(self._preset.tune, control.name))
+        slider.released.connect(self._preset.end_edit)
+        row.number.valueChanged.connect(partial(self._type, row))
+        row.reset.clicked.connect(lambda _checked: self._restore(control.name))
+        return row
+
+    def _number(self, control: Control) -> QDoubleSpinBox:
         number = QDoubleSpinBox()
-        number.setRange(0, LIMITS[name][1] if name in LIMITS else 1e6)
-        number.setDecimals(decimals)
+        number.setRange(-LARGEST, LARGEST)
+        number.setDecimals(control.decimals)
         number.setButtonSymbols(QDoubleSpinBox.ButtonSymbols.NoButtons)
         number.setKeyboardTracking(False)
         number.installEventFilter(KeysOfNumbers(number))
         number.setFixedWidth(60)
-        number.setSingleStep(highest / 100)
-        number.setAccessibleName(name)
-        number.setToolTip(f"{name}: type a number, or arrow keys")
+        number.setSingleStep((control.high - control.low) / 100)
+        number.setAccessibleName(control.name)
+        number.setToolTip(
+            f"{control.name}{', ' + control.unit if control.unit else ''}: type a number, or arrow keys"
+        )
+        number.editingFinished.connect(self._preset.end_edit)
+        return number
+
+    def _reset(self) -> QToolButton:
         reset = QToolButton()
         reset.setText("↺")
         reset.setAutoRaise(True)
@@ -243,50 +263,15 @@ class ThresholdView(QScrollArea):
         keep_place = reset.sizePolicy()
         keep_place.setRetainSizeWhenHidden(True)
         reset.setSizePolicy(keep_place)
-        for column, widget in enumerate((label, slider, number, reset)):
-            grid.addWidget(widget, row, column)
-        slider.moved.connect(lambda value: self._preset.set_threshold(name, value / UNITS.get(name, 1)))
-        slider.released.connect(self._preset.end_edit)
-        number.editingFinished.connect(self._preset.end_edit)
-        number.valueChanged.connect(lambda value: self._type(name, value))
-        reset.clicked.connect(lambda _checked: self._preset.set_threshold(name, self._preset.saved_threshold(name)))
-        self.sliders[name], self.numbers[name], self.resets[name] = slider, number, reset
-        self._rows[name] = (label, slider, number, reset)
+        return reset
 
-    def _type(self, name: str, value: float) -> None:
-        unit = UNITS.get(name, 1)
-        shown = float(getattr(self._preset.preset.phoneme_data, name)) * unit
-        if not math.isclose(value, shown, abs_tol=0.5 * 10 ** -self.numbers[name].decimals()):
-            self._preset.set_threshold(name, value / unit)
+    def _type(self, row: Row, value: float) -> None:
+        shown = row.control.read(self._preset.preset)
+        if not math.isclose(value, shown, abs_tol=0.5 * 10**-row.control.decimals):
+            self._preset.tune(row.control.name, value)
 
-    def _show_preset(self) -> None:
-        data = self._preset.preset.phoneme_data
-        for name, slider in self.sliders.items():
-            value = float(getattr(data, name))
-            slider.set_value(value * UNITS.get(name, 1))
-            number = self.numbers[name]
-            number.blockSignals(True)
-            number.setValue(slider.value)
-            number.blockSignals(False)
-            self.resets[name].setVisible(value != self._preset.saved_threshold(name))
-        self._show_used()
-
-    def _show_used(self) -> None:
-        """Grey the thresholds that the recogniser in use does not use; the notes tell of the thesis's rules."""
-        unused = CONDITION_OF.keys() - self._preset.used_thresholds
-        for title, note in GROUPS:
-            shown = "" if unused else note
-            self._headings[title].setText(f"<b>{title}</b> <span style='color:{self._theme.faint}'>{shown}</span>")
-            self._headings[title].setToolTip(shown)
-        for name in CONDITION_OF:
-            for widget in self._rows[name]:
-                widget.setEnabled(name not in unused)
-            if name in unused:
-                self.sliders[name].set_live(None)
-        self.unused.setText(f"Grey: not used by the recogniser {self._preset.preset.recogniser}")
-        self.unused.setVisible(bool(unused))
-
-
-def _words(name: str) -> str:
-    words = name.replace("_", " ").replace("frequency", "freq.").removesuffix(" threshold")
-    return words.replace("high pass", "high-pass")
+    def _restore(self, name: str) -> None:
+        saved = self._preset.saved_value(name)
+        if saved is not None:
+            self._preset.tune(name, saved)
+            self._preset.end_edit()

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
 
 from engine.features.variables import BUILT_IN_NAMES
 from engine.phonemes import Phoneme
-from engine.recognition.rules import CONDITIONS
 from engine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
 from phonemeanalyser.models.history import CAPACITY, History
 from phonemeanalyser.models.preset import PresetModel
@@ -216,16 +215,15 @@ class TimeView(QWidget):
         course.setLabel("left", self.variable.currentText().replace("_", " "))
         for line in self._limits:
             course.removeItem(line)
-        thresholds = self._preset.preset.thresholds
-        used = [c for c in CONDITIONS if c.threshold in self._preset.used_thresholds]
-        mine = [c.threshold for c in used if c.variable == self.variable.currentText()]
+        preset = self._preset.preset
+        mine = [c for c in self._preset.controls.values() if c.variable == self.variable.currentText()]
         pen = pg.mkPen(self._theme.bad, style=Qt.PenStyle.DashLine)
         self._limits = [
             pg.InfiniteLine(
-                getattr(thresholds, name), angle=0, pen=pen, label=name,
+                control.read(preset), angle=0, pen=pen, label=control.name,
                 labelOpts={"position": 0.02, "anchors": [(0, 1), (0, 1)], "color": self._theme.bad},
             )
-            for name in mine
+            for control in mine
         ]  # fmt: skip
         for line in self._limits:
             course.addItem(line, ignoreBounds=True)

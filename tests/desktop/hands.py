@@ -7,10 +7,10 @@ import numpy as np
 import pyqtgraph as pg
 import soundfile
 from numpy.typing import NDArray
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QApplication, QToolButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QApplication, QMessageBox, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from engine.settings import BIN_WIDTH, SAMPLE_RATE
@@ -69,6 +69,22 @@ def drag(widget: QWidget, start: float, end: float, steps: int = 5) -> None:
 def press(window: QWidget, key: Qt.Key, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
     """Press a key, wherever the focus is."""
     QTest.keyClick(QApplication.focusWidget() or window, key, modifier)
+
+
+def answer(button: str) -> list[str]:
+    """Press a button of the question that comes next; gives a list that will hold its text."""
+    told: list[str] = []
+
+    def press_it() -> None:
+        box = QApplication.activeModalWidget()
+        if not isinstance(box, QMessageBox):
+            QTimer.singleShot(10, press_it)
+            return
+        told.append(box.text())
+        next(b for b in box.buttons() if b.text().replace("&", "") == button).click()
+
+    QTimer.singleShot(0, press_it)
+    return told
 
 
 def type_number(box: QAbstractSpinBox, text: str) -> None:

@@ -277,7 +277,7 @@ def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(load
     shares = [c.counts[0, 0] / c.counts[0].sum() for c in (own, expected)]
     assert share == pytest.approx(shares[0] - shares[1])
     before = loaded.model.rival.comparison
-    loaded.booth.desktop.preset.set_threshold("silence_energy", 0.0)
+    loaded.booth.desktop.preset.tune("silence_energy", 0.0)
     loaded.until(lambda: loaded.model.rival.comparison is not before)
 
 

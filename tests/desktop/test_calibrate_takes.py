@@ -225,7 +225,7 @@ def test_undo_takes_back_what_changed_last_be_it_a_take_or_a_threshold(calibrato
     preset = calibrator.booth.desktop.preset
     calibrator.keep(Phoneme.A)
     before = preset.preset.thresholds
-    preset.set_threshold("sz_s1", 3.0)
+    preset.tune("sz_s1", 3.0)
     calibrator.keep(Phoneme.I)
     window = calibrator.booth.window
     undo = next(a for a in window.menus._edits_of_page if a.isVisible())

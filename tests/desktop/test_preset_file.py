@@ -17,10 +17,10 @@ def test_the_mark_goes_away_when_the_value_comes_back(model: PresetModel, qtbot:
     start = model.preset.thresholds.sz_s1
     marks: list[bool] = []
     model.file_changed.connect(lambda: marks.append(model.has_unsaved_changes))
-    model.set_threshold("sz_s1", start + 1)
+    model.tune("sz_s1", start + 1)
     model.end_edit()
     assert marks[-1]
-    model.set_threshold("sz_s1", start)
+    model.tune("sz_s1", start)
     assert not marks[-1]
     model.undo_stack.undo()
     assert marks[-1]
@@ -29,20 +29,20 @@ def test_the_mark_goes_away_when_the_value_comes_back(model: PresetModel, qtbot:
 
 
 def test_saving_makes_it_clean_and_later_changes_count_from_there(model: PresetModel, tmp_path: Path) -> None:
-    model.set_threshold("sz_s1", 3.5)
+    model.tune("sz_s1", 3.5)
     model.save(tmp_path / "saved.toml")
     assert not model.has_unsaved_changes
     assert not model.is_factory
     assert (model.path, model.preset.name) == (tmp_path / "saved.toml", "saved")
     assert load_preset(tmp_path / "saved.toml") == model.preset
-    model.set_threshold("sz_s1", 3.75)
+    model.tune("sz_s1", 3.75)
     assert model.has_unsaved_changes
     model.undo_stack.undo()
     assert not model.has_unsaved_changes
 
 
 def test_what_was_done_before_saving_can_be_taken_back_and_the_name_stays(model: PresetModel, tmp_path: Path) -> None:
-    model.set_threshold("sz_s1", 3.5)
+    model.tune("sz_s1", 3.5)
     model.save(tmp_path / "saved.toml")
     model.undo_stack.undo()
     assert model.has_unsaved_changes
@@ -60,7 +60,7 @@ def test_saving_to_its_own_file_keeps_the_name(mine: PresetModel) -> None:
 
 
 def test_a_failed_saving_changes_nothing(mine: PresetModel, tmp_path: Path) -> None:
-    mine.set_threshold("sz_s1", 3.5)
+    mine.tune("sz_s1", 3.5)
     before = (mine.preset, mine.path)
     with pytest.raises(PresetError, match="cannot be written"):
         mine.save(tmp_path / "nowhere" / "saved.toml")
@@ -73,7 +73,7 @@ def test_loading_takes_over_everything_and_forgets_what_was_done(
 ) -> None:
     other = Preset(name="other", variables=(Variable("own", 50, 90),))
     save_preset(other, tmp_path / "other.toml")
-    model.set_threshold("sz_s1", 3.5)
+    model.tune("sz_s1", 3.5)
     with qtbot.waitSignals([model.changed, model.file_changed]):
         model.load(tmp_path / "other.toml")
     assert model.preset == other
@@ -82,7 +82,7 @@ def test_loading_takes_over_everything_and_forgets_what_was_done(
     assert not model.undo_stack.canUndo()
 
 
-def test_loading_phonemedata_overrides_only_what_it_says(mine: PresetModel, tmp_path: Path) -> None:
+def test_loading_phonemedata_means_the_thesis_whatever_was_there_before(mine: PresetModel, tmp_path: Path) -> None:
     numbers = ",".join(str(k / 32) for k in range(1, 22))
     (tmp_path / "old.phonemedata").write_text(numbers)
     mine.set_filter(Filter.MEL, True)
@@ -91,7 +91,8 @@ def test_loading_phonemedata_overrides_only_what_it_says(mine: PresetModel, tmp_
     assert mine.preset.settings.time_smooth == 1 / 32
     assert mine.preset.settings.high_pass_start == pytest.approx(3 / 32 * BIN_WIDTH)
     assert not mine.preset.settings.has(Filter.MEL)  # the thesis's front end
-    assert [variable.name for variable in mine.preset.variables] == ["own"]
+    assert mine.preset == load_preset(tmp_path / "old.phonemedata")
+    assert mine.preset.variables == ()
     assert not mine.has_unsaved_changes
 
 
@@ -99,7 +100,7 @@ def test_loading_phonemedata_overrides_only_what_it_says(mine: PresetModel, tmp_
 @pytest.mark.parametrize("name", ["broken.toml", "broken.phonemedata"])
 def test_a_failed_loading_changes_nothing(name: str, content: str, mine: PresetModel, tmp_path: Path) -> None:
     (tmp_path / name).write_text(content)
-    mine.set_threshold("sz_s1", 3.5)
+    mine.tune("sz_s1", 3.5)
     before = (mine.preset, mine.path, mine.undo_stack.count())
     changes: list[None] = []
     mine.changed.connect(lambda: changes.append(None))

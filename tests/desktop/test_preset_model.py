@@ -15,8 +15,8 @@ from phonemeanalyser.models.preset import FILTER_PARAMETERS, PresetModel
 
 # one small change of each kind
 EDITS: dict[str, Callable[[PresetModel], None]] = {
-    "a threshold": lambda model: model.set_threshold("sz_s1", 7.25),
-    "a filter's number in bins": lambda model: model.set_threshold("high_pass_end", 40.0),
+    "a threshold": lambda model: model.tune("sz_s1", 7.25),
+    "a filter's number in Hz": lambda model: model.tune("high_pass_end", 861.0),
     "a setting": lambda model: model.set_setting("time_smooth", 0.375),
     "a choice": lambda model: model.set_setting("quantise", 1),
     "a filter off": lambda model: model.set_filter(Filter.NORMALISE, False),
@@ -69,7 +69,7 @@ def test_changes_are_taken_back_in_reverse(model: PresetModel) -> None:
 def test_a_drag_is_taken_back_at_once(model: PresetModel) -> None:
     before = model.preset
     for k in range(50):
-        model.set_threshold("a_a1", 1 + k / 10)
+        model.tune("a_a1", 1 + k / 10)
     model.end_edit()
     assert model.undo_stack.count() == 1
     model.undo_stack.undo()
@@ -80,10 +80,10 @@ def test_a_drag_is_taken_back_at_once(model: PresetModel) -> None:
 
 def test_two_drags_are_taken_back_one_by_one(model: PresetModel) -> None:
     for value in (1.0, 2.0, 3.0):
-        model.set_threshold("a_a1", value)
+        model.tune("a_a1", value)
     model.end_edit()
     for value in (4.0, 5.0):
-        model.set_threshold("a_a1", value)
+        model.tune("a_a1", value)
     model.end_edit()
     model.undo_stack.undo()
     assert model.preset.thresholds.a_a1 == 3.0
@@ -91,26 +91,26 @@ def test_two_drags_are_taken_back_one_by_one(model: PresetModel) -> None:
 
 
 def test_changes_of_two_things_are_two_changes(model: PresetModel) -> None:
-    model.set_threshold("a_a1", 1.0)
-    model.set_threshold("sz_s1", 2.0)
-    model.set_threshold("a_a1", 3.0)
+    model.tune("a_a1", 1.0)
+    model.tune("sz_s1", 2.0)
+    model.tune("a_a1", 3.0)
     assert model.undo_stack.count() == 3
 
 
 def test_a_drag_back_to_where_it_began_is_no_change(model: PresetModel) -> None:
     start = model.preset.thresholds.a_a1
     for value in (start + 1, start + 2, start):
-        model.set_threshold("a_a1", value)
+        model.tune("a_a1", value)
     assert model.undo_stack.count() == 0
     assert not model.has_unsaved_changes
-    model.set_threshold("a_a1", start + 1)
+    model.tune("a_a1", start + 1)
     model.undo_stack.undo()
     assert model.preset.thresholds.a_a1 == start
 
 
 def test_the_value_it_has_already_is_no_change(model: PresetModel) -> None:
-    for field in fields(PhonemeData):
-        model.set_threshold(field.name, getattr(model.preset.phoneme_data, field.name))
+    for name, control in model.controls.items():
+        model.tune(name, control.read(model.preset))
     for step in Filter:
         model.set_filter(step, model.preset.settings.has(step))
         model.reset_filter(step)
@@ -128,7 +128,7 @@ def test_bypass_switches_all_filters_off_and_back(model: PresetModel, qtbot: QtB
     assert model.in_force.settings.filters == frozenset()
     assert model.in_force.thresholds == tuned.thresholds
     assert model.preset == tuned
-    model.set_threshold("sz_s1", 3.5)
+    model.tune("sz_s1", 3.5)
     assert model.in_force.thresholds.sz_s1 == 3.5
     with qtbot.waitSignal(model.changed):
         model.set_bypassed(False)
@@ -146,8 +146,8 @@ def test_bypass_is_no_change_of_the_preset(model: PresetModel) -> None:
 
 
 def test_a_bound_in_bins_is_the_same_bound_in_hertz(model: PresetModel) -> None:
-    model.set_threshold("high_pass_end", 20.0)
-    assert model.preset.settings.high_pass_end == pytest.approx(20 * BIN_WIDTH)
+    model.tune("high_pass_end", 20 * BIN_WIDTH)
+    assert model.preset.phoneme_data.high_pass_end == pytest.approx(20)
     model.set_setting("high_pass_end", 500.0)
     assert model.preset.settings.high_pass_end == 500.0
     assert model.preset.phoneme_data.high_pass_end == pytest.approx(500 / BIN_WIDTH)
@@ -156,9 +156,10 @@ def test_a_bound_in_bins_is_the_same_bound_in_hertz(model: PresetModel) -> None:
 @pytest.mark.parametrize("field", fields(PhonemeData), ids=lambda field: field.name)
 def test_each_of_the_21_numbers_can_be_set(field: object, model: PresetModel) -> None:
     name = field.name  # type: ignore[attr-defined]
-    model.set_threshold(name, 0.625)
+    unit = BIN_WIDTH if name.startswith("high_pass") else 1.0
+    model.tune(name, 0.625 * unit)
     assert getattr(model.preset.phoneme_data, name) == pytest.approx(0.625)
-    assert model.saved_threshold(name) == getattr(load_preset(THESIS_PRESET).phoneme_data, name)
+    assert model.saved_value(name) == getattr(load_preset(THESIS_PRESET).phoneme_data, name) * unit
 
 
 @pytest.mark.parametrize(("low", "high"), [("high_pass_start", "high_pass_end"), ("low_pass_start", "low_pass_end")])
@@ -178,11 +179,11 @@ def test_the_range_of_the_intensity_gives_way_too(model: PresetModel) -> None:
     assert model.preset.settings.intensity_low == -70.0
 
 
-def test_bounds_in_bins_give_way_too(model: PresetModel) -> None:
-    model.set_threshold("high_pass_start", 30.0)
-    assert model.preset.phoneme_data.high_pass_end == pytest.approx(30)
-    model.set_threshold("high_pass_end", 2.0)
-    assert model.preset.phoneme_data.high_pass_start == pytest.approx(2)
+def test_bounds_that_are_tuned_give_way_too(model: PresetModel) -> None:
+    model.tune("high_pass_start", 700.0)
+    assert model.preset.settings.high_pass_end == pytest.approx(700)
+    model.tune("high_pass_end", 40.0)
+    assert model.preset.settings.high_pass_start == pytest.approx(40)
 
 
 @pytest.mark.parametrize(("name", "value"), [("time_smooth", 1.5), ("mel_bands", 3), ("quantise", 3)])

@@ -105,7 +105,7 @@ def test_an_edit_while_it_plays_acts_on_what_comes(
     outputs.last.ahead = SAMPLE_RATE // 10
     play(0.2)
     for name in ("silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1"):
-        model.set_threshold(name, 1e6)
+        model.tune(name, 1e6)
     settled(session, qtbot)
     play(10)
     late = session.history.recognised[np.arange(35, N_FRAMES)]
@@ -168,7 +168,7 @@ def test_a_change_while_nothing_plays_shows_in_what_was_heard_last(
     rewritten: list[int] = []
     session.rewritten.connect(rewritten.append)
     for name in ("silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1"):
-        model.set_threshold(name, 1e6)
+        model.tune(name, 1e6)
     assert rewritten == [50] * 4
     assert session.history.n == 50
     np.testing.assert_array_equal(session.history.frames[:50], frames_before)

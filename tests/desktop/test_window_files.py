@@ -58,7 +58,7 @@ def test_a_sound_may_be_dropped_onto_any_view(desktop, window):
 
 def test_a_dropped_preset_is_loaded(desktop, window, tmp_path):
     for k, name in enumerate(("mine.toml", "mine.phonemedata", "mine.txt", "MINE.TOML")):
-        desktop.preset.set_threshold("sz_s1", 3.5 + k)
+        desktop.preset.tune("sz_s1", 3.5 + k)
         save_preset(desktop.preset.preset, tmp_path / name)
         desktop.preset.undo_stack.undo()
         assert drop(window, tmp_path / name)

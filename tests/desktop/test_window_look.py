@@ -44,7 +44,7 @@ def test_light_is_light_and_dark_is_dark_and_neither_is_blank(desktop, qtbot):
 
 def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     window = followed(desktop, qtbot, seconds=2.0)
-    type_number(window.thresholds.numbers["sz_s1"], "3.5")
+    type_number(window.thresholds.rows["sz_s1"].number, "3.5")
     press(window, Qt.Key.Key_F)
     n, path = desktop.session.history.n, desktop.session.path
     next(a for a in window.menus._menus["&View"].actions() if a.text() == "Theme: dark").trigger()
@@ -55,7 +55,7 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     assert desktop.window.isWindowModified()
     assert desktop.window.drawing.frozen
     assert desktop.window.menus.actions["Freeze Views"].isChecked()
-    assert desktop.window.thresholds.numbers["sz_s1"].value() == 3.5
+    assert desktop.window.thresholds.rows["sz_s1"].number.value() == 3.5
     qtbot.waitUntil(desktop.window.isActiveWindow, timeout=2000)
     press(desktop.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert not desktop.window.isWindowModified()

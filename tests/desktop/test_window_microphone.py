@@ -77,7 +77,7 @@ def test_a_dragged_threshold_acts_on_what_comes_next(booth: Booth, mic: HandDriv
     booth.hear(mic, A)
     assert booth.desktop.session.history.phonemes[booth.desktop.session.history.n - 1] == Phoneme.A
     for name in ("silence_energy", "silence_max_energy"):
-        slider = booth.window.thresholds.sliders[name]
+        slider = booth.window.thresholds.rows[name].slider
         drag(slider, slider.width() / 2, slider.width() + 50)
     booth.hear(mic, A)
     history = booth.desktop.session.history

@@ -115,7 +115,7 @@ def test_the_preset_in_force_and_the_channel_decide(desktop, window, qtbot, ster
     save(window, qtbot)
     assert len(heard(tmp_path / "left.TextGrid")) > 2
     for name in ("silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1"):
-        desktop.preset.set_threshold(name, 1e6)
+        desktop.preset.tune(name, 1e6)
     answer(tmp_path / "deaf.TextGrid")
     save(window, qtbot)
     assert {phoneme for *_, phoneme in heard(tmp_path / "deaf.TextGrid")} == {Phoneme.SILENCE}

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMessageBox
 from engine.presets.files import THESIS_PRESET, load_preset, save_preset
 from engine.presets.phonemedata import parse_phoneme_data
 from phonemeanalyser import dialogs
-from tests.desktop.hands import click, press, shown, type_number
+from tests.desktop.hands import answer, click, press, shown, type_number
 
 BUTTON = QMessageBox.StandardButton
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -45,7 +45,7 @@ def will_save_to(monkeypatch, path, chosen="Preset (*.toml)"):
 
 
 def change(window) -> None:
-    type_number(window.thresholds.numbers["sz_s1"], "3.5")
+    type_number(window.thresholds.rows["sz_s1"].number, "3.5")
 
 
 def test_title_and_status_bar_name_sound_and_preset_and_mark_changes(desktop, window):
@@ -62,9 +62,9 @@ def test_title_and_status_bar_name_sound_and_preset_and_mark_changes(desktop, wi
 
 
 def test_a_value_typed_back_is_no_change(desktop, window):
-    before = window.thresholds.numbers["sz_s1"].text()
+    before = window.thresholds.rows["sz_s1"].number.text()
     change(window)
-    type_number(window.thresholds.numbers["sz_s1"], before)
+    type_number(window.thresholds.rows["sz_s1"].number, before)
     assert not window.isWindowModified()
 
 
@@ -92,6 +92,7 @@ def test_a_preset_of_one_s_own_is_saved_without_asking(desktop, window, monkeypa
 def test_save_as_writes_phonemedata_by_name_or_by_filter(desktop, window, monkeypatch, tmp_path):
     change(window)
     will_save_to(monkeypatch, tmp_path / "old", "PhonemeData (*.phonemedata)")
+    answer("Save the 21 Numbers Only")  # the notes do not go into it
     press(window, Qt.Key.Key_S, CONTROL | SHIFT)
     assert parse_phoneme_data((tmp_path / "old.phonemedata").read_text()).sz_s1 == 3.5
 

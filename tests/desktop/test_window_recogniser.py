@@ -3,17 +3,20 @@
 import os
 import subprocess
 import sys
+from dataclasses import fields
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from engine.phonemes import Phoneme
-from engine.presets.files import save_preset
+from engine.presets.files import DEFAULT_PRESET, FACTORY, THESIS_PRESET, load_preset, save_preset
 from engine.presets.preset import Preset
+from engine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
 from engine.recognition.recogniser import RECOGNISERS
-from engine.settings import FRAME_PERIOD, SAMPLE_RATE
+from engine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
 from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number
@@ -111,26 +114,89 @@ def test_the_decision_of_a_plug_in_is_shown(loudness, desktop, qtbot):
     assert not window.phoneme.grab().isNull()
 
 
-def test_thresholds_that_a_recogniser_does_not_use_are_grey_and_say_so(loudness, desktop, qtbot):
+def test_the_dock_shows_what_the_recogniser_in_use_is_tuned_by(loudness, desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
     view = window.thresholds
-    assert not view.unused.isVisible()
-    choose(window, "loudness")
+    expected = {
+        "loudness": {"silence_energy", "minimum_hold", *FILTER_FIELDS},
+        "learned": {"minimum_hold", "hysteresis", *(f"sensitivity_{p.label}" for p in Phoneme)},
+        "thesis": {"minimum_hold", "hysteresis", *(f.name for f in fields(PhonemeData))},
+    }
+    for name, controls in expected.items():
+        choose(window, name)
+        window.drawing.refresh_all()
+        assert view.rows.keys() == controls
+        assert all(row.slider.isEnabled() for row in view.rows.values())
+    assert view.rows["silence_energy"].slider.live is not None
+
+
+def test_a_sensitivity_is_dragged_while_its_live_value_shows(desktop, qtbot):
+    window = followed(desktop, qtbot, DEMO, 3.6)
+    choose(window, "learned")
+    desktop.session.follow(3.7)
     window.drawing.refresh_all()
-    live = {name for name, slider in view.sliders.items() if slider.isEnabled()}
-    assert live == {
-        "silence_energy", "time_smooth", "frequency_smooth", "high_pass_start", "high_pass_end", "denoise_threshold",
-    }  # fmt: skip
-    assert view.unused.isVisible()
-    assert view.unused.text() == "Grey: not used by the recogniser loudness"
-    assert view.sliders["silence_energy"].live is not None
-    assert view.sliders["sz_s1"].live is None
-    before = desktop.preset.preset.thresholds
-    drag(view.sliders["sz_s1"], 10, 50)
-    assert desktop.preset.preset.thresholds == before
+    history = desktop.session.history
+    named = Phoneme(int(history.newest.recognised[-1]))
+    for phoneme in Phoneme:
+        slider = window.thresholds.rows[f"sensitivity_{phoneme.label}"].slider
+        assert (slider.live < slider.value) == (phoneme is named)
+    slider = window.thresholds.rows["sensitivity_m"].slider
+    window.thresholds.ensureWidgetVisible(slider)
+    drag(slider, slider.width() / 2, slider.width() - 6)
+    assert desktop.preset.preset.sensitivities == {Phoneme.M: 5.0}
+    shown_then = history.phonemes[history.indices(0, history.n)]
+    assert np.mean(shown_then == Phoneme.M) > 0.2  # the seconds before the cursor are recognised anew
+    press(window, Qt.Key.Key_Z, CONTROL)
+    assert not desktop.preset.preset.sensitivities
+
+
+def test_choosing_a_recogniser_takes_its_factory_preset(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    desktop.preset.load(DEFAULT_PRESET)
+    for name, path in (("thesis", THESIS_PRESET), ("templates", FACTORY / "templates.toml")):
+        choose(window, name)
+        found, factory = desktop.preset.preset, load_preset(path)
+        assert (found.thresholds, found.settings) == (factory.thresholds, factory.settings)
+        assert dict(found.successors) == dict(factory.successors)
+
+
+def test_thresholds_of_one_s_own_come_back_with_their_recogniser(desktop, qtbot, tmp_path):
+    window = shown(desktop, qtbot, None)
+    type_number(window.thresholds.rows["sz_s1"].number, "7.25")
+    desktop.preset.set_filter(Filter.WINDOW_FUNCTION, True)
+    choose(window, "learned")
+    type_number(window.thresholds.rows["sensitivity_a"].number, "-1.5")
     choose(window, "thesis")
-    assert all(slider.isEnabled() for slider in view.sliders.values())
-    assert not view.unused.isVisible()
+    assert desktop.preset.preset.thresholds.sz_s1 == 7.25
+    assert desktop.preset.preset.settings.has(Filter.WINDOW_FUNCTION)
+    choose(window, "learned")
+    assert desktop.preset.preset.sensitivities == {Phoneme.A: -1.5}
+    desktop.preset.save(tmp_path / "mine.toml")
+    desktop.preset.load(tmp_path / "mine.toml")
+    choose(window, "thesis")
+    assert desktop.preset.preset.thresholds.sz_s1 == 7.25
+
+
+def test_the_filter_column_says_what_the_recogniser_does_not_use(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    filters = window.filters
+    assert filters.unused.text() == "Not used by thesis: Mel, Look-ahead"
+    assert "Not used" not in filters.switches["denoise"].toolTip()
+    choose(window, "learned")
+    assert filters.unused.text() == "learned hears the bare sound: the filters shape only what is seen"
+    assert "Not used by the recogniser learned" in filters.switches["denoise"].toolTip()
+
+
+def test_a_filter_that_is_ticked_acts_and_a_strength_that_is_typed_ticks_it(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    box, field = window.filters.switches["time_smooth"], window.filters.fields["time_smooth"]
+    assert not box.isChecked()
+    click(box)
+    assert field.value() > 0
+    type_number(field, "0")
+    assert not box.isChecked()
+    type_number(field, "0.25")
+    assert box.isChecked()
 
 
 def test_the_course_shows_no_limit_that_the_recogniser_does_not_use(shelf, desktop, qtbot):
@@ -239,7 +305,7 @@ def test_one_recogniser_explains_until_the_preset_changes(
     session.explain()
     model.set_setting("intensity_low", -40.0)
     assert model.recogniser is before
-    model.set_threshold("silence_energy", 0.5)
+    model.tune("silence_energy", 0.5)
     assert model.recogniser is not before
     trace = session.explain()
     assert trace is not None
@@ -251,10 +317,10 @@ def test_a_threshold_that_a_recogniser_does_not_take_is_refused_and_the_old_one_
     desktop.window.recogniser.names.addItem("own")
     window = shown(desktop, qtbot)
     choose(window, "own")
-    number = window.thresholds.numbers["sz_s1"]
+    number = window.thresholds.rows["sz_s1"].number
     type_number(number, "50")
     type_number(number, "200")
     assert "cannot be made (ValueError: sz_s1 goes up to 100)" in told(window)
     assert number.value() == desktop.preset.preset.thresholds.sz_s1 == 50
-    click(window.thresholds.resets["sz_s1"])
-    assert desktop.preset.preset.thresholds.sz_s1 == desktop.preset.saved_threshold("sz_s1")
+    click(window.thresholds.rows["sz_s1"].reset)
+    assert desktop.preset.preset.thresholds.sz_s1 == desktop.preset.saved_value("sz_s1")

@@ -76,8 +76,8 @@ def test_the_largest_values_have_room_too(window):
     window.filters.fields["high_pass_end"].setValue(22_050)
     window.filters.fields["low_pass_end"].setValue(22_050)
     window.filters.fields["intensity_low"].setValue(-120)
-    window.thresholds.numbers["silence_zero_crossings"].setValue(2047)
-    window.thresholds.numbers["p_energy_n"].setValue(256)
+    window.thresholds.rows["silence_zero_crossings"].number.setValue(2047)
+    window.thresholds.rows["p_energy_n"].number.setValue(256)
     boxes = [w for w in texts(window) if isinstance(w, QDoubleSpinBox)]
     assert {name_of(w): room_and_need(w) for w in boxes if room_and_need(w)[0] < room_and_need(w)[1]} == {}
 

@@ -223,5 +223,5 @@ def test_the_thresholds_of_the_chosen_variable_are_lines(desktop, qtbot):
         thresholds = desktop.preset.preset.thresholds
         assert lines() == sorted(getattr(thresholds, c.threshold) for c in CONDITIONS if c.variable == name)
     window.analysis.time_view.variable.setCurrentText("m_s1")
-    type_number(window.thresholds.numbers["sz_s1"], "12.5")
+    type_number(window.thresholds.rows["sz_s1"].number, "12.5")
     assert lines() == [12.5]

@@ -208,7 +208,7 @@ def test_clear_empties_the_views(desktop, window):
     assert desktop.session.averages.n_frames == 0
     eyes = TimeEyes(window)
     assert eyes.colour(eyes.sonagram, -1, 1000) == eyes.colour(eyes.sonagram, -3, 1000)
-    assert window.thresholds.sliders["silence_energy"].live is None
+    assert window.thresholds.rows["silence_energy"].slider.live is None
     for view in (window.analysis.spectrum, window.analysis.averaged, window.analysis.waveform):
         x, _ = view.item.curves[0].getData()
         assert x is None or len(x) == 0

@@ -112,23 +112,17 @@ def test_phoneme_data_counts_the_high_pass_in_bins(tmp_path: Path):
 
 
 def test_phoneme_data_was_tuned_with_the_front_end_of_the_thesis(tmp_path: Path):
-    """Quantise 4 without a filter before it; what the file does not say stays as it was."""
-    mine = Variable("mine", 100, 200)
-    modern = AnalysisSettings(
-        filters=frozenset({Filter.QUANTISE, Filter.MEL, Filter.WINDOW_FUNCTION, Filter.LOW_PASS}),
-        quantise=2,
-        decimation=Decimation.ANTI_ALIASED,
-        minimum_hold=0.2,
-        intensity_low=-60,
-    )
+    """Quantise 4 without a filter before it; both blurs and denoise act where their numbers are above 0."""
     path = tmp_path / "old.phonemedata"
     path.write_text(COUNTING)
-    preset = load_preset(path, Preset("modern", modern, variables=(mine,)))
+    preset = load_preset(path)
     settings = preset.settings
     assert (settings.step, settings.decimation, settings.n_bins) == (4, Decimation.PLAIN, 256)
     assert settings.window_in_force is WindowFunction.RECTANGLE
-    assert settings.filters == AnalysisSettings().filters
-    assert (settings.minimum_hold, settings.intensity_low, preset.variables) == (0.2, -60, (mine,))
+    assert settings.filters == AnalysisSettings().filters | {
+        Filter.TIME_SMOOTH, Filter.FREQUENCY_SMOOTH, Filter.DENOISE,
+    }  # fmt: skip
+    assert (settings.minimum_hold, settings.hysteresis, preset.variables) == (0.02, 0.0, ())
     assert (settings.time_smooth, settings.frequency_smooth, settings.denoise_threshold) == (0.5, 0.25, 0.125)
     assert preset.name == "old"
     assert [getattr(preset.thresholds, f.name) for f in fields(Thresholds)] == list(range(6, 22))

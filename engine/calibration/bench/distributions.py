@@ -10,7 +10,9 @@ from engine.calibration.bench.separation import mean_separation, separations_of
 from engine.calibration.bench.workbench import Workbench
 from engine.calibration.heed import Heed, go_on, tell
 from engine.calibration.scores.scoring import TEN, Codes
+from engine.features.variables import DEFICITS
 from engine.phonemes import Phoneme
+from engine.recognition.scores import NO_SENSITIVITIES
 
 N_BINS = 60
 """Bins of a histogram."""
@@ -18,8 +20,8 @@ OUTERMOST = 0.002
 """A histogram reaches from this quantile of all frames to the opposite one; what lies beyond is in its end bins."""
 DECADES = 1.5
 """An amplitude whose middle 90 % span more powers of ten than these is shown on a logarithmic scale."""
-NO_AMPLITUDES = frozenset({"zero_crossings", "f0"})
-"""Variables that are counts or frequencies, and shown on a linear scale."""
+NO_AMPLITUDES = frozenset({"zero_crossings", "f0", *DEFICITS})
+"""Variables that are counts, frequencies or logarithms, and shown on a linear scale."""
 Pair = tuple[Phoneme, Phoneme]
 
 
@@ -82,15 +84,19 @@ class RankedVariable:
     separation: float
 
 
-def distribution_of(workbench: Workbench, variable: str) -> Distribution:
-    """Give the distribution of a variable over those frames whose label is certain.
+def distribution_of(
+    workbench: Workbench, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
+) -> Distribution:
+    """Return the distribution of a variable over those frames whose label is certain.
+
+    `sensitivities` are those of the other phonemes, where the variable is a phoneme's deficit.
 
     Raises
     ------
     CorpusError : the variable was not measured.
     """
     certain = workbench.labels.certain
-    values, phonemes = workbench.values(variable)[certain], workbench.labels.phonemes[certain]
+    values, phonemes = workbench.values(variable, sensitivities)[certain], workbench.labels.phonemes[certain]
     logarithmic = variable not in NO_AMPLITUDES and _spans_decades(values)
     edges = _edges_over(values, logarithmic=logarithmic)
     present = [p for p in Phoneme if np.any(phonemes == p)]

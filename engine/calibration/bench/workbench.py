@@ -10,7 +10,7 @@ measuring anew, which takes seconds and is the caller's to do in the background:
         workbench = Workbench(utterances, edited, known=workbench, heed=progress)   # in the background
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 from pathlib import Path
 from typing import Any
@@ -27,10 +27,11 @@ from engine.calibration.scores.corpus import FrameLabels, Utterance, frame_label
 from engine.calibration.scores.scoring import Codes
 from engine.errors import CorpusError
 from engine.features.measure import Features
+from engine.features.variables import DEFICITS
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
 from engine.recognition.rules import RuleRecogniser
-from engine.recognition.scores import Sensitivity
+from engine.recognition.scores import NO_SENSITIVITIES, Sensitivity, deficits_of
 
 _Stamp = tuple[Path, int, int, int]
 """A sound file as it was measured: path, time of its last change, size, frames."""
@@ -78,8 +79,8 @@ class Workbench:
 
     @property
     def variables(self) -> tuple[str, ...]:
-        """The names of what was measured."""
-        return self._names
+        """The names of what was measured; deficits follow where the recogniser weighs probabilities."""
+        return self._names if self._scores is None else (*self._names, *DEFICITS)
 
     @property
     def labels(self) -> FrameLabels:
@@ -91,13 +92,22 @@ class Workbench:
         """The first frame of each recording, and the number of all frames; shape (n_recordings + 1,)."""
         return self._edges
 
-    def values(self, variable: str) -> NDArray[np.float32]:
-        """Give what was measured in all frames, shape (n_frames,).
+    def values(self, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES) -> NDArray[np.float32]:
+        """Return what was measured in all frames, shape (n_frames,).
+
+        Parameters
+        ----------
+        variable : one of `variables`.
+        sensitivities : of the other phonemes, where it is a phoneme's deficit; its own is left out.
 
         Raises
         ------
         CorpusError : it was not measured.
         """
+        if self._scores is not None and variable in DEFICITS:
+            phoneme = Phoneme(DEFICITS.index(variable))
+            others = {p: s for p, s in sensitivities.items() if p is not phoneme}
+            return deficits_of(Sensitivity(others).apply(self._scores.T), phoneme)
         if variable not in self._names:
             raise CorpusError(
                 f"the variable {variable!r} was not measured in these recordings; add it to the preset and have them "

@@ -159,6 +159,7 @@ class RuleFitter:
 
 
 NOTES = """\
+Rules of your own over frequency bands: every comparison shows its margin, and every limit can be dragged.
 {n_rules} rules over {n_variables} variables, fitted by engine.calibration.fits.fit_rules to {n_voices} voices, human
 and synthetic. The first rule whose comparisons all hold names the phoneme; no rule has more than {conditions}
 comparisons.

@@ -11,6 +11,7 @@ import argparse
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -41,12 +42,32 @@ LEAST_GAIN = 0.005
 MINIMUM_HOLD = 0.02
 """Each 10 ms more take about four changes a second away, and half a hundredth of the macro F1."""
 HYSTERESIS = 0.27
-"""The least by which the phonemes change at most 1.5 times as often as the labels."""
+"""The least by which the phonemes of the calmer presets change at most 1.5 times as often as the labels."""
 
-PRESETS = (
-    ("thesis", "Thesis", Decimation.PLAIN),
-    ("thesis-anti-aliased", "Thesis, anti-aliased", Decimation.ANTI_ALIASED),
-)
+
+@dataclass(frozen=True)
+class Variant:
+    """A preset that is made of one fit: what comes after the rules differs."""
+
+    stem: str
+    name: str
+    hysteresis: float
+    summary: str
+
+
+PRESETS = {
+    Decimation.PLAIN: (
+        Variant("thesis-calm", "Thesis, calm", HYSTERESIS, "The rules of the thesis with hysteresis: fewer changes."),
+        Variant("thesis", "Thesis", 0.0, "The rules of the thesis as it describes them: weak, but every step shows."),
+    ),
+    Decimation.ANTI_ALIASED: (
+        Variant(
+            "thesis-anti-aliased", "Thesis, anti-aliased", HYSTERESIS,
+            "The rules of the thesis with hysteresis, on sound that quantising does not fold.",
+        ),
+    ),
+}  # fmt: skip
+"""What is fitted: for each kind of decimation the presets, the front end chosen for the first of them."""
 GAIN_RANGE = (-6.0, 6.0)
 NOISE_RANGE = (-75.0, -65.0)
 N_GROUPS = 8
@@ -90,21 +111,25 @@ class PresetFitter:
         self._n_starts = n_starts
         self._speakers = [r.utterance.speaker for r in recordings]
 
-    def fit(self, preset: Preset) -> Preset:
-        """Choose the front end, fit thresholds and successors, and write the figures into the notes."""
-        preset = replace(preset, settings=self._best_front_end(preset.settings))
-        measured = self._measure(preset.settings)
+    def fit(self, decimation: Decimation) -> Iterator[tuple[Variant, Preset]]:
+        """Choose the front end, fit thresholds and successors; yields the presets, their figures in the notes."""
+        variants = PRESETS[decimation]
+        base = AnalysisSettings(decimation=decimation, minimum_hold=MINIMUM_HOLD, hysteresis=variants[0].hysteresis)
+        base = self._best_front_end(base)
+        measured = self._measure(base)
         everyone = np.ones(len(self._recordings), bool)
         found = self._search(measured, everyone, self._n_starts)
         names = list(dict.fromkeys(self._speakers))
         unseen = self._held_out(measured, [[name] for name in names], self._n_starts)
-        notes = self._notes(preset.settings, measured, found, unseen)
-        return replace(preset, thresholds=found.thresholds, successors=found.successors, notes=notes)
+        for variant in variants:
+            settings = replace(base, hysteresis=variant.hysteresis)
+            notes = f"{variant.summary}\n{self._notes(settings, measured, found, unseen)}"
+            yield variant, Preset(variant.name, settings, found.thresholds, successors=found.successors, notes=notes)
 
     def _best_front_end(self, base: AnalysisSettings) -> AnalysisSettings:
-        high_passes = [replace(base, high_pass_start=low, high_pass_end=high) for low, high in HIGH_PASSES]
-        smooths = [replace(base, time_smooth=t, frequency_smooth=f) for t, f in SMOOTHS]
-        noiseless = [replace(s, denoise_threshold=DENOISE_THRESHOLD) for s in (base, *high_passes)]
+        high_passes = [base.with_numbers(high_pass_start=low, high_pass_end=high) for low, high in HIGH_PASSES]
+        smooths = [base.with_numbers(time_smooth=t, frequency_smooth=f) for t, f in SMOOTHS]
+        noiseless = [s.with_numbers(denoise_threshold=DENOISE_THRESHOLD) for s in (base, *high_passes)]
         candidates = [base, *high_passes, *smooths, *noiseless]
         scores = np.array([self._generalisation(settings) for settings in candidates])
         gains = scores - scores[0]
@@ -229,15 +254,12 @@ def _fit_all(corpus: Path, out: Path, seed: int, n_starts: int) -> None:
     recordings = tuple(_recordings_of(corpus, seed))
     fitter = PresetFitter(recordings, seed, n_starts)
     out.mkdir(parents=True, exist_ok=True)
-    for stem, name, decimation in PRESETS:
-        print(stem, flush=True)
-        settings = AnalysisSettings(decimation=decimation, minimum_hold=MINIMUM_HOLD, hysteresis=HYSTERESIS)
-        fitted = fitter.fit(Preset(name=name, settings=settings))
-        save_preset(fitted, out / f"{stem}.toml")
-        if decimation is Decimation.PLAIN:
-            save_preset(fitted, out / f"{stem}.phonemedata")
-        print(fitted.notes)
-        print("successors:", ", ".join(f"{p.label} {q.label}" for p, q in fitted.successors.items()))
+    for variant, fitted in chain.from_iterable(fitter.fit(decimation) for decimation in PRESETS):
+        save_preset(fitted, out / f"{variant.stem}.toml")
+        print(variant.stem, fitted.notes, sep="\n")
+        print("successors:", ", ".join(f"{p.label} {q.label}" for p, q in fitted.successors.items()), flush=True)
+        if variant.stem == "thesis":
+            save_preset(fitted, out / "thesis.phonemedata")
 
 
 def main() -> int:

@@ -148,6 +148,7 @@ def _recognised(path: Path, preset: Preset) -> Codes:
 
 
 NOTES = """\
+The nearest of nine mean spectra wins, as in uLipSync; best made from takes of one voice.
 Mean cepstra of {n} speakers, human and synthetic, each counting alike, made by
 engine.calibration.fits.templates_of from the middle thirds of all sounds with a certain label.
 Silence is told by its level alone.
