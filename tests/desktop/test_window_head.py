@@ -323,12 +323,26 @@ def test_another_table_brings_its_own_shapes(window, desktop, qtbot):
     QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
 
 
-def test_the_buttons_load_a_sound_and_phoneme_data(window, desktop, monkeypatch, tmp_path, qtbot):
+def test_a_sound_that_is_loaded_beside_the_head_is_said_at_once(window, desktop, monkeypatch, tmp_path, qtbot):
     other = wav(tmp_path, AN_A, "other.wav")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(other), ""))
     click(window.talk.open)
     assert desktop.session.path == other
     assert window.talk.said.text() == "other.wav"
+    assert desktop.session.playing
+    open_mouth(desktop, qtbot)
+
+
+@pytest.mark.parametrize("chosen", ["", "none.wav"])
+def test_nothing_is_said_where_no_sound_was_loaded(window, desktop, monkeypatch, tmp_path, chosen):
+    before = desktop.session.path
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (chosen and str(tmp_path / chosen), ""))
+    click(window.talk.open)
+    assert desktop.session.path == before
+    assert not desktop.session.playing
+
+
+def test_a_button_loads_phoneme_data(window, desktop, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(THESIS_PRESET.parent / "extended.toml"), ""))
     click(window.talk.preset)
     assert desktop.preset.path.name == "extended.toml"
