@@ -19,7 +19,7 @@ from engine.settings import FRAME_PERIOD
 from phonemeanalyser.models.backroom import Backroom
 from phonemeanalyser.models.session import Session, Source
 from phonemeanalyser.models.talking_face import TalkingFace
-from phonemeanalyser.models.talking_mouth import Frames, TalkingMouth, mannered
+from phonemeanalyser.models.talking_mouth import Frames, TalkingMouth
 from phonemeanalyser.models.talking_osc import TalkingOsc
 
 USUAL_TABLE = "arkit"
@@ -38,15 +38,16 @@ class Talking(QObject):
 
     Signals
     -------
-    changed : another face, table, detail, manner or switch.
+    changed : another face, table, detail, speed or switch.
     asked_changed : other mouth shapes are asked for by key or slider.
     failed : a sentence for the user.
 
     Attributes
     ----------
     face, osc : the face that is moved, and what is sent over the network.
-    table : the mouth shapes, with the manner that was chosen.
+    table : the mouth shapes, with the speed that was chosen.
     table_name : one of the program's tables, or the path of the user's own.
+    attack_factor, release_factor : by how much all attacks and releases of the table are longer.
     asked : the shapes that are asked for by key or slider.
     watched : whether anybody looks.
     revision : another number whenever the face looks different.
@@ -65,6 +66,7 @@ class Talking(QObject):
         self.revision = 0
         self.pose = HeadPose()
         self.blinks = self.head_motion = self.random = True
+        self.attack_factor = self.release_factor = 1.0
         self.detail = Detail.PHONEMES
         self.table_name = USUAL_TABLE
         self.table = self._written = load_table(USUAL_TABLE)
@@ -100,15 +102,15 @@ class Talking(QObject):
         self.detail = detail
         self._use(self.table)
 
-    def set_manner(self, attack: float, release: float) -> None:
-        """Choose how fast the mouth opens and closes, seconds; MouthError where the engine refuses that."""
-        self._use(mannered(self.table, attack, release, random=self.random))
+    def set_speed(self, attack: float, release: float) -> None:
+        """Make all attacks and all releases of the table longer, by factors above 0."""
+        self.attack_factor, self.release_factor = attack, release
+        self._use_written()
 
     def set_random(self, on: bool) -> None:
         """Have the mouth vary as mouths do, or not."""
         self.random = on
-        manner = self.table.manner
-        self._use(mannered(self._written, manner.attack, manner.release, random=on))
+        self._use_written()
 
     def set_blinks(self, on: bool) -> None:
         """Have the eyes blink, or not."""
@@ -267,10 +269,12 @@ class Talking(QObject):
             self.changed.emit()
             return
         self.table_name, self._written = name, table
-        manner = table.manner
         self.asked = AskedVisemes(table)
-        self._use(mannered(table, manner.attack, manner.release, random=self.random))
+        self._use_written()
         self.asked_changed.emit()
+
+    def _use_written(self) -> None:
+        self._use(self._written.moved_as(self.attack_factor, self.release_factor, random=self.random))
 
     def _use(self, table: MouthTable) -> None:
         self.table = table

@@ -175,8 +175,8 @@ def test_two_states_do_not_care_how_loud_it_is(stage: Stage) -> None:
 
 def test_a_slow_mouth_opens_later_than_a_fast_one(stage: Stage, qtbot: QtBot) -> None:
     reached = []
-    for attack in (0.02, 0.6):
-        stage.talking.set_manner(attack, 0.16)
+    for attack in (0.2, 6.0):
+        stage.talking.set_speed(attack, 1.0)
         stage.session.stop()
         settled(stage.session, qtbot)
         stage.wait(0.5)

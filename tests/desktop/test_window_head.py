@@ -21,6 +21,8 @@ from engine.mouth.face import face_of
 from engine.mouth.files.opening import save_face
 from engine.mouth.mesh import mesh_of
 from engine.mouth.movestate import movestate_of
+from engine.mouth.table import TABLES, load_table
+from engine.phonemes import Phoneme
 from engine.presets.files import THESIS_PRESET
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.main_window import MainWindow
@@ -348,6 +350,24 @@ def test_a_button_loads_phoneme_data(window, desktop, monkeypatch):
     assert desktop.preset.path.name == "extended.toml"
 
 
+def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, tmp_path, qtbot):
+    times, choices = window.talk.choices.times, window.talk.choices
+    assert times.milliseconds(Phoneme.M) == ("50", "150")
+    assert times.milliseconds(Phoneme.A) == ("100", "200")
+    assert "a: 100 and 200 ms" in times.toolTip()
+    before = times.grab().toImage()
+    choices.attack.setValue(150)
+    choices.release.setValue(200)
+    assert times.milliseconds(Phoneme.A) == ("150", "400")
+    assert "a: 150 and 400 ms" in times.toolTip()
+    assert times.grab().toImage() != before
+    text = (TABLES / "arkit.toml").read_text(encoding="utf-8").replace("a = { attack = 0.10", "a = { attack = 0.20")
+    (tmp_path / "mine.toml").write_text(text, encoding="utf-8")
+    desktop.talking.set_table(str(tmp_path / "mine.toml"))
+    qtbot.waitUntil(lambda: times.milliseconds(Phoneme.A) == ("300", "400"))
+    assert times.milliseconds(Phoneme.M) == ("75", "300")
+
+
 # -- whose face it is ---------------------------------------------------------------------------------
 
 
@@ -468,12 +488,14 @@ def test_choices_come_back_at_the_next_start(qapp, settings: QSettings, no_micro
     for box in (choices.blinks, choices.random):
         click(box)
     choices.attack.setValue(200)
+    choices.release.setValue(50)
     desktop.talking.osc.set_address("127.0.0.1:9000")
     desktop.close()
     again = start()
     talking = again.talking
     assert (talking.table_name, talking.blinks, talking.random, talking.head_motion) == ("five", False, False, True)
-    assert talking.table.manner.attack == pytest.approx(0.2)
+    a, written = talking.table.times[Phoneme.A], load_table("five").times[Phoneme.A]
+    assert (a.attack, a.release) == pytest.approx((2 * written.attack, written.release / 2))
     assert again.window.talk.choices.attack.value() == 200
     assert again.window.talk.osc.address.text() == "127.0.0.1:9000"
     assert not talking.osc.on
