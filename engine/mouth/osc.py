@@ -28,7 +28,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 from engine.analyser import Analysis
 from engine.errors import MouthError
 from engine.mouth.asked import AskedVisemes
-from engine.mouth.morpher import Morpher
+from engine.mouth.morpher import Detail, Morpher
 from engine.mouth.table import MouthTable
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
@@ -86,6 +86,7 @@ class OscMouth:
     ----------
     address : the receiver.
     table : the mouth shapes and the movestates.
+    detail : how much of the speech the mouth follows.
     seed : of the mouth's randomness.
 
     Raises
@@ -93,12 +94,14 @@ class OscMouth:
     MouthError : the receiver's name is unknown.
     """
 
-    def __init__(self, address: OscAddress, table: MouthTable, *, seed: int = 0) -> None:
+    def __init__(
+        self, address: OscAddress, table: MouthTable, *, detail: Detail = Detail.PHONEMES, seed: int = 0
+    ) -> None:
         self.failure = ""
         self.n_sent = 0
         self._socket, self._receiver = _opened(address)
         self._table = table
-        self._morpher, self._visemes = Morpher(table, seed=seed), AskedVisemes(table)
+        self._morpher, self._visemes = Morpher(table, detail=detail, seed=seed), AskedVisemes(table)
         self._asked: dict[Phoneme, float] = {}
         self._columns = np.flatnonzero(np.any(table.weights() != 0, axis=0)).tolist()
         self._frames: deque[tuple[float, int, float]] = deque(maxlen=MOST_WAITING)

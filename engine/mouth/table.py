@@ -21,6 +21,8 @@ from engine.phonemes import Phoneme
 FORMAT = "phonemeanalyser mouth 1"
 TABLES = Path(__file__).resolve().parent / "tables"
 """The folder of the tables that ship with the program."""
+USUAL_TABLE = "arkit"
+"""What heads and their receivers move by, unless told otherwise."""
 LARGEST_FILE = 1 << 20
 MOST_MOVESTATES = 1000
 STRONGEST = 400.0

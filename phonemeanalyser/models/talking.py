@@ -13,7 +13,7 @@ from engine.mouth.blinks import Blinker
 from engine.mouth.cues import MOST_ANTICIPATION
 from engine.mouth.head_motion import HeadPose
 from engine.mouth.morpher import Detail
-from engine.mouth.table import MouthTable, load_table, shipped_tables
+from engine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 from phonemeanalyser.models.backroom import Backroom
@@ -22,7 +22,6 @@ from phonemeanalyser.models.talking_face import TalkingFace
 from phonemeanalyser.models.talking_mouth import Frames, TalkingMouth
 from phonemeanalyser.models.talking_osc import TalkingOsc
 
-USUAL_TABLE = "arkit"
 QUIET = 0.3
 """Seconds without a frame after which the mouth of somebody who is listened to closes."""
 FORESIGHT = MOST_ANTICIPATION + 2 * FRAME_PERIOD
@@ -280,5 +279,6 @@ class Talking(QObject):
         self.table = table
         self._mouth.use(table, self.detail)
         self.face.use(table)
+        self.osc.use(table, self.detail)
         self._seen = np.zeros(0, np.float32)
         self.changed.emit()

@@ -1,6 +1,7 @@
 """The talking head without a window: it says what is heard, in step with the sound."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,8 +13,11 @@ from engine.mouth.head import load_head
 from engine.mouth.head_motion import HeadPose
 from engine.mouth.morpher import Detail
 from engine.mouth.movestate import movestate_of
+from engine.mouth.osc import OscAddress, OscMouth
+from engine.mouth.table import MouthTable, load_table
 from engine.phonemes import Phoneme
 from engine.tones import Tone, ToneKind
+from phonemeanalyser.models import talking_osc
 from phonemeanalyser.models.session import Session, Source
 from phonemeanalyser.models.talking_face import FaceFiles
 from tests.desktop.sessions import settled
@@ -21,6 +25,9 @@ from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
 from tests.glb_faces import face_with_targets
 from tests.osc_receiver import Receiver
 from tests.outputs import Outputs
+
+HANG = 30_000
+"""Milliseconds that only a hang reaches."""
 
 
 @pytest.fixture
@@ -344,6 +351,43 @@ def test_another_set_is_sent_under_its_own_names(stage: Stage, receiver: Receive
     osc.set_on(True)
     osc.set_table("vrm")
     qtbot.waitUntil(lambda: (stage.talking.tick(), "A" in receiver.weights())[1])
+
+
+def test_a_receiver_moves_by_the_table_of_the_head_and_as_fast(
+    stage: Stage, receiver: Receiver, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun: list[tuple[MouthTable, Detail]] = []
+
+    class Watched(OscMouth):
+        def __init__(self, address: OscAddress, table: MouthTable, *, detail: Detail) -> None:
+            begun.append((table, detail))
+            super().__init__(address, table, detail=detail)
+
+    monkeypatch.setattr(talking_osc, "OscMouth", Watched)
+    talking, osc = stage.talking, stage.talking.osc
+
+    def sends_like(table: MouthTable, detail: Detail) -> None:
+        qtbot.waitUntil(lambda: (talking.tick(), begun[-1:] == [(table, detail)])[1], timeout=HANG)
+
+    osc.set_address(f"127.0.0.1:{receiver.address.port}")
+    osc.set_on(True)
+    sends_like(talking.table, Detail.PHONEMES)
+    talking.set_table("five")
+    assert talking.table.name == "Five mouth shapes"
+    sends_like(talking.table, Detail.PHONEMES)
+    talking.set_speed(3.0, 2.0)
+    talking.set_random(False)
+    talking.set_detail(Detail.TWO_STATES)
+    sends_like(talking.table, Detail.TWO_STATES)
+    osc.set_table("vrm")
+    sends_like(replace(load_table("vrm"), times=talking.table.times, manner=talking.table.manner), Detail.TWO_STATES)
+
+
+def test_a_receiver_that_is_switched_off_stays_so_whatever_moves_the_head(stage: Stage) -> None:
+    stage.talking.set_table("five")
+    stage.talking.set_speed(3.0, 2.0)
+    assert not stage.talking.osc.on
+    assert not stage.talking.osc._work.busy
 
 
 @pytest.mark.parametrize("asked_first", [False, True])
