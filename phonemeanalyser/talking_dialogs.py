@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from engine.mouth.files.opening import FACES, FIGURES
 from engine.mouth.morpher import Detail
+from engine.mouth.percentages import Mode
 from phonemeanalyser.models.talking import Talking
 from phonemeanalyser.models.talking_face import FaceFiles
 from phonemeanalyser.views.talk_choices import FASTEST_PERCENT, SLOWEST_PERCENT
@@ -64,6 +65,7 @@ class TalkingDialogs(QObject):
         keep("talk/movestates", str(files.movestates or ""))
         keep("talk/table", talking.table_name)
         keep("talk/detail", talking.detail.value)
+        keep("talk/mode", talking.mode.value)
         keep("talk/attack_percent", round(100 * talking.attack_factor))
         keep("talk/release_percent", round(100 * talking.release_factor))
         for name, on in (("blinks", talking.blinks), ("head", talking.head_motion), ("random", talking.random)):
@@ -81,6 +83,8 @@ class TalkingDialogs(QObject):
         talking.set_table(self._kept("talk/table", talking.table_name))
         detail = self._kept("talk/detail", talking.detail.value)
         talking.set_detail(next((d for d in Detail if d.value == detail), talking.detail))
+        mode = self._kept("talk/mode", talking.mode.value)
+        talking.set_mode(next((m for m in Mode if m.value == mode), talking.mode))
         talking.set_blinks(self._kept("talk/blinks", "1") == "1")
         talking.set_head_motion(self._kept("talk/head", "1") == "1")
         talking.set_random(self._kept("talk/random", "1") == "1")

@@ -13,6 +13,7 @@ from engine.mouth.blinks import Blinker
 from engine.mouth.cues import MOST_ANTICIPATION
 from engine.mouth.head_motion import HeadPose
 from engine.mouth.morpher import Detail
+from engine.mouth.percentages import Mode
 from engine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
@@ -37,7 +38,7 @@ class Talking(QObject):
 
     Signals
     -------
-    changed : another face, table, detail, speed or switch.
+    changed : another face, table, detail, speed, mode or switch.
     asked_changed : other mouth shapes are asked for by key or slider.
     failed : a sentence for the user.
 
@@ -46,6 +47,7 @@ class Talking(QObject):
     face, osc : the face that is moved, and what is sent over the network.
     table : the mouth shapes, with the speed that was chosen.
     table_name : one of the program's tables, or the path of the user's own.
+    mode : what becomes of everything else when a slider asks for a shape.
     attack_factor, release_factor : by how much all attacks and releases of the table are longer.
     asked : the shapes that are asked for by key or slider.
     watched : whether anybody looks.
@@ -66,7 +68,7 @@ class Talking(QObject):
         self.pose = HeadPose()
         self.blinks = self.head_motion = self.random = True
         self.attack_factor = self.release_factor = 1.0
-        self.detail = Detail.PHONEMES
+        self.detail, self.mode = Detail.PHONEMES, Mode.INTERACT
         self.table_name = USUAL_TABLE
         self.table = self._written = load_table(USUAL_TABLE)
         self.asked = AskedVisemes(self.table)
@@ -111,6 +113,11 @@ class Talking(QObject):
         self.random = on
         self._use_written()
 
+    def set_mode(self, mode: Mode) -> None:
+        """Choose what becomes of other shapes, of speech and of blinks when a shape is asked for."""
+        self.mode = mode
+        self.changed.emit()
+
     def set_blinks(self, on: bool) -> None:
         """Have the eyes blink, or not."""
         self.blinks = on
@@ -128,24 +135,23 @@ class Talking(QObject):
         self.hold(self.table.phonemes[phoneme])
 
     def hold(self, shape: str) -> None:
-        """Hold a shape, whatever is said, until `release`."""
-        self.asked.held = shape
+        """Hold a shape, whatever is said, until `release`: everything else goes to 0 but blinks."""
+        self.asked.hold(shape)
         self.asked_changed.emit()
 
     def release(self) -> None:
         """Let go of the shape that is held."""
-        self.asked.held = ""
+        self.asked.release()
         self.asked_changed.emit()
 
     def ask(self, shape: str, share: float) -> None:
-        """Ask for a shape, 0..1, whatever is said; 0 leaves it to the speech again."""
-        self.asked.shares[shape] = min(max(share, 0.0), 1.0)
+        """Ask for a shape, 0..1; `mode` says what becomes of everything else."""
+        self.asked.ask(shape, min(max(share, 0.0), 1.0), self.mode)
         self.asked_changed.emit()
 
     def ask_nothing(self) -> None:
-        """Leave all shapes to the speech."""
-        self.asked.held = ""
-        self.asked.shares = dict.fromkeys(self.asked.shares, 0.0)
+        """Leave the face to speech and blinks."""
+        self.asked.ask_nothing()
         self.asked_changed.emit()
 
     def watch(self, on: bool) -> None:
@@ -195,7 +201,7 @@ class Talking(QObject):
 
     def _move(self, now: float) -> None:
         weights = self.asked.mixed(self._mouth.weights(now), now)
-        closure = self._blinker.closure(now) if self.blinks else 0.0
+        closure = self.asked.blinks * self._blinker.closure(now) if self.blinks else 0.0
         pose = self._mouth.pose(now) if self.head_motion else HeadPose()
         look = np.array([*weights, closure, pose.yaw, pose.pitch, pose.roll], np.float32)
         if len(look) == len(self._seen):
@@ -203,7 +209,8 @@ class Talking(QObject):
             if change[:-3].max() < LEAST_WEIGHT and change[-3:].max() < LEAST_ANGLE:
                 return
         self._seen, self.pose = look, pose
-        self.face.move(weights, closure)
+        self.face.move(weights)
+        self.face.blink(closure)
         self.revision += 1
 
     def _connect(self) -> None:
@@ -223,7 +230,7 @@ class Talking(QObject):
         self.osc.follow(blocks)
 
     def _tell_network(self) -> None:
-        self.osc.ask(self.asked.phonemes)
+        self.osc.ask(self.asked.phonemes, self.asked.speech)
 
     def _hush(self) -> None:
         self._last = None

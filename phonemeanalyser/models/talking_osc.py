@@ -46,7 +46,7 @@ class TalkingOsc(QObject):
         self._mouth: OscMouth | None = None
         self._wanted: tuple[str, MouthTable, Detail] | None = None
         self._said = ""
-        self._asked: dict[Phoneme, float] = {}
+        self._asked: tuple[dict[Phoneme, float], float] = ({}, 1.0)
         self._work = Backroom(self._fail)
 
     @property
@@ -98,11 +98,11 @@ class TalkingOsc(QObject):
             for analysis in blocks:
                 self._mouth.follow(analysis)
 
-    def ask(self, phonemes: Mapping[Phoneme, float]) -> None:
-        """Send the shapes of these phonemes, 0..1, whatever is heard; of none, what is heard."""
-        self._asked = dict(phonemes)
+    def ask(self, phonemes: Mapping[Phoneme, float], speech: float) -> None:
+        """Send the shapes of these phonemes, 0..1, beside a share of what is heard; of none, what is heard."""
+        self._asked = dict(phonemes), speech
         if self._mouth is not None:
-            self._mouth.ask(self._asked)
+            self._mouth.ask(*self._asked)
 
     def see(self) -> None:
         """Take note of what the network says."""
@@ -140,7 +140,7 @@ class TalkingOsc(QObject):
         """Send with this one, unless something else is wanted by now."""
         if wanted == self._wanted and self._mouth is None:
             self._mouth = mouth
-            mouth.ask(self._asked)
+            mouth.ask(*self._asked)
             self.changed.emit()
         else:
             begun(mouth.close)

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -14,6 +15,7 @@ from engine.mouth.head_motion import HeadPose
 from engine.mouth.morpher import Detail
 from engine.mouth.movestate import movestate_of
 from engine.mouth.osc import OscAddress, OscMouth
+from engine.mouth.percentages import Mode
 from engine.mouth.table import MouthTable, load_table
 from engine.phonemes import Phoneme
 from engine.tones import Tone, ToneKind
@@ -137,6 +139,7 @@ def test_nothing_is_moved_while_nobody_looks(
 
 
 def test_a_held_shape_and_a_slider_win_over_the_speech(stage: Stage) -> None:
+    stage.talking.set_mode(Mode.RESET)
     stage.play(0.9)
     stage.talking.press(Phoneme.U)
     stage.wait(0.4)
@@ -164,13 +167,95 @@ def test_a_shape_is_reached_smoothly(stage: Stage) -> None:
     assert opened[1] < 0.6 * opened[-1]
 
 
-def test_shapes_that_are_asked_for_together_share_the_mouth(stage: Stage) -> None:
-    stage.talking.ask("a", 1.0)
+# what a jaw that says nothing does, in shares of the shapes a and o, after a was asked for at 80 and o at 60 %
+SHARES = {
+    Mode.NONE: {"a": 0.8, "o": 0.6},
+    Mode.RESET: {"a": 0.0, "o": 0.6},
+    Mode.FORCE_RESET: {"a": 0.0, "o": 0.6},
+    Mode.INTERACT: {"a": 0.4, "o": 0.6},
+}
+
+
+@pytest.mark.parametrize("mode", Mode)
+def test_the_mode_says_what_becomes_of_a_shape_when_another_one_is_asked_for(stage: Stage, mode: Mode) -> None:
+    stage.talking.set_mode(mode)
+    stage.talking.ask("a", 0.8)
+    stage.talking.ask("o", 0.6)
+    shares = {shape: share for shape, share in stage.talking.asked.shares.items() if share or shape in SHARES[mode]}
+    assert shares == pytest.approx(SHARES[mode])
     stage.wait(0.5)
-    alone = stage.jaw
-    stage.talking.ask("silence", 1.0)
+    shapes = stage.talking.table.shapes
+    assert stage.jaw == pytest.approx(
+        sum(share * shapes[shape]["jawOpen"] for shape, share in shares.items()), rel=0.01
+    )
+
+
+@pytest.mark.parametrize(("mode", "left"), [(Mode.NONE, 1.0), (Mode.INTERACT, 0.6), (Mode.RESET, 0.0)])
+def test_the_mode_says_how_far_the_speech_goes_on(stage: Stage, mode: Mode, left: float) -> None:
+    stage.session.seek(0.9)
+    settled(stage.session, stage.qtbot)
     stage.wait(0.5)
-    assert stage.jaw == pytest.approx(alone / 2, rel=0.02)
+    said = stage.jaw
+    stage.talking.set_mode(mode)
+    stage.talking.ask("silence", 0.4)
+    stage.wait(0.5)
+    assert said > 15
+    assert stage.jaw == pytest.approx(left * said, abs=0.5)
+    stage.talking.ask("silence", 0.0)
+    stage.wait(0.5)
+    assert stage.jaw == pytest.approx(said, abs=0.5)
+
+
+@pytest.mark.parametrize(("mode", "blinks"), [*((m, m is not Mode.FORCE_RESET) for m in Mode), (None, True)])
+def test_eyes_go_on_blinking_whatever_the_mouth_is_asked_for_unless_they_are_forced(
+    stage: Stage, mode: Mode | None, blinks: bool
+) -> None:
+    if mode is None:
+        stage.talking.press(Phoneme.A)
+    else:
+        stage.talking.set_mode(mode)
+        stage.talking.ask("a", 1.0)
+    stage.wait(0.5)
+    lids: list[float] = []
+    stage.wait(LONG, lambda: lids.append(stage.talking.percentages["eyeBlinkLeft"]))
+    assert (max(lids) > 60) is blinks
+    assert blinks or max(lids) < 1
+
+
+def test_a_key_holds_its_shape_alone_and_leaves_the_sliders_as_they_were(stage: Stage) -> None:
+    stage.talking.ask("a", 0.4)
+    stage.talking.ask("o", 0.3)
+    stage.talking.press(Phoneme.U)
+    assert {shape for shape, share in stage.talking.asked.shares.items() if share} == {"u"}
+    stage.wait(0.5)
+    assert stage.jaw == pytest.approx(stage.talking.table.shapes["u"]["jawOpen"], rel=0.02)
+    stage.talking.release()
+    shares = stage.talking.asked.shares
+    assert (shares["a"], shares["o"], shares["u"]) == pytest.approx((0.4, 0.3, 0.0))
+
+
+def test_another_shape_of_the_mouth_does_not_open_eyes_that_blink(stage: Stage) -> None:
+    face = stage.talking.face
+    assert face.states is not None
+    assert not face.states.interactable("eyeBlinkLeft")
+    still = np.zeros(len(stage.talking.table.movestates), np.float32)
+    face.blink(0.8)
+    face.move(still)
+    assert face.states.percentage("eyeBlinkLeft") == pytest.approx(80)
+    face.blink(0.0)
+    assert face.states.percentage("eyeBlinkLeft") == 0
+
+
+def test_what_only_the_table_before_moved_comes_to_rest(stage: Stage) -> None:
+    stage.talking.press(Phoneme.A)
+    stage.wait(0.5)
+    assert stage.talking.percentages["browInnerUp"] > 3
+    stage.talking.release()
+    stage.talking.set_table("five")
+    stage.talking.press(Phoneme.A)
+    stage.wait(0.5)
+    assert stage.talking.percentages["browInnerUp"] == 0
+    assert stage.jaw > 40
 
 
 def test_two_states_do_not_care_how_loud_it_is(stage: Stage) -> None:
@@ -388,6 +473,17 @@ def test_a_receiver_that_is_switched_off_stays_so_whatever_moves_the_head(stage:
     stage.talking.set_speed(3.0, 2.0)
     assert not stage.talking.osc.on
     assert not stage.talking.osc._work.busy
+
+
+def test_the_receiver_is_told_how_far_the_speech_goes_on(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[tuple[dict[Phoneme, float], float]] = []
+    monkeypatch.setattr(stage.talking.osc, "ask", lambda phonemes, speech: told.append((phonemes, speech)))
+    stage.talking.set_mode(Mode.INTERACT)
+    stage.talking.ask("u", 0.25)
+    stage.talking.press(Phoneme.A)
+    stage.talking.release()
+    stage.talking.ask_nothing()
+    assert told == [({Phoneme.U: 0.25}, 0.75), ({Phoneme.A: 1.0}, 0.0), ({Phoneme.U: 0.25}, 0.75), ({}, 1.0)]
 
 
 @pytest.mark.parametrize("asked_first", [False, True])

@@ -21,6 +21,7 @@ from engine.mouth.face import face_of
 from engine.mouth.files.opening import save_face
 from engine.mouth.mesh import mesh_of
 from engine.mouth.movestate import movestate_of
+from engine.mouth.percentages import Mode
 from engine.mouth.table import TABLES, load_table
 from engine.phonemes import Phoneme
 from engine.presets.files import THESIS_PRESET
@@ -314,6 +315,28 @@ def test_a_slider_opens_the_mouth_and_one_button_leaves_it_to_the_speech(window,
     closed_mouth(desktop, qtbot)
 
 
+def test_the_page_has_the_choice_of_what_becomes_of_other_shapes(window, desktop):
+    visemes = window.talk.visemes
+
+    def values_after(mode: Mode) -> tuple[int, int]:
+        visemes.mode.setCurrentIndex(visemes.mode.findData(mode.value))
+        visemes.mode.activated.emit(visemes.mode.currentIndex())
+        click(visemes.leave)
+        visemes.sliders["a"].setValue(80)
+        visemes.sliders["o"].setValue(60)
+        return visemes.sliders["a"].value(), visemes.sliders["o"].value()
+
+    assert visemes.mode.currentData() == Mode.INTERACT
+    assert values_after(Mode.INTERACT) == (40, 60)
+    assert values_after(Mode.NONE) == (80, 60)
+    assert values_after(Mode.RESET) == (0, 60)
+    assert values_after(Mode.FORCE_RESET) == (0, 60)
+    QTest.mousePress(visemes.buttons["e"], LEFT)
+    assert (visemes.sliders["e"].value(), visemes.sliders["o"].value()) == (100, 0)
+    QTest.mouseRelease(visemes.buttons["e"], LEFT)
+    assert (visemes.sliders["e"].value(), visemes.sliders["o"].value()) == (0, 60)
+
+
 def test_another_table_brings_its_own_shapes(window, desktop, qtbot):
     table = window.talk.choices.table
     table.setCurrentIndex(table.findData("five"))
@@ -489,11 +512,13 @@ def test_choices_come_back_at_the_next_start(qapp, settings: QSettings, no_micro
         click(box)
     choices.attack.setValue(200)
     choices.release.setValue(50)
+    desktop.talking.set_mode(Mode.NONE)
     desktop.talking.osc.set_address("127.0.0.1:9000")
     desktop.close()
     again = start()
     talking = again.talking
     assert (talking.table_name, talking.blinks, talking.random, talking.head_motion) == ("five", False, False, True)
+    assert again.window.talk.visemes.mode.currentData() == Mode.NONE
     a, written = talking.table.times[Phoneme.A], load_table("five").times[Phoneme.A]
     assert (a.attack, a.release) == pytest.approx((2 * written.attack, written.release / 2))
     assert again.window.talk.choices.attack.value() == 200
