@@ -40,22 +40,23 @@ class TimesOfSounds(QWidget):
         set_size(painter, 11)
         width = (self.width() - NAMES_WIDTH) / len(SPEAKING)
         for row, text in enumerate(("ms", "attack", "release")):
-            self._write(painter, QRectF(0, row * ROW, NAMES_WIDTH, ROW), text, self._theme.faint, left=True)
+            self._write(painter, row, 0, NAMES_WIDTH, text, self._theme.faint)
         for k, phoneme in enumerate(SPEAKING):
-            column = QRectF(NAMES_WIDTH + k * width, 0, width, ROW)
-            painter.fillRect(column.adjusted(1, ROW - LINE, -1, 0), QColor(PHONEME_COLOURS[phoneme]))
+            left = NAMES_WIDTH + k * width
+            painter.fillRect(QRectF(left + 1, ROW - LINE, width - 2, LINE), QColor(PHONEME_COLOURS[phoneme]))
             for row, text in enumerate((phoneme.label, *self.milliseconds(phoneme))):
-                self._write(painter, column.translated(0, row * ROW + LINE * (row > 0)), text, self._theme.text)
+                self._write(painter, row, left, width, text, self._theme.text)
 
     def milliseconds(self, phoneme: Phoneme) -> tuple[str, str]:
         """Give the attack and the release of a phoneme as they are painted."""
         times = self._talking.table.times[phoneme]
         return f"{1000 * times.attack:.0f}", f"{1000 * times.release:.0f}"
 
-    def _write(self, painter: QPainter, box: QRectF, text: str, colour: str, *, left: bool = False) -> None:
-        side = Qt.AlignmentFlag.AlignLeft if left else Qt.AlignmentFlag.AlignHCenter
+    def _write(self, painter: QPainter, row: int, left: float, width: float, text: str, colour: str) -> None:
+        box = QRectF(left, row * ROW + LINE * (row > 0), width, ROW)
+        side = Qt.AlignmentFlag.AlignHCenter if left else Qt.AlignmentFlag.AlignLeft
         painter.setPen(QColor(colour))
-        shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, int(box.width()))
+        shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, int(width))
         painter.drawText(box, side | Qt.AlignmentFlag.AlignVCenter, shown)
 
     def _show_times(self) -> None:

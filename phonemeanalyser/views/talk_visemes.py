@@ -28,7 +28,7 @@ MODES = {
     Mode.NONE: "others stay",
     Mode.RESET: "others to 0",
     Mode.FORCE_RESET: "others and blinks to 0",
-    Mode.INTERACT: "100 % in all",
+    Mode.INTERACT: "others share 100 %",
 }
 COLUMNS = 2
 PERCENT_WIDTH = 40
