@@ -226,13 +226,16 @@ class Talking(QObject):
             part.failed.connect(self.failed)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
-        self._heard += blocks
-        self.osc.follow(blocks)
+        """Take what was heard; once the sound has been stopped, what is still told of it says nothing any more."""
+        if self.session.playing or self.session.position or self.session.source is not Source.FILE:
+            self._heard += blocks
+            self.osc.follow(blocks)
 
     def _tell_network(self) -> None:
         self.osc.ask(self.asked.phonemes, self.asked.speech)
 
     def _hush(self) -> None:
+        self._heard.clear()
         self._last = None
         self._mouth.hush(self._clock() - self._began)
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
+from engine.analyser import Analysis
 from engine.mouth.face import Face
 from engine.mouth.files.opening import save_face
 from engine.mouth.head import load_head
@@ -27,6 +28,7 @@ from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
 from tests.glb_faces import face_with_targets
 from tests.osc_receiver import Receiver
 from tests.outputs import Outputs
+from tests.sounds import silence, vowel
 
 HANG = 30_000
 """Milliseconds that only a hang reaches."""
@@ -94,6 +96,27 @@ def test_a_pause_holds_the_mouth_and_stop_closes_it(stage: Stage, qtbot: QtBot) 
     stage.session.stop()
     settled(stage.session, qtbot)
     stage.wait(0.5)
+    assert stage.jaw < 1
+
+
+def test_the_mouth_closes_after_a_file_that_ends_in_the_middle_of_an_a(stage: Stage, tmp_path: Path) -> None:
+    stage.open(tmp_path, np.concatenate((silence(0.3), vowel((700, 1200, 2500), 0.5))))
+    opened: list[float] = []
+    stage.play(2.0, lambda: opened.append(stage.jaw))
+    assert not stage.session.playing
+    assert max(opened) > 15
+    stage.wait(0.6)
+    assert stage.jaw < 1
+
+
+def test_what_is_heard_too_late_does_not_open_a_mouth_that_was_stopped(stage: Stage, qtbot: QtBot) -> None:
+    late: list[Analysis] = []
+    stage.session.heard.connect(late.extend)
+    stage.play(0.9)
+    stage.session.stop()
+    stage.session.heard.emit(late[-2:])  # as the analysis thread may give them before it knows
+    settled(stage.session, qtbot)
+    stage.wait(0.6)
     assert stage.jaw < 1
 
 
