@@ -20,6 +20,13 @@ A face follows what was heard, and may be looked at whenever a picture is drawn:
     morpher = Morpher(load_table("arkit"), seed=character)
     morpher.hear(now, phoneme, intensity)   # seconds, of a clock of yours
     weights = morpher.weights(now)          # 0..1, one for each of morpher.movestates
+
+Movestates (morph targets) move the vertices of a mesh::
+
+    figure = load_figure(path)              # or load_head()
+    face = MovestateSet(figure.mesh, figure.states)
+    face.set_percentage("smile", 60, Mode.INTERACT)
+    positions = face.morphed()              # of all vertices
 """
 
 from engine.analyser import Analyser, Analysis, analyses_of
@@ -33,6 +40,7 @@ from engine.errors import (
     CurveError,
     DeviceError,
     EngineError,
+    MeshError,
     MouthError,
     PresetError,
     RecogniserError,
@@ -43,8 +51,16 @@ from engine.live.heard import Heard
 from engine.live.listener import Listener
 from engine.live.sound import Sound
 from engine.mouth.blinks import Blinker
+from engine.mouth.face import Face, Figure, face_of, fitted
+from engine.mouth.files.opening import load_face, load_figure, save_face
+from engine.mouth.head import load_head
 from engine.mouth.head_motion import HeadMotion
+from engine.mouth.manner import Manner, Times
+from engine.mouth.mesh import Mesh, mesh_of
 from engine.mouth.morpher import Detail, Morpher
+from engine.mouth.movestate import Movestate, movestate_at, movestate_of
+from engine.mouth.movestate_set import MovestateSet
+from engine.mouth.percentages import Mode
 from engine.mouth.table import MouthTable, load_table
 from engine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from engine.presets.files import load_preset, save_preset
@@ -64,14 +80,22 @@ __all__ = [
     "Device",
     "DeviceError",
     "EngineError",
+    "Face",
+    "Figure",
     "HeadMotion",
     "Heard",
     "InputChoice",
     "Listener",
+    "Manner",
+    "Mesh",
+    "MeshError",
+    "Mode",
     "Morpher",
     "MouthError",
     "MouthShape",
     "MouthTable",
+    "Movestate",
+    "MovestateSet",
     "Phoneme",
     "Preset",
     "PresetError",
@@ -81,13 +105,23 @@ __all__ = [
     "SettingsError",
     "Sound",
     "SoundReader",
+    "Times",
     "analyses_of",
     "denoise",
     "devices",
+    "face_of",
+    "fitted",
     "high_pass_gains",
+    "load_face",
+    "load_figure",
+    "load_head",
     "load_preset",
     "load_table",
     "low_pass_gains",
+    "mesh_of",
+    "movestate_at",
+    "movestate_of",
     "normalise",
+    "save_face",
     "save_preset",
 ]

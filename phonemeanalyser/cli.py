@@ -14,7 +14,7 @@ from engine.audio.devices import InputChoice
 from engine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from engine.errors import EngineError
 from engine.mouth.osc import OscAddress, OscSettings
-from engine.mouth.table import load_table
+from engine.mouth.table import USUAL_TABLE, load_table
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeanalyser.display import why_no_qt, why_no_window
 from phonemeanalyser.listening import list_devices, listen, record
@@ -69,7 +69,8 @@ def _listen(words: list[str]) -> int:
     parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind")
     parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")
-    parser.add_argument("--table", default="vrm", metavar="T", help="mouth table of --osc: vrm, arkit, ... or a file")
+    table = f"mouth table of --osc: {USUAL_TABLE} as the head's, vrm, oculus, ... or a file (default: {USUAL_TABLE})"
+    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
     options = parser.parse_args(words)
     if options.list_devices:
         list_devices()

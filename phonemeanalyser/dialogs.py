@@ -54,28 +54,36 @@ class Dialogs(QObject):
 
     def open_any(self, path: Path) -> None:
         """Load a preset, a curve or a sound, by the suffix of its name."""
-        loaders = dict.fromkeys(PRESET_SUFFIXES, self.load_preset) | {".csv": self.load_curve}
-        loaders.get(path.suffix.lower(), self.open_sound)(path)
+        kind = path.suffix.lower()
+        if kind in PRESET_SUFFIXES:
+            self.load_preset(path)
+        elif kind == ".csv":
+            self.load_curve(path)
+        else:
+            self.open_sound(path)
 
     # -- sounds -------------------------------------------------------------------------------------------
 
-    def open_sound(self, path: Path) -> None:
-        """Open a sound file."""
-        if self._session.open(path):
-            self.refused.emit("")
-            here = str(path.resolve())
-            recent = [here] + [other for other in self.recent_sounds() if other != here]
-            self._settings.setValue("recent", recent[:N_RECENT])
-            self.sound_opened.emit()
+    def open_sound(self, path: Path) -> bool:
+        """Open a sound file; says whether it is in hand."""
+        if not self._session.open(path):
+            return False
+        self.refused.emit("")
+        here = str(path.resolve())
+        recent = [here] + [other for other in self.recent_sounds() if other != here]
+        self._settings.setValue("recent", recent[:N_RECENT])
+        self.sound_opened.emit()
+        return True
 
-    def ask_sound(self) -> None:
-        """Let the user choose a sound file."""
+    def ask_sound(self) -> bool:
+        """Let the user choose a sound file; says whether one was opened."""
         name, _ = QFileDialog.getOpenFileName(
             self._window, "Open a sound file", self._folder("sound"), "All files (*)"
         )
-        if name:
-            self._settings.setValue("folder/sound", str(Path(name).parent))
-            self.open_sound(Path(name))
+        if not name:
+            return False
+        self._settings.setValue("folder/sound", str(Path(name).parent))
+        return self.open_sound(Path(name))
 
     def recent_sounds(self) -> list[str]:
         """Give the paths of the sounds that were opened last, newest first."""

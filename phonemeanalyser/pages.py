@@ -44,12 +44,17 @@ class PageMaker:
     def talk_page(self, talking: Talking) -> TalkPage:
         """Make the page of the head."""
         page, dialogs = TalkPage(talking, self._theme), self._talking_dialogs
-        page.sound_asked.connect(self._dialogs.ask_sound)
+        page.sound_asked.connect(lambda: self._say_another(talking))
         page.preset_asked.connect(self._dialogs.ask_preset)
         page.choices.mesh_asked.connect(dialogs.ask_mesh)
         page.choices.table_asked.connect(dialogs.ask_table)
         self._window.installEventFilter(page.keys)
         return page
+
+    def _say_another(self, talking: Talking) -> None:
+        """Let the user choose a sound file, and have the head say it at once."""
+        if self._dialogs.ask_sound():
+            talking.session.play()
 
     def _ask_rival(self, page: CalibrationPage) -> None:
         path = self._calibration_dialogs.ask_preset()

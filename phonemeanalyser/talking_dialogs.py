@@ -6,10 +6,11 @@ from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from engine.mouth.files.opening import FACES, FIGURES
-from engine.mouth.manner import LIMITS
 from engine.mouth.morpher import Detail
+from engine.mouth.percentages import Mode
 from phonemeanalyser.models.talking import Talking
 from phonemeanalyser.models.talking_face import FaceFiles
+from phonemeanalyser.views.talk_choices import FASTEST_PERCENT, SLOWEST_PERCENT
 
 MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*FIGURES, *FACES))})"
 TABLES = "Mouth tables (*.toml)"
@@ -64,8 +65,9 @@ class TalkingDialogs(QObject):
         keep("talk/movestates", str(files.movestates or ""))
         keep("talk/table", talking.table_name)
         keep("talk/detail", talking.detail.value)
-        keep("talk/attack", talking.table.manner.attack)
-        keep("talk/release", talking.table.manner.release)
+        keep("talk/mode", talking.mode.value)
+        keep("talk/attack_percent", round(100 * talking.attack_factor))
+        keep("talk/release_percent", round(100 * talking.release_factor))
         for name, on in (("blinks", talking.blinks), ("head", talking.head_motion), ("random", talking.random)):
             keep(f"talk/{name}", int(on))
         keep("talk/osc_address", osc.address)
@@ -81,22 +83,20 @@ class TalkingDialogs(QObject):
         talking.set_table(self._kept("talk/table", talking.table_name))
         detail = self._kept("talk/detail", talking.detail.value)
         talking.set_detail(next((d for d in Detail if d.value == detail), talking.detail))
+        mode = self._kept("talk/mode", talking.mode.value)
+        talking.set_mode(next((m for m in Mode if m.value == mode), talking.mode))
         talking.set_blinks(self._kept("talk/blinks", "1") == "1")
         talking.set_head_motion(self._kept("talk/head", "1") == "1")
         talking.set_random(self._kept("talk/random", "1") == "1")
-        manner = talking.table.manner
-        talking.set_manner(self._time("attack", manner.attack), self._time("release", manner.release))
+        talking.set_speed(self._percent("attack") / 100, self._percent("release") / 100)
         talking.osc.set_address(self._kept("talk/osc_address", talking.osc.address))
         talking.osc.set_table(self._kept("talk/osc_table", talking.osc.table))
         talking.osc.set_on(self._kept("talk/osc", "0") == "1")
 
-    def _time(self, name: str, default: float) -> float:
-        low, high, _ = LIMITS[name]
-        try:
-            kept = float(self._kept(f"talk/{name}", str(default)))
-        except ValueError:  # somebody edited the file
-            return default
-        return kept if low <= kept <= high else default
+    def _percent(self, name: str) -> int:
+        kept = self._kept(f"talk/{name}_percent", "100")
+        usable = kept.isdecimal() and FASTEST_PERCENT <= int(kept) <= SLOWEST_PERCENT  # somebody may edit the file
+        return int(kept) if usable else 100
 
     def _kept(self, name: str, default: str) -> str:
         return str(self._settings.value(name, default))

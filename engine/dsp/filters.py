@@ -4,8 +4,12 @@ Every function takes and gives float32 blocks of shape (n_frames, n_bins) and le
 normalise take a single spectrum of shape (n_bins,) as well.
 """
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
+
+from engine.errors import SettingsError
 
 Block = NDArray[np.float32]
 TINY: Block = np.array(1e-37, np.float32)
@@ -100,9 +104,22 @@ def denoise(spectra: Block, threshold: float | Block) -> Block:
     return kept
 
 
-def normalise(spectra: Block, peaks: Block | None = None) -> Block:
-    """Divide each spectrum by its largest amplitude, shape (n_frames, 1) where it is known; a silent one stays 0."""
+def normalise(spectra: Block, maximum: float = 1.0, *, peaks: Block | None = None) -> Block:
+    """Scale each spectrum so that its largest amplitude becomes `maximum`; a silent one stays 0.
+
+    Parameters
+    ----------
+    spectra : shape (n_frames, n_bins), or (n_bins,).
+    maximum : above 0.
+    peaks : the largest amplitudes, shape (n_frames, 1), where they are known already.
+
+    Raises
+    ------
+    SettingsError : the maximum is no number above 0.
+    """
+    if not 0 < maximum < math.inf:
+        raise SettingsError(f"the maximum of a normalised spectrum must be above 0, got {maximum:g}; choose another")
     if peaks is None:
         peaks = np.maximum.reduce(spectra, axis=-1, keepdims=True)
-    divisors: Block = np.maximum(peaks, TINY)
+    divisors: Block = np.maximum(peaks / np.float32(maximum), TINY)
     return spectra / divisors

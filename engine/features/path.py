@@ -119,7 +119,7 @@ class SpectrumPath:
             spectra = denoise(spectra, self._threshold)
         mel = self._mel_of(spectra) if self._mel_bands else None
         if self._normalises:
-            spectra = normalise(spectra, values[:, MAX_ENERGY])
+            spectra = normalise(spectra, peaks=values[:, MAX_ENERGY])
         values += spectra.dot(self._normalised)
         if self._mel_meter is not None and mel is not None:
             values += self._mel_meter.widen(mel).dot(self._mel_meter.weights(Spectrum.MEL))

@@ -174,6 +174,11 @@ class Listener:
 
     # -- what it shall do ---------------------------------------------------------------------------------
 
+    @property
+    def preset(self) -> Preset:
+        """What it recognises with; `use` takes another one."""
+        return self._preset
+
     def use(self, preset: Preset) -> None:
         """Recognise with another preset from the next block on."""
         self._preset = preset

@@ -118,6 +118,11 @@ class Player:
         self._target = frame
         self._do(lambda: self._jump(frame))
 
+    @property
+    def preset(self) -> Preset:
+        """What it recognises with; `use` takes another one."""
+        return self._preset
+
     def use(self, preset: Preset) -> None:
         """Recognise with another preset from the next block on."""
         self._preset = preset

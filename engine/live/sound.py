@@ -131,6 +131,11 @@ class Sound:
         self._volume = min(float(decibels), 0.0)
         self._player.set_gain(10 ** (self._volume / 20))
 
+    @property
+    def preset(self) -> Preset:
+        """What it recognises with; `use` takes another one."""
+        return self._player.preset
+
     def use(self, preset: Preset) -> None:
         """Recognise with another preset from the next 20 ms on."""
         self._player.use(preset)

@@ -76,6 +76,14 @@ def cues_of(
     return tuple(_ahead(cues, anticipation, minimum, table))
 
 
+def leads_of(table: MouthTable, anticipation: float) -> dict[Phoneme, float]:
+    """Say how early the movement to a phoneme begins, seconds; phonemes that are left out begin on time."""
+    closing = {
+        phoneme: min(anticipation, table.times[phoneme].to_shape) for phoneme in table.firm - {Phoneme.SILENCE}
+    }
+    return dict.fromkeys(VOWELS, anticipation) | closing
+
+
 def joined_by_shape(cues: Iterable[Cue]) -> tuple[Cue, ...]:
     """Join neighbours of one shape, for programs that show drawings: a drawing that stays is one cue."""
     return tuple(_joined(cues, lambda one, other: one.shape == other.shape))
@@ -109,8 +117,7 @@ def _union(one: Cue, other: Cue) -> Cue:
 
 def _ahead(cues: list[Cue], anticipation: float, minimum: float, table: MouthTable) -> list[Cue]:
     """Begin vowels, and lips that meet, early at the cost of what comes before them."""
-    ahead = dict.fromkeys(VOWELS, anticipation)
-    ahead |= dict.fromkeys(table.firm, min(anticipation, table.manner.closing))
+    ahead = leads_of(table, anticipation)
     for k in range(len(cues) - 1, 0, -1):
         before, cue = cues[k - 1], cues[k]
         if cue.phoneme in ahead:

@@ -5,7 +5,7 @@ seen from outside.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -56,6 +56,55 @@ class Mesh:
 
     def __len__(self) -> int:
         return len(self.positions)
+
+    def vertices(self, numbers: ArrayLike) -> Vectors:
+        """Give where some vertices are, float32, shape (n, 3); shape (3,) for a single number.
+
+        Raises
+        ------
+        MeshError : there is no such vertex; here and below.
+        """
+        found: Vectors = self.positions[self._checked(numbers)].copy()
+        return found
+
+    def with_vertices(self, numbers: ArrayLike, positions: ArrayLike) -> "Mesh":
+        """Give a mesh with some vertices elsewhere, shape (n, 3); this one stays as it is.
+
+        Where triangles changed, the normals are computed anew.
+
+        Raises
+        ------
+        MeshError : as many positions are needed as there are vertices, or one is no number.
+        """
+        places, points = self._checked(numbers), self.positions.copy()
+        with np.errstate(over="ignore"):  # what overflows is refused as infinite
+            given = np.asarray(positions, np.float32)
+        if given.shape not in {(3,), (*places.shape, 3)}:
+            raise MeshError(f"{places.size} vertices need positions of shape ({places.size}, 3), got {given.shape}")
+        points[places] = given
+        _look_at(points, self.triangles)
+        touched = self.triangles[np.any(points != self.positions, axis=1)[self.triangles].any(axis=1)].ravel()
+        normals = self.normals.copy()
+        normals[touched] = normals_of(points, self.triangles)[touched]
+        for array in (points, normals):
+            array.setflags(write=False)
+        return replace(self, positions=points, normals=normals)
+
+    def moved(self, numbers: ArrayLike, offsets: ArrayLike) -> "Mesh":
+        """Give a mesh with some vertices moved by one offset, shape (3,), or by one each, shape (n, 3)."""
+        return self.with_vertices(numbers, self.vertices(numbers) + np.asarray(offsets, np.float32))
+
+    def within(self, centre: ArrayLike, radius: float) -> Numbers:
+        """Give the numbers of all vertices within a sphere, uint32, ascending; those on its surface are in it."""
+        apart = np.linalg.norm(self.positions.astype(np.float64) - np.asarray(centre, np.float64), axis=1)
+        return np.flatnonzero(apart <= radius).astype(np.uint32)
+
+    def _checked(self, numbers: ArrayLike) -> NDArray[np.intp]:
+        asked = np.asarray(numbers)
+        if asked.size and (asked.dtype.kind not in "iu" or not 0 <= asked.min() <= asked.max() < len(self)):
+            worst = asked.max() if asked.dtype.kind not in "iu" or asked.min() >= 0 else asked.min()
+            raise MeshError(f"the mesh has the vertices 0..{len(self) - 1}, got {worst}; choose one of them")
+        return asked.astype(np.intp)
 
 
 def mesh_of(

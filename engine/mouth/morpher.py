@@ -7,7 +7,8 @@ movements that still go on::
 
 Neither weights nor their speed jump, however fast phonemes follow each other; no weight leaves the range of the
 shapes that it lies between, nor exceeds what the table says; and since every movement is known for all times, it does
-not matter how often anybody looks.
+not matter how often anybody looks. Each sound has its own time: a movement to its shape takes as long as its attack
+says, and one to silence as long as the release of what was said before.
 """
 
 import math
@@ -54,7 +55,7 @@ class Morpher:
 
     Parameters
     ----------
-    table : the shapes, and the manner of the movement.
+    table : the shapes, and how the mouth moves between them.
     detail : how much of the speech it follows.
     seed : of the randomness; equal seeds make equal mouths.
     """
@@ -91,8 +92,8 @@ class Morpher:
         """Take a phoneme alone from a time on: the loudness goes on."""
         code = _followed(phoneme, self._detail, self._firm)
         if code != self._code:
-            self._code = code
             self._movements.append(self._movement(time, code))
+            self._code = code
 
     def hear_loudness(self, time: float, intensity: float) -> None:
         """Take the loudness alone, 0..1, from a time on: the phoneme goes on."""
@@ -122,12 +123,10 @@ class Morpher:
         return weights
 
     def _movement(self, time: float, code: int) -> _Movement:
-        manner, spread = self._manner, self._manner.randomness
+        times, spread = self.table.times, self._manner.randomness
         whole = code in self._firm or self._detail is Detail.TWO_STATES
-        if code == Phoneme.SILENCE:
-            duration = manner.release
-        else:
-            duration = manner.closing if code in self._firm else manner.attack
+        closes = code == Phoneme.SILENCE
+        duration = times[Phoneme(self._code)].to_rest if closes else times[Phoneme(code)].to_shape
         vary_time, vary_shape = self._random.uniform(-spread, spread), self._random.uniform(-2 * spread, 0.0)
         if code not in self._firm:
             duration *= 1 + vary_time

@@ -23,7 +23,8 @@ class Movestate:
     name : what it is called.
     numbers : uint32, shape (n,), the vertices that move, ascending.
     offsets : float32, shape (n, 3), how far each of them moves at 100 %.
-    interactable : whether other states may push it back; a blink does not care about the mouth.
+    interactable : whether setting others may push it back, until `MovestateSet.set_interactable` says otherwise; a
+        blink does not care about the mouth.
     """
 
     name: str

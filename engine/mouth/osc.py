@@ -28,7 +28,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 from engine.analyser import Analysis
 from engine.errors import MouthError
 from engine.mouth.asked import AskedVisemes
-from engine.mouth.morpher import Morpher
+from engine.mouth.morpher import Detail, Morpher
 from engine.mouth.table import MouthTable
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
@@ -45,6 +45,9 @@ IN_A_PACKET = 24
 """Movestates in one packet: it fits into an Ethernet frame of 1500 bytes."""
 MOST_WAITING = 1000
 """Frames that wait to be sent at most."""
+
+LEFT_TO_SPEECH: tuple[dict[Phoneme, float], float] = ({}, 1.0)
+"""No shape is asked for, and the speech moves the whole mouth."""
 
 Arguments = tuple[str | int | float, ...]
 
@@ -86,6 +89,7 @@ class OscMouth:
     ----------
     address : the receiver.
     table : the mouth shapes and the movestates.
+    detail : how much of the speech the mouth follows.
     seed : of the mouth's randomness.
 
     Raises
@@ -93,13 +97,15 @@ class OscMouth:
     MouthError : the receiver's name is unknown.
     """
 
-    def __init__(self, address: OscAddress, table: MouthTable, *, seed: int = 0) -> None:
+    def __init__(
+        self, address: OscAddress, table: MouthTable, *, detail: Detail = Detail.PHONEMES, seed: int = 0
+    ) -> None:
         self.failure = ""
         self.n_sent = 0
         self._socket, self._receiver = _opened(address)
         self._table = table
-        self._morpher, self._visemes = Morpher(table, seed=seed), AskedVisemes(table)
-        self._asked: dict[Phoneme, float] = {}
+        self._morpher, self._visemes = Morpher(table, detail=detail, seed=seed), AskedVisemes(table)
+        self._asked: tuple[dict[Phoneme, float], float] = LEFT_TO_SPEECH
         self._columns = np.flatnonzero(np.any(table.weights() != 0, axis=0)).tolist()
         self._frames: deque[tuple[float, int, float]] = deque(maxlen=MOST_WAITING)
         self._last = (int(Phoneme.SILENCE), 0.0)
@@ -116,9 +122,12 @@ class OscMouth:
             began = now - (n - 1 - k) * FRAME_PERIOD
             self._frames.append((began, int(analysis.phonemes[k]), float(analysis.intensities[k])))
 
-    def ask(self, phonemes: Mapping[Phoneme, float]) -> None:
-        """Show the shapes of these phonemes, 0..1, whatever is heard; of none, what is heard. Returns at once."""
-        self._asked = dict(phonemes)
+    def ask(self, phonemes: Mapping[Phoneme, float], speech: float = 0.0) -> None:
+        """Show the shapes of these phonemes, 0..1, beside a share of what is heard; of none, what is heard.
+
+        Returns at once.
+        """
+        self._asked = (dict(phonemes), speech) if phonemes else LEFT_TO_SPEECH
 
     def close(self) -> None:
         """Close the mouth at the receiver, and stop."""
@@ -132,7 +141,7 @@ class OscMouth:
             following = max(following + 1 / RATE, time.monotonic() - 1 / RATE)
             self._closing.wait(max(following - time.monotonic(), 0.0))
         self._hear_waiting()
-        self._asked = {}
+        self._asked = LEFT_TO_SPEECH
         now = time.monotonic()
         self._hear(now, int(Phoneme.SILENCE), 0.0)
         self._send_picture(now + SHUT)
@@ -153,7 +162,7 @@ class OscMouth:
         self._heard_at = began = max(began, self._heard_at)
         self._morpher.hear(began, code, intensity)
         self._last = (code, intensity)
-        if code != self._said and not self._asked:
+        if code != self._said and not self._asked[0]:
             self._say(began)
 
     def _say(self, now: float) -> None:
@@ -167,13 +176,13 @@ class OscMouth:
     @property
     def _saying(self) -> tuple[int, float]:
         """What is asked for the most, or else what was heard last: a phoneme and its intensity."""
-        asked = self._asked
+        asked, _ = self._asked
         return max(asked.items(), key=lambda entry: entry[1]) if asked else self._last
 
     def _send_picture(self, now: float) -> None:
         if now - self._said_at >= REPEAT or self._saying[0] != self._said:
             self._say(now)
-        self._visemes.ask_as(self._asked)
+        self._visemes.ask_as(*self._asked)
         weights = self._visemes.mixed(self._morpher.weights(now), now)
         values = [(self._table.movestates[k], min(max(float(weights[k]), 0.0), 1.0)) for k in self._columns]
         messages: list[tuple[str, Arguments]] = [("/VMC/Ext/OK", (1,)), ("/VMC/Ext/T", (now - self._began,))]

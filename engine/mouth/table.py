@@ -4,8 +4,8 @@ They are TOML files that an animator edits, read strictly.
 """
 
 import tomllib
-from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,20 +14,30 @@ from numpy.typing import NDArray
 
 from engine.audio.opening import shown_name
 from engine.errors import MouthError
-from engine.mouth.manner import Manner
+from engine.mouth.manner import LIMITS, Manner, Times
 from engine.mouth.names import NAMES, both_sides
 from engine.phonemes import Phoneme
 
 FORMAT = "phonemeanalyser mouth 1"
 TABLES = Path(__file__).resolve().parent / "tables"
 """The folder of the tables that ship with the program."""
+USUAL_TABLE = "arkit"
+"""What heads and their receivers move by, unless told otherwise."""
 LARGEST_FILE = 1 << 20
 MOST_MOVESTATES = 1000
 STRONGEST = 400.0
 """Percent: a shape may exaggerate, but not without end."""
 
-_KEYS = {"format": str, "name": str, "notes": str, "firm": list, "phonemes": dict, "shapes": dict, "manner": dict}
-_OPTIONAL = {"name", "notes", "firm", "manner"}
+SPEAKING: tuple[Phoneme, ...] = tuple(p for p in Phoneme if p != Phoneme.SILENCE)
+"""The phonemes that have times: the mouth closes in the release of what was said before a silence."""
+USUAL_TIMES = {"attack": 0.09, "closing": 0.05, "release": 0.16}
+"""Seconds of phonemes for which a table gives none: the attack of an open mouth, and that of lips that meet."""
+
+_KEYS = {
+    "format": str, "name": str, "notes": str, "firm": list, "phonemes": dict, "times": dict, "shapes": dict,
+    "manner": dict,
+}  # fmt: skip
+_OPTIONAL = {"name", "notes", "firm", "times", "manner"}
 _WORDS = {str: "text", list: "a list", dict: "a table"}
 _PHONEMES = {p.label: p for p in Phoneme}
 
@@ -42,8 +52,9 @@ class MouthTable:
     movestates : the names of the movestates, in the order of all weights.
     phonemes : the mouth shape of every phoneme.
     shapes : for each mouth shape the percentages of its movestates, 100 for the whole movement.
-    firm : phonemes at which the lips meet: fast, and whole at any loudness. Silence is always whole.
-    manner : how the mouth moves.
+    times : how fast the mouth is for each phoneme but silence.
+    firm : phonemes at which the lips meet: they do so in time, and wholly at any loudness. Silence is always whole.
+    manner : how far the mouth moves, and how much that varies.
     notes : for people.
     """
 
@@ -51,6 +62,7 @@ class MouthTable:
     movestates: tuple[str, ...]
     phonemes: Mapping[Phoneme, str]
     shapes: Mapping[str, Mapping[str, float]]
+    times: Mapping[Phoneme, Times]
     firm: frozenset[Phoneme] = frozenset({Phoneme.M, Phoneme.P})
     manner: Manner = field(default_factory=Manner)
     notes: str = ""
@@ -63,6 +75,12 @@ class MouthTable:
             for movestate, percent in self.shapes[shape].items():
                 rows[phoneme, columns[movestate]] = percent / 100
         return rows
+
+    def moved_as(self, attack: float, release: float, *, random: bool) -> "MouthTable":
+        """Give the table with all its times multiplied by factors above 0, and with its randomness or without."""
+        times = {phoneme: times.scaled(attack, release) for phoneme, times in self.times.items()}
+        manner = self.manner if random else replace(self.manner, randomness=0.0)
+        return replace(self, times=times, manner=manner)
 
 
 def shipped_tables() -> tuple[str, ...]:
@@ -102,13 +120,16 @@ def table_of(text: str) -> MouthTable:
     _check_keys(document)
     movestates = _movestates_of(document["movestates"])
     shapes = {name: _shape_of(name, entry, movestates) for name, entry in document["shapes"].items()}
+    firm = frozenset(_phoneme(name, "firm") for name in document.get("firm", ["m", "p"]))
+    general, manner = _manner_of(document.get("manner", {}))
     return MouthTable(
         name=document.get("name", "untitled"),
         movestates=movestates,
         phonemes=_phonemes_of(document["phonemes"], shapes),
         shapes=shapes,
-        firm=frozenset(_phoneme(name, "firm") for name in document.get("firm", ["m", "p"])),
-        manner=_manner_of(document.get("manner", {})),
+        times=_times_of(document.get("times", {}), general, firm),
+        firm=firm,
+        manner=manner,
         notes=document.get("notes", ""),
     )
 
@@ -201,17 +222,61 @@ def _phoneme(name: Any, place: str) -> Phoneme:
     return _PHONEMES[name]
 
 
-def _manner_of(entry: dict[str, Any]) -> Manner:
-    known = [f.name for f in fields(Manner)]
-    for name, value in entry.items():
+def _times_of(entry: dict[str, Any], general: Mapping[str, float], firm: Collection[Phoneme]) -> dict[Phoneme, Times]:
+    """Give the times of every phoneme: its own, else those of [manner] for all, else the usual ones."""
+    own = {_phoneme(name, "[times]"): _own_times(name, times) for name, times in entry.items()}
+    if Phoneme.SILENCE in own:
+        raise MouthError(
+            "[times] silence has none: the mouth closes in the release of what was said before; remove it"
+        )
+    used: set[str] = set()
+    times: dict[Phoneme, Times] = {}
+    for phoneme in SPEAKING:
+        sources = {"attack": "closing" if phoneme in firm else "attack", "release": "release"}
+        used |= {source for name, source in sources.items() if name not in own.get(phoneme, {})}
+        usual = {name: general.get(source, USUAL_TIMES[source]) for name, source in sources.items()}
+        times[phoneme] = Times(**usual | own.get(phoneme, {}))
+    if entry and (idle := [name for name in general if name not in used]):
+        raise MouthError(f"[manner] {idle[0]} acts on nothing, since [times] names every phoneme; remove one of them")
+    return times
+
+
+def _own_times(phoneme: str, entry: Any) -> dict[str, float]:
+    place = f"[times] {phoneme}"
+    if not isinstance(entry, dict) or not entry.keys() <= {"attack", "release"}:
+        raise MouthError(
+            f"{place} must be like {{ attack = 0.1, release = 0.18 }}, seconds, found {_shown(entry)}; correct it"
+        )
+    return _seconds(place, entry)
+
+
+def _manner_of(entry: dict[str, Any]) -> tuple[dict[str, float], Manner]:
+    """Give the times for all phonemes that [times] leaves out, and the manner."""
+    known = [*USUAL_TIMES, *(f.name for f in fields(Manner))]
+    for name in entry:
         if name not in known:
             raise MouthError(f"[manner] does not know {_shown(name)}; known are {', '.join(known)}")
-        if not isinstance(value, int | float) or isinstance(value, bool) or not abs(value) <= 1:
-            raise MouthError(f"[manner] {name} must be a number within 0..1, found {_shown(value)}; correct it")
+    general = _seconds("[manner]", {name: entry[name] for name in USUAL_TIMES if name in entry})
+    rest = {name: _number("[manner]", name, value) for name, value in entry.items() if name not in general}
     try:
-        return Manner(**entry)
+        return general, Manner(**rest)
     except MouthError as error:
         raise MouthError(f"[manner] {error}") from error
+
+
+def _seconds(place: str, entry: Mapping[str, Any]) -> dict[str, float]:
+    low, high, _ = LIMITS["attack"]
+    seconds = {name: _number(place, name, value) for name, value in entry.items()}
+    for name, value in seconds.items():
+        if not low <= value <= high:
+            raise MouthError(f"{place} {name} must lie in {low:g}..{high:g} s, got {value:g}; correct it")
+    return seconds
+
+
+def _number(place: str, name: str, value: Any) -> float:
+    if not isinstance(value, int | float) or isinstance(value, bool) or not abs(value) <= 1:
+        raise MouthError(f"{place} {name} must be a number within 0..1, found {_shown(value)}; correct it")
+    return float(value)
 
 
 def _shown(value: Any) -> str:

@@ -13,16 +13,16 @@ from engine.mouth.blinks import Blinker
 from engine.mouth.cues import MOST_ANTICIPATION
 from engine.mouth.head_motion import HeadPose
 from engine.mouth.morpher import Detail
-from engine.mouth.table import MouthTable, load_table, shipped_tables
+from engine.mouth.percentages import Mode
+from engine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 from phonemeanalyser.models.backroom import Backroom
 from phonemeanalyser.models.session import Session, Source
 from phonemeanalyser.models.talking_face import TalkingFace
-from phonemeanalyser.models.talking_mouth import Frames, TalkingMouth, mannered
+from phonemeanalyser.models.talking_mouth import Frames, TalkingMouth
 from phonemeanalyser.models.talking_osc import TalkingOsc
 
-USUAL_TABLE = "arkit"
 QUIET = 0.3
 """Seconds without a frame after which the mouth of somebody who is listened to closes."""
 FORESIGHT = MOST_ANTICIPATION + 2 * FRAME_PERIOD
@@ -38,15 +38,17 @@ class Talking(QObject):
 
     Signals
     -------
-    changed : another face, table, detail, manner or switch.
+    changed : another face, table, detail, speed, mode or switch.
     asked_changed : other mouth shapes are asked for by key or slider.
     failed : a sentence for the user.
 
     Attributes
     ----------
     face, osc : the face that is moved, and what is sent over the network.
-    table : the mouth shapes, with the manner that was chosen.
+    table : the mouth shapes, with the speed that was chosen.
     table_name : one of the program's tables, or the path of the user's own.
+    mode : what becomes of everything else when a slider asks for a shape.
+    attack_factor, release_factor : by how much all attacks and releases of the table are longer.
     asked : the shapes that are asked for by key or slider.
     watched : whether anybody looks.
     revision : another number whenever the face looks different.
@@ -65,7 +67,8 @@ class Talking(QObject):
         self.revision = 0
         self.pose = HeadPose()
         self.blinks = self.head_motion = self.random = True
-        self.detail = Detail.PHONEMES
+        self.attack_factor = self.release_factor = 1.0
+        self.detail, self.mode = Detail.PHONEMES, Mode.INTERACT
         self.table_name = USUAL_TABLE
         self.table = self._written = load_table(USUAL_TABLE)
         self.asked = AskedVisemes(self.table)
@@ -100,15 +103,20 @@ class Talking(QObject):
         self.detail = detail
         self._use(self.table)
 
-    def set_manner(self, attack: float, release: float) -> None:
-        """Choose how fast the mouth opens and closes, seconds; MouthError where the engine refuses that."""
-        self._use(mannered(self.table, attack, release, random=self.random))
+    def set_speed(self, attack: float, release: float) -> None:
+        """Make all attacks and all releases of the table longer, by factors above 0."""
+        self.attack_factor, self.release_factor = attack, release
+        self._use_written()
 
     def set_random(self, on: bool) -> None:
         """Have the mouth vary as mouths do, or not."""
         self.random = on
-        manner = self.table.manner
-        self._use(mannered(self._written, manner.attack, manner.release, random=on))
+        self._use_written()
+
+    def set_mode(self, mode: Mode) -> None:
+        """Choose what becomes of other shapes, of speech and of blinks when a shape is asked for."""
+        self.mode = mode
+        self.changed.emit()
 
     def set_blinks(self, on: bool) -> None:
         """Have the eyes blink, or not."""
@@ -127,24 +135,23 @@ class Talking(QObject):
         self.hold(self.table.phonemes[phoneme])
 
     def hold(self, shape: str) -> None:
-        """Hold a shape, whatever is said, until `release`."""
-        self.asked.held = shape
+        """Hold a shape, whatever is said, until `release`: everything else goes to 0 but blinks."""
+        self.asked.hold(shape)
         self.asked_changed.emit()
 
     def release(self) -> None:
         """Let go of the shape that is held."""
-        self.asked.held = ""
+        self.asked.release()
         self.asked_changed.emit()
 
     def ask(self, shape: str, share: float) -> None:
-        """Ask for a shape, 0..1, whatever is said; 0 leaves it to the speech again."""
-        self.asked.shares[shape] = min(max(share, 0.0), 1.0)
+        """Ask for a shape, 0..1; `mode` says what becomes of everything else."""
+        self.asked.ask(shape, min(max(share, 0.0), 1.0), self.mode)
         self.asked_changed.emit()
 
     def ask_nothing(self) -> None:
-        """Leave all shapes to the speech."""
-        self.asked.held = ""
-        self.asked.shares = dict.fromkeys(self.asked.shares, 0.0)
+        """Leave the face to speech and blinks."""
+        self.asked.ask_nothing()
         self.asked_changed.emit()
 
     def watch(self, on: bool) -> None:
@@ -194,7 +201,7 @@ class Talking(QObject):
 
     def _move(self, now: float) -> None:
         weights = self.asked.mixed(self._mouth.weights(now), now)
-        closure = self._blinker.closure(now) if self.blinks else 0.0
+        closure = self.asked.blinks * self._blinker.closure(now) if self.blinks else 0.0
         pose = self._mouth.pose(now) if self.head_motion else HeadPose()
         look = np.array([*weights, closure, pose.yaw, pose.pitch, pose.roll], np.float32)
         if len(look) == len(self._seen):
@@ -202,7 +209,8 @@ class Talking(QObject):
             if change[:-3].max() < LEAST_WEIGHT and change[-3:].max() < LEAST_ANGLE:
                 return
         self._seen, self.pose = look, pose
-        self.face.move(weights, closure)
+        self.face.move(weights)
+        self.face.blink(closure)
         self.revision += 1
 
     def _connect(self) -> None:
@@ -218,13 +226,16 @@ class Talking(QObject):
             part.failed.connect(self.failed)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
-        self._heard += blocks
-        self.osc.follow(blocks)
+        """Take what was heard; once the sound has been stopped, what is still told of it says nothing any more."""
+        if self.session.playing or self.session.position or self.session.source is not Source.FILE:
+            self._heard += blocks
+            self.osc.follow(blocks)
 
     def _tell_network(self) -> None:
-        self.osc.ask(self.asked.phonemes)
+        self.osc.ask(self.asked.phonemes, self.asked.speech)
 
     def _hush(self) -> None:
+        self._heard.clear()
         self._last = None
         self._mouth.hush(self._clock() - self._began)
 
@@ -267,14 +278,17 @@ class Talking(QObject):
             self.changed.emit()
             return
         self.table_name, self._written = name, table
-        manner = table.manner
         self.asked = AskedVisemes(table)
-        self._use(mannered(table, manner.attack, manner.release, random=self.random))
+        self._use_written()
         self.asked_changed.emit()
+
+    def _use_written(self) -> None:
+        self._use(self._written.moved_as(self.attack_factor, self.release_factor, random=self.random))
 
     def _use(self, table: MouthTable) -> None:
         self.table = table
         self._mouth.use(table, self.detail)
         self.face.use(table)
+        self.osc.use(table, self.detail)
         self._seen = np.zeros(0, np.float32)
         self.changed.emit()

@@ -12,8 +12,9 @@ from engine.mouth.face import Figure, fitted
 from engine.mouth.files.opening import load_face, load_figure
 from engine.mouth.head import load_head
 from engine.mouth.mesh import Vectors
-from engine.mouth.movestate_set import MOST_PERCENT, MovestateSet
+from engine.mouth.movestate_set import MovestateSet
 from engine.mouth.names import EYELIDS
+from engine.mouth.percentages import MOST_PERCENT
 from engine.mouth.table import MouthTable, load_table, shipped_tables
 from phonemeanalyser.models.backroom import Backroom
 
@@ -62,6 +63,7 @@ class TalkingFace(QObject):
         self._shown = self.files
         self._asked = False
         self._columns: list[tuple[int, str]] = []
+        self._spoken: dict[str, float] = {}
         self._lids: tuple[str, ...] = ()
 
     @property
@@ -96,24 +98,26 @@ class TalkingFace(QObject):
 
     def moved_by(self, table: MouthTable) -> tuple[str, ...]:
         """Name the movestates of this face that a table moves."""
-        moved = np.any(table.weights() != 0, axis=0)
-        return tuple(mine for column, mine in self._pairs(table) if moved[column])
+        return tuple(mine for _, mine in self._pairs(table))
 
     def use(self, table: MouthTable) -> None:
         """Move with the weights of another table."""
         if self.states is not None:
             self._columns = self._pairs(table)
-            self._lids = tuple(name for name in EYELIDS if name in self.states)
-            self.states.reset_all(force=True)
 
-    def move(self, weights: NDArray[np.float32], closure: float) -> None:
-        """Set the movestates: those of the table by its weights, and the lids by how far a blink has closed them."""
+    def move(self, weights: NDArray[np.float32]) -> None:
+        """Set the movestates of the table by its weights, and all others to 0; a blink goes on."""
         if self.states is not None:
             values = (100 * np.clip(weights, -MOST_WEIGHT, MOST_WEIGHT)).tolist()
-            percentages = {name: values[column] for column, name in self._columns}
+            self._spoken = {name: values[column] for column, name in self._columns}
+            self.states.reset_all()
+            self.states.set_percentages(self._spoken)
+
+    def blink(self, closure: float) -> None:
+        """Close the lids as far as a blink has closed them, 0..1, where what is said does not close them farther."""
+        if self.states is not None:
             for lid in self._lids:
-                percentages[lid] = max(percentages.get(lid, 0.0), 100 * closure)
-            self.states.set_percentages(percentages)
+                self.states.set_percentage(lid, max(100 * closure, self._spoken.get(lid, 0.0)))
 
     def positions(self) -> Vectors:
         """Give where the vertices are now, shape (n_vertices, 3); the array is used again by the next call."""
@@ -126,15 +130,23 @@ class TalkingFace(QObject):
         self._work.close()
 
     def _pairs(self, table: MouthTable) -> list[tuple[int, str]]:
-        """Give the places of the table's movestates that the face has, under its own names for them."""
+        """Give the places of the movestates that the table moves and the face has, under its own names for them."""
         if self.states is None:
             return []
+        moved = {name for shape in table.shapes.values() for name, percent in shape.items() if percent}
         mine = {_plain(name): name for name in self.states.names}
-        return [(k, mine[_plain(name)]) for k, name in enumerate(table.movestates) if _plain(name) in mine]
+        return [
+            (k, mine[_plain(name)])
+            for k, name in enumerate(table.movestates)
+            if name in moved and _plain(name) in mine
+        ]
 
     def _take(self, files: FaceFiles, figure: Figure) -> None:
         self._shown = files
         self.figure, self.states = figure, MovestateSet(figure.mesh, figure.states)
+        self._lids = tuple(name for name in EYELIDS if name in self.states)
+        for name in self.states.names:  # brows and eyes are the table's here: only blinks have a life of their own
+            self.states.set_interactable(name, name not in self._lids)
         known = [(name, load_table(name)) for name in shipped_tables()]
         self.tables = {name: table.name for name, table in known if self.moved_by(table)}
         self.changed.emit()

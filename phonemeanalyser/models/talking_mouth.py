@@ -2,11 +2,11 @@
 
 import math
 from collections import deque
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from engine.analyser import Analysis
 from engine.features.path import F0
-from engine.mouth.cues import MINIMUM, MOST_ANTICIPATION, VOWELS
+from engine.mouth.cues import MINIMUM, MOST_ANTICIPATION, leads_of
 from engine.mouth.head_motion import HeadMotion, HeadPose
 from engine.mouth.morpher import Detail, Morpher, Weights
 from engine.mouth.table import MouthTable
@@ -47,7 +47,7 @@ class TalkingMouth:
 
     Parameters
     ----------
-    table : the mouth shapes, and the manner of the movement.
+    table : the mouth shapes, and how the mouth moves between them.
     detail : how much of the speech it follows.
     """
 
@@ -110,8 +110,7 @@ class TalkingMouth:
 
     def _begin_anew(self) -> None:
         self._morpher = Morpher(self._table, detail=self._detail)
-        self._ahead = dict.fromkeys(VOWELS, MOST_ANTICIPATION)
-        self._ahead |= dict.fromkeys(self._table.firm, min(MOST_ANTICIPATION, self._table.manner.closing))
+        self._ahead = leads_of(self._table, MOST_ANTICIPATION)
         self._coming: deque[Told] = deque()
         self._code, self._loud, self._since = int(Phoneme.SILENCE), 0.0, -math.inf
         self._begun = self._sounded = self._now = -math.inf
@@ -138,9 +137,3 @@ class TalkingMouth:
             self._sounded = max(frame.time, self._sounded)
             self._morpher.hear_loudness(self._sounded, frame.intensity)
             self._motion.hear(max(frame.time, self._posed), frame.intensity, frame.f0)
-
-
-def mannered(table: MouthTable, attack: float, release: float, *, random: bool) -> MouthTable:
-    """Give a table another manner: times in which the mouth opens and closes, seconds, and whether it varies."""
-    randomness = table.manner.randomness if random else 0.0
-    return replace(table, manner=replace(table.manner, attack=attack, release=release, randomness=randomness))

@@ -1,21 +1,24 @@
 """The mouth over the network: whether it is sent, and where to."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
 from engine.analyser import Analysis
 from engine.errors import EngineError
+from engine.mouth.morpher import Detail
 from engine.mouth.osc import OscAddress, OscMouth
-from engine.mouth.table import load_table
+from engine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from engine.phonemes import Phoneme
 from phonemeanalyser.models.background import begun
 from phonemeanalyser.models.backroom import Backroom
 
 USUAL_ADDRESS = "127.0.0.1:39539"
 """Where VMC programs listen on this computer."""
-TABLES = ("arkit", "vrm", "oculus")
-"""The sets of movestates that receivers know."""
+AS_THE_HEAD = "head"
+TABLES = (AS_THE_HEAD, "arkit", "vrm", "oculus")
+"""What is sent: what moves the head, or one of the sets of movestates that receivers know."""
 
 
 class TalkingOsc(QObject):
@@ -23,7 +26,7 @@ class TalkingOsc(QObject):
 
     Signals
     -------
-    changed : switched on or off, or another address or table.
+    changed : switched on or off, or another address or set.
     failed : a sentence for the user; it is switched off then.
 
     Attributes
@@ -39,10 +42,11 @@ class TalkingOsc(QObject):
         super().__init__()
         self.address = USUAL_ADDRESS
         self.table = TABLES[0]
+        self._head, self._detail = load_table(USUAL_TABLE), Detail.PHONEMES
         self._mouth: OscMouth | None = None
-        self._wanted: tuple[str, str] | None = None
+        self._wanted: tuple[str, MouthTable, Detail] | None = None
         self._said = ""
-        self._asked: dict[Phoneme, float] = {}
+        self._asked: tuple[dict[Phoneme, float], float] = ({}, 1.0)
         self._work = Backroom(self._fail)
 
     @property
@@ -81,17 +85,24 @@ class TalkingOsc(QObject):
             self.table = name
             self.set_on(self.on)
 
+    def use(self, head: MouthTable, detail: Detail) -> None:
+        """Move as a head does that is moved by this table, in this detail."""
+        if (head, detail) != (self._head, self._detail):
+            self._head, self._detail = head, detail
+            if self.on:
+                self.set_on(True)
+
     def follow(self, blocks: Sequence[Analysis]) -> None:
         """Send what was heard."""
         if self._mouth is not None:
             for analysis in blocks:
                 self._mouth.follow(analysis)
 
-    def ask(self, phonemes: Mapping[Phoneme, float]) -> None:
-        """Send the shapes of these phonemes, 0..1, whatever is heard; of none, what is heard."""
-        self._asked = dict(phonemes)
+    def ask(self, phonemes: Mapping[Phoneme, float], speech: float) -> None:
+        """Send the shapes of these phonemes, 0..1, beside a share of what is heard; of none, what is heard."""
+        self._asked = dict(phonemes), speech
         if self._mouth is not None:
-            self._mouth.ask(self._asked)
+            self._mouth.ask(*self._asked)
 
     def see(self) -> None:
         """Take note of what the network says."""
@@ -110,20 +121,26 @@ class TalkingOsc(QObject):
             self._mouth = None
 
     def _begin(self) -> None:
-        wanted = self._wanted = (self.address, self.table)
+        table, detail = self._table_of_receiver(), self._detail
+        wanted = self._wanted = (self.address, table, detail)
         try:
             address = OscAddress.of(self.address)
         except EngineError as error:
             self._fail(str(error))
             return
-        table = load_table(self.table)
-        self._work.do(lambda _heed: OscMouth(address, table), lambda mouth: self._take(wanted, mouth))
+        self._work.do(lambda _heed: OscMouth(address, table, detail=detail), lambda mouth: self._take(wanted, mouth))
 
-    def _take(self, wanted: tuple[str, str], mouth: OscMouth) -> None:
+    def _table_of_receiver(self) -> MouthTable:
+        """Give the table of the head, or another one that moves as the head does."""
+        if self.table == AS_THE_HEAD:
+            return self._head
+        return replace(load_table(self.table), times=self._head.times, manner=self._head.manner)
+
+    def _take(self, wanted: tuple[str, MouthTable, Detail], mouth: OscMouth) -> None:
         """Send with this one, unless something else is wanted by now."""
         if wanted == self._wanted and self._mouth is None:
             self._mouth = mouth
-            mouth.ask(self._asked)
+            mouth.ask(*self._asked)
             self.changed.emit()
         else:
             begun(mouth.close)

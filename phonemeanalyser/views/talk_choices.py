@@ -10,14 +10,18 @@ from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_keys import LettersPassed
 from phonemeanalyser.views.keys import KeysOfNumbers
 from phonemeanalyser.views.status_line import ElidedLabel
+from phonemeanalyser.views.talk_times import TimesOfSounds
 
 DETAILS = {Detail.PHONEMES: "all phonemes", Detail.LOUDNESS: "loudness only", Detail.TWO_STATES: "open and shut"}
 OWN = "own table …"
-SHORTEST_MS, LONGEST_MS, STEP_MS = 5, 1000, 10
+FASTEST_PERCENT, SLOWEST_PERCENT, STEP_PERCENT = 10, 1000, 10
+
+WIDE = ElidedLabel | QComboBox | TimesOfSounds
+"""What takes the width that is left."""
 
 
 class ChoicesPanel(QWidget):
-    """Chooses face, table, detail, times, and what the face does besides.
+    """Chooses face, table, detail, speed, and what the face does besides.
 
     Signals
     -------
@@ -37,6 +41,7 @@ class ChoicesPanel(QWidget):
         self.shipped = _button("Program’s Own", "Show the head that ships with the program")
         self.table, self.detail = QComboBox(), QComboBox()
         self.attack, self.release = QSpinBox(), QSpinBox()
+        self.times = TimesOfSounds(talking, theme)
         self.blinks, self.motion, self.random = QCheckBox("blinks"), QCheckBox("head motion"), QCheckBox("randomness")
         self._describe()
         self._lay_out()
@@ -50,12 +55,12 @@ class ChoicesPanel(QWidget):
         self.detail.setToolTip("How much of the speech the mouth follows: faces that are far away need less")
         for detail, words in DETAILS.items():
             self.detail.addItem(words, detail)
-        for box, what in ((self.attack, "opens"), (self.release, "closes in silence")):
-            box.setRange(SHORTEST_MS, LONGEST_MS)
-            box.setSingleStep(STEP_MS)
-            box.setSuffix(" ms")
-            box.setAccessibleName(f"time in which the mouth {what}")
-            box.setToolTip(f"Time in which the mouth {what}")
+        for box, what in ((self.attack, "attack"), (self.release, "release")):
+            box.setRange(FASTEST_PERCENT, SLOWEST_PERCENT)
+            box.setSingleStep(STEP_PERCENT)
+            box.setSuffix(" %")
+            box.setAccessibleName(f"how long every {what} is")
+            box.setToolTip(f"How long every {what} is: 100 % as the table has it, less is faster, more is slower")
             box.setKeyboardTracking(False)
             box.installEventFilter(KeysOfNumbers(self))
         for combo in (self.table, self.detail):
@@ -72,7 +77,8 @@ class ChoicesPanel(QWidget):
         rows: tuple[tuple[str, tuple[QWidget, ...]], ...] = (
             ("Face", (self.face, self.own, self.shipped)),
             ("Table", (self.table, QLabel("detail"), self.detail)),
-            ("Times", (QLabel("opens in"), self.attack, QLabel("closes in"), self.release)),
+            ("Times", (QLabel("attack"), self.attack, QLabel("release"), self.release, QLabel("of the table’s"))),
+            ("", (self.times,)),
             ("Life", (self.blinks, self.motion, self.random)),
         )
         for number, (name, widgets) in enumerate(rows):
@@ -82,8 +88,8 @@ class ChoicesPanel(QWidget):
             row = QHBoxLayout()
             row.setSpacing(8)
             for widget in widgets:
-                row.addWidget(widget, 1 if isinstance(widget, ElidedLabel | QComboBox) else 0)
-            if not any(isinstance(widget, ElidedLabel | QComboBox) for widget in widgets):
+                row.addWidget(widget, 1 if isinstance(widget, WIDE) else 0)
+            if not any(isinstance(widget, WIDE) for widget in widgets):
                 row.addStretch(1)
             grid.addLayout(row, number, 1)
         grid.setColumnStretch(1, 1)
@@ -95,7 +101,7 @@ class ChoicesPanel(QWidget):
         self.table.activated.connect(self._choose_table)
         self.detail.activated.connect(lambda k: talking.set_detail(self.detail.itemData(k)))
         for box in (self.attack, self.release):
-            box.valueChanged.connect(self._choose_times)
+            box.valueChanged.connect(self._choose_speed)
         self.blinks.toggled.connect(talking.set_blinks)
         self.motion.toggled.connect(talking.set_head_motion)
         self.random.toggled.connect(talking.set_random)
@@ -109,8 +115,8 @@ class ChoicesPanel(QWidget):
         else:
             self._talking.set_table(name)
 
-    def _choose_times(self, _value: int) -> None:
-        self._talking.set_manner(self.attack.value() / 1000, self.release.value() / 1000)
+    def _choose_speed(self, _value: int) -> None:
+        self._talking.set_speed(self.attack.value() / 100, self.release.value() / 100)
 
     def _show_state(self) -> None:
         talking = self._talking
@@ -121,8 +127,8 @@ class ChoicesPanel(QWidget):
         self.shipped.setEnabled(not talking.face.is_shipped)
         self._list_tables()
         self.detail.setCurrentIndex(self.detail.findData(talking.detail))
-        self.attack.setValue(round(1000 * talking.table.manner.attack))
-        self.release.setValue(round(1000 * talking.table.manner.release))
+        self.attack.setValue(round(100 * talking.attack_factor))
+        self.release.setValue(round(100 * talking.release_factor))
         self.blinks.setChecked(talking.blinks)
         self.motion.setChecked(talking.head_motion)
         self.random.setChecked(talking.random)

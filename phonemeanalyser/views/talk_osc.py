@@ -3,11 +3,11 @@
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QWidget
 
-from phonemeanalyser.models.talking_osc import TABLES, TalkingOsc
+from phonemeanalyser.models.talking_osc import AS_THE_HEAD, TABLES, TalkingOsc
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_keys import LettersPassed
 
-NAMES = {"arkit": "ARKit 52", "vrm": "VRM A I U E O", "oculus": "Oculus 15"}
+NAMES = {AS_THE_HEAD: "as the head", "arkit": "ARKit 52", "vrm": "VRM A I U E O", "oculus": "Oculus 15"}
 
 
 class OscPanel(QWidget):
@@ -44,7 +44,9 @@ class OscPanel(QWidget):
         self.address.setAccessibleName("receiver of the OSC messages")
         self.address.setToolTip("HOST:PORT of the program that shall receive the mouth, such as 127.0.0.1:39539")
         self.table.setAccessibleName("movestates that are sent")
-        self.table.setToolTip("The movestates of the avatar that receives them")
+        self.table.setToolTip(
+            "The movestates of the avatar that receives them: those of the head’s table, or another set"
+        )
         self.table.installEventFilter(LettersPassed(self))
         for name in TABLES:
             self.table.addItem(NAMES[name], name)

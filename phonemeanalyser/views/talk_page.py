@@ -36,7 +36,7 @@ class TalkPage(QWidget):
 
     Signals
     -------
-    sound_asked, preset_asked : the user wants to open a sound, or to load phoneme data.
+    sound_asked, preset_asked : the user wants the head to say another sound, or to load phoneme data.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class TalkPage(QWidget):
         self.bars = MovestateBars(talking, theme)
         self.osc = OscPanel(talking.osc, theme)
         self.keys = HeldKeys(talking, self)
-        self.open = _button("Load a Sound…", "Open a sound file for the head to say (Ctrl+O)")
+        self.open = _button("Load a Sound…", "Open a sound file, and have the head say it at once")
         self.play = _button("Play", "Play or pause (Space)")
         self.stop = _button("Stop", "Stop (Escape)")
         self.preset = _button("Load Phoneme Data…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")

@@ -1,10 +1,11 @@
-"""A key and a slider for each mouth shape: they win over the speech."""
+"""A key and a slider for each mouth shape, and what becomes of everything else when one is asked for."""
 
 from collections.abc import Mapping
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
+    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -15,13 +16,20 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from engine.mouth.percentages import Mode
 from engine.mouth.table import MouthTable
 from phonemeanalyser.lettering import set_size
 from phonemeanalyser.models.talking import Talking
 from phonemeanalyser.theme import Theme
-from phonemeanalyser.views.calibration_keys import KEYS
+from phonemeanalyser.views.calibration_keys import KEYS, LettersPassed
 from phonemeanalyser.views.talk_heading import heading
 
+MODES = {
+    Mode.NONE: "others stay",
+    Mode.RESET: "others to 0",
+    Mode.FORCE_RESET: "others and blinks to 0",
+    Mode.INTERACT: "others share 100 %",
+}
 COLUMNS = 2
 PERCENT_WIDTH = 40
 
@@ -74,6 +82,7 @@ class VisemePanel(QWidget):
         self.buttons: dict[str, VisemeButton] = {}
         self.sliders: dict[str, QSlider] = {}
         self._percents: dict[str, QLabel] = {}
+        self.mode = QComboBox()
         self.leave = QToolButton()
         self.leave.setText("Leave It to the Speech")
         self.leave.setToolTip("Set all sliders back to 0")
@@ -81,12 +90,23 @@ class VisemePanel(QWidget):
         self.leave.clicked.connect(lambda _checked: talking.ask_nothing())
         self._lay_out()
         talking.changed.connect(self._take_table)
+        self.mode.activated.connect(lambda k: talking.set_mode(Mode(self.mode.itemData(k))))
         talking.asked_changed.connect(self._show_asked)
         self._take_table()
 
     def _lay_out(self) -> None:
+        for mode, words in MODES.items():
+            self.mode.addItem(words, mode.value)
+        self.mode.setAccessibleName("what becomes of everything else when a slider is pulled")
+        self.mode.setToolTip(
+            "What becomes of the speech, of the other shapes and of blinks when a slider asks for a shape: all stay, "
+            "and movements add up; all but blinks go to 0; blinks as well; or first the speech and then other shapes "
+            "shrink, so that all are 100 % at most. Keys and buttons set all but blinks to 0 while they are held"
+        )
+        self.mode.installEventFilter(LettersPassed(self))
         head = QHBoxLayout()
         head.addWidget(heading("Mouth shapes"), 1)
+        head.addWidget(self.mode)
         head.addWidget(self.leave)
         self._body = QWidget()
         self._column = column = QVBoxLayout(self)
@@ -98,6 +118,7 @@ class VisemePanel(QWidget):
     def _take_table(self) -> None:
         """List the shapes, where they are others."""
         table = self._talking.table
+        self.mode.setCurrentIndex(self.mode.findData(self._talking.mode.value))
         if self._table is None or self._table.shapes is not table.shapes:
             body = QWidget()
             self._column.replaceWidget(self._body, body)
@@ -129,7 +150,7 @@ class VisemePanel(QWidget):
         slider.setPageStep(10)
         slider.setMinimumWidth(44)
         slider.setAccessibleName(f"share of the mouth shape {shape}")
-        slider.setToolTip(f"How far the mouth takes the shape {shape}, whatever is said; 0 leaves it to the speech")
+        slider.setToolTip(f"How far the mouth takes the shape {shape}; with all at 0 it is left to the speech")
         slider.valueChanged.connect(lambda value: talking.ask(shape, value / 100))
         percent = self._percents[shape] = QLabel()
         percent.setFixedWidth(PERCENT_WIDTH)
@@ -144,8 +165,7 @@ class VisemePanel(QWidget):
             with QSignalBlocker(self.sliders[shape]):
                 self.sliders[shape].setValue(round(100 * share))
             self.buttons[shape].setDown(shape == asked.held)
-            wanted = asked.wanted[shape]
-            self._percents[shape].setText(f"{100 * wanted:.0f} %" if wanted else "")
+            self._percents[shape].setText(f"{100 * share:.0f} %" if share else "")
         self.leave.setEnabled(any(asked.shares.values()))
 
 

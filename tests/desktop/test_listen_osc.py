@@ -8,7 +8,7 @@ import pytest
 from engine.audio import stream
 from engine.audio.devices import InputChoice
 from engine.mouth.osc import OscMouth, OscSettings
-from engine.mouth.table import load_table
+from engine.mouth.table import USUAL_TABLE, load_table
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.settings import SAMPLE_RATE
 from phonemeanalyser import listening
@@ -86,9 +86,19 @@ def test_the_command_line_sends_too(
 ) -> None:
     microphone.give(SPEECH)
     to = f"{receiver.address.host}:{receiver.address.port}"
-    assert main(["listen", "--seconds", "0.5", "--osc", to, "--table", "arkit"]) == 0
-    wait_for(lambda: {"jawOpen", "mouthPressLeft"} <= set(receiver.weights()), "a face")
+    assert main(["listen", "--seconds", "0.5", "--osc", to, "--table", "vrm"]) == 0
+    wait_for(lambda: set(receiver.weights()) == {"A", "I", "U", "E", "O"}, "a face")
     assert capsys.readouterr().out
+
+
+def test_the_command_line_moves_a_face_as_the_head_moves_unless_told_otherwise(
+    microphone: HandDrivenMicrophone, receiver: Receiver
+) -> None:
+    head = load_table(USUAL_TABLE)
+    moved = {name for name, column in zip(head.movestates, head.weights().T, strict=True) if column.any()}
+    microphone.give(SPEECH)
+    assert main(["listen", "--seconds", "0.5", "--osc", f"{receiver.address.host}:{receiver.address.port}"]) == 0
+    wait_for(lambda: set(receiver.weights()) == moved, "the movestates of the head")
 
 
 @pytest.mark.parametrize(

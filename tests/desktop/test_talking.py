@@ -1,19 +1,26 @@
 """The talking head without a window: it says what is heard, in step with the sound."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
+from engine.analyser import Analysis
 from engine.mouth.face import Face
 from engine.mouth.files.opening import save_face
 from engine.mouth.head import load_head
 from engine.mouth.head_motion import HeadPose
 from engine.mouth.morpher import Detail
 from engine.mouth.movestate import movestate_of
+from engine.mouth.osc import OscAddress, OscMouth
+from engine.mouth.percentages import Mode
+from engine.mouth.table import MouthTable, load_table
 from engine.phonemes import Phoneme
 from engine.tones import Tone, ToneKind
+from phonemeanalyser.models import talking_osc
 from phonemeanalyser.models.session import Session, Source
 from phonemeanalyser.models.talking_face import FaceFiles
 from tests.desktop.sessions import settled
@@ -21,6 +28,10 @@ from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
 from tests.glb_faces import face_with_targets
 from tests.osc_receiver import Receiver
 from tests.outputs import Outputs
+from tests.sounds import silence, vowel
+
+HANG = 30_000
+"""Milliseconds that only a hang reaches."""
 
 
 @pytest.fixture
@@ -88,6 +99,27 @@ def test_a_pause_holds_the_mouth_and_stop_closes_it(stage: Stage, qtbot: QtBot) 
     assert stage.jaw < 1
 
 
+def test_the_mouth_closes_after_a_file_that_ends_in_the_middle_of_an_a(stage: Stage, tmp_path: Path) -> None:
+    stage.open(tmp_path, np.concatenate((silence(0.3), vowel((700, 1200, 2500), 0.5))))
+    opened: list[float] = []
+    stage.play(2.0, lambda: opened.append(stage.jaw))
+    assert not stage.session.playing
+    assert max(opened) > 15
+    stage.wait(0.6)
+    assert stage.jaw < 1
+
+
+def test_what_is_heard_too_late_does_not_open_a_mouth_that_was_stopped(stage: Stage, qtbot: QtBot) -> None:
+    late: list[Analysis] = []
+    stage.session.heard.connect(late.extend)
+    stage.play(0.9)
+    stage.session.stop()
+    stage.session.heard.emit(late[-2:])  # as the analysis thread may give them before it knows
+    settled(stage.session, qtbot)
+    stage.wait(0.6)
+    assert stage.jaw < 1
+
+
 def test_a_place_in_the_file_shows_the_mouth_that_says_it(stage: Stage, qtbot: QtBot) -> None:
     for place, opened in ((0.9, True), (0.3, False), (1.0, True)):
         stage.session.seek(place)
@@ -130,6 +162,7 @@ def test_nothing_is_moved_while_nobody_looks(
 
 
 def test_a_held_shape_and_a_slider_win_over_the_speech(stage: Stage) -> None:
+    stage.talking.set_mode(Mode.RESET)
     stage.play(0.9)
     stage.talking.press(Phoneme.U)
     stage.wait(0.4)
@@ -157,13 +190,95 @@ def test_a_shape_is_reached_smoothly(stage: Stage) -> None:
     assert opened[1] < 0.6 * opened[-1]
 
 
-def test_shapes_that_are_asked_for_together_share_the_mouth(stage: Stage) -> None:
-    stage.talking.ask("a", 1.0)
+# what a jaw that says nothing does, in shares of the shapes a and o, after a was asked for at 80 and o at 60 %
+SHARES = {
+    Mode.NONE: {"a": 0.8, "o": 0.6},
+    Mode.RESET: {"a": 0.0, "o": 0.6},
+    Mode.FORCE_RESET: {"a": 0.0, "o": 0.6},
+    Mode.INTERACT: {"a": 0.4, "o": 0.6},
+}
+
+
+@pytest.mark.parametrize("mode", Mode)
+def test_the_mode_says_what_becomes_of_a_shape_when_another_one_is_asked_for(stage: Stage, mode: Mode) -> None:
+    stage.talking.set_mode(mode)
+    stage.talking.ask("a", 0.8)
+    stage.talking.ask("o", 0.6)
+    shares = {shape: share for shape, share in stage.talking.asked.shares.items() if share or shape in SHARES[mode]}
+    assert shares == pytest.approx(SHARES[mode])
     stage.wait(0.5)
-    alone = stage.jaw
-    stage.talking.ask("silence", 1.0)
+    shapes = stage.talking.table.shapes
+    assert stage.jaw == pytest.approx(
+        sum(share * shapes[shape]["jawOpen"] for shape, share in shares.items()), rel=0.01
+    )
+
+
+@pytest.mark.parametrize(("mode", "left"), [(Mode.NONE, 1.0), (Mode.INTERACT, 0.6), (Mode.RESET, 0.0)])
+def test_the_mode_says_how_far_the_speech_goes_on(stage: Stage, mode: Mode, left: float) -> None:
+    stage.session.seek(0.9)
+    settled(stage.session, stage.qtbot)
     stage.wait(0.5)
-    assert stage.jaw == pytest.approx(alone / 2, rel=0.02)
+    said = stage.jaw
+    stage.talking.set_mode(mode)
+    stage.talking.ask("silence", 0.4)
+    stage.wait(0.5)
+    assert said > 15
+    assert stage.jaw == pytest.approx(left * said, abs=0.5)
+    stage.talking.ask("silence", 0.0)
+    stage.wait(0.5)
+    assert stage.jaw == pytest.approx(said, abs=0.5)
+
+
+@pytest.mark.parametrize(("mode", "blinks"), [*((m, m is not Mode.FORCE_RESET) for m in Mode), (None, True)])
+def test_eyes_go_on_blinking_whatever_the_mouth_is_asked_for_unless_they_are_forced(
+    stage: Stage, mode: Mode | None, blinks: bool
+) -> None:
+    if mode is None:
+        stage.talking.press(Phoneme.A)
+    else:
+        stage.talking.set_mode(mode)
+        stage.talking.ask("a", 1.0)
+    stage.wait(0.5)
+    lids: list[float] = []
+    stage.wait(LONG, lambda: lids.append(stage.talking.percentages["eyeBlinkLeft"]))
+    assert (max(lids) > 60) is blinks
+    assert blinks or max(lids) < 1
+
+
+def test_a_key_holds_its_shape_alone_and_leaves_the_sliders_as_they_were(stage: Stage) -> None:
+    stage.talking.ask("a", 0.4)
+    stage.talking.ask("o", 0.3)
+    stage.talking.press(Phoneme.U)
+    assert {shape for shape, share in stage.talking.asked.shares.items() if share} == {"u"}
+    stage.wait(0.5)
+    assert stage.jaw == pytest.approx(stage.talking.table.shapes["u"]["jawOpen"], rel=0.02)
+    stage.talking.release()
+    shares = stage.talking.asked.shares
+    assert (shares["a"], shares["o"], shares["u"]) == pytest.approx((0.4, 0.3, 0.0))
+
+
+def test_another_shape_of_the_mouth_does_not_open_eyes_that_blink(stage: Stage) -> None:
+    face = stage.talking.face
+    assert face.states is not None
+    assert not face.states.interactable("eyeBlinkLeft")
+    still = np.zeros(len(stage.talking.table.movestates), np.float32)
+    face.blink(0.8)
+    face.move(still)
+    assert face.states.percentage("eyeBlinkLeft") == pytest.approx(80)
+    face.blink(0.0)
+    assert face.states.percentage("eyeBlinkLeft") == 0
+
+
+def test_what_only_the_table_before_moved_comes_to_rest(stage: Stage) -> None:
+    stage.talking.press(Phoneme.A)
+    stage.wait(0.5)
+    assert stage.talking.percentages["browInnerUp"] > 3
+    stage.talking.release()
+    stage.talking.set_table("five")
+    stage.talking.press(Phoneme.A)
+    stage.wait(0.5)
+    assert stage.talking.percentages["browInnerUp"] == 0
+    assert stage.jaw > 40
 
 
 def test_two_states_do_not_care_how_loud_it_is(stage: Stage) -> None:
@@ -175,8 +290,8 @@ def test_two_states_do_not_care_how_loud_it_is(stage: Stage) -> None:
 
 def test_a_slow_mouth_opens_later_than_a_fast_one(stage: Stage, qtbot: QtBot) -> None:
     reached = []
-    for attack in (0.02, 0.6):
-        stage.talking.set_manner(attack, 0.16)
+    for attack in (0.2, 6.0):
+        stage.talking.set_speed(attack, 1.0)
         stage.session.stop()
         settled(stage.session, qtbot)
         stage.wait(0.5)
@@ -344,6 +459,54 @@ def test_another_set_is_sent_under_its_own_names(stage: Stage, receiver: Receive
     osc.set_on(True)
     osc.set_table("vrm")
     qtbot.waitUntil(lambda: (stage.talking.tick(), "A" in receiver.weights())[1])
+
+
+def test_a_receiver_moves_by_the_table_of_the_head_and_as_fast(
+    stage: Stage, receiver: Receiver, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun: list[tuple[MouthTable, Detail]] = []
+
+    class Watched(OscMouth):
+        def __init__(self, address: OscAddress, table: MouthTable, *, detail: Detail) -> None:
+            begun.append((table, detail))
+            super().__init__(address, table, detail=detail)
+
+    monkeypatch.setattr(talking_osc, "OscMouth", Watched)
+    talking, osc = stage.talking, stage.talking.osc
+
+    def sends_like(table: MouthTable, detail: Detail) -> None:
+        qtbot.waitUntil(lambda: (talking.tick(), begun[-1:] == [(table, detail)])[1], timeout=HANG)
+
+    osc.set_address(f"127.0.0.1:{receiver.address.port}")
+    osc.set_on(True)
+    sends_like(talking.table, Detail.PHONEMES)
+    talking.set_table("five")
+    assert talking.table.name == "Five mouth shapes"
+    sends_like(talking.table, Detail.PHONEMES)
+    talking.set_speed(3.0, 2.0)
+    talking.set_random(False)
+    talking.set_detail(Detail.TWO_STATES)
+    sends_like(talking.table, Detail.TWO_STATES)
+    osc.set_table("vrm")
+    sends_like(replace(load_table("vrm"), times=talking.table.times, manner=talking.table.manner), Detail.TWO_STATES)
+
+
+def test_a_receiver_that_is_switched_off_stays_so_whatever_moves_the_head(stage: Stage) -> None:
+    stage.talking.set_table("five")
+    stage.talking.set_speed(3.0, 2.0)
+    assert not stage.talking.osc.on
+    assert not stage.talking.osc._work.busy
+
+
+def test_the_receiver_is_told_how_far_the_speech_goes_on(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[tuple[dict[Phoneme, float], float]] = []
+    monkeypatch.setattr(stage.talking.osc, "ask", lambda phonemes, speech: told.append((phonemes, speech)))
+    stage.talking.set_mode(Mode.INTERACT)
+    stage.talking.ask("u", 0.25)
+    stage.talking.press(Phoneme.A)
+    stage.talking.release()
+    stage.talking.ask_nothing()
+    assert told == [({Phoneme.U: 0.25}, 0.75), ({Phoneme.A: 1.0}, 0.0), ({Phoneme.U: 0.25}, 0.75), ({}, 1.0)]
 
 
 @pytest.mark.parametrize("asked_first", [False, True])

@@ -21,6 +21,9 @@ from engine.mouth.face import face_of
 from engine.mouth.files.opening import save_face
 from engine.mouth.mesh import mesh_of
 from engine.mouth.movestate import movestate_of
+from engine.mouth.percentages import Mode
+from engine.mouth.table import TABLES, load_table
+from engine.phonemes import Phoneme
 from engine.presets.files import THESIS_PRESET
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.main_window import MainWindow
@@ -312,6 +315,28 @@ def test_a_slider_opens_the_mouth_and_one_button_leaves_it_to_the_speech(window,
     closed_mouth(desktop, qtbot)
 
 
+def test_the_page_has_the_choice_of_what_becomes_of_other_shapes(window, desktop):
+    visemes = window.talk.visemes
+
+    def values_after(mode: Mode) -> tuple[int, int]:
+        visemes.mode.setCurrentIndex(visemes.mode.findData(mode.value))
+        visemes.mode.activated.emit(visemes.mode.currentIndex())
+        click(visemes.leave)
+        visemes.sliders["a"].setValue(80)
+        visemes.sliders["o"].setValue(60)
+        return visemes.sliders["a"].value(), visemes.sliders["o"].value()
+
+    assert visemes.mode.currentData() == Mode.INTERACT
+    assert values_after(Mode.INTERACT) == (40, 60)
+    assert values_after(Mode.NONE) == (80, 60)
+    assert values_after(Mode.RESET) == (0, 60)
+    assert values_after(Mode.FORCE_RESET) == (0, 60)
+    QTest.mousePress(visemes.buttons["e"], LEFT)
+    assert (visemes.sliders["e"].value(), visemes.sliders["o"].value()) == (100, 0)
+    QTest.mouseRelease(visemes.buttons["e"], LEFT)
+    assert (visemes.sliders["e"].value(), visemes.sliders["o"].value()) == (0, 60)
+
+
 def test_another_table_brings_its_own_shapes(window, desktop, qtbot):
     table = window.talk.choices.table
     table.setCurrentIndex(table.findData("five"))
@@ -323,15 +348,47 @@ def test_another_table_brings_its_own_shapes(window, desktop, qtbot):
     QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
 
 
-def test_the_buttons_load_a_sound_and_phoneme_data(window, desktop, monkeypatch, tmp_path, qtbot):
+def test_a_sound_that_is_loaded_beside_the_head_is_said_at_once(window, desktop, monkeypatch, tmp_path, qtbot):
     other = wav(tmp_path, AN_A, "other.wav")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(other), ""))
     click(window.talk.open)
     assert desktop.session.path == other
     assert window.talk.said.text() == "other.wav"
+    assert desktop.session.playing
+    open_mouth(desktop, qtbot)
+
+
+@pytest.mark.parametrize("chosen", ["", "none.wav"])
+def test_nothing_is_said_where_no_sound_was_loaded(window, desktop, monkeypatch, tmp_path, chosen):
+    before = desktop.session.path
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (chosen and str(tmp_path / chosen), ""))
+    click(window.talk.open)
+    assert desktop.session.path == before
+    assert not desktop.session.playing
+
+
+def test_a_button_loads_phoneme_data(window, desktop, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(THESIS_PRESET.parent / "extended.toml"), ""))
     click(window.talk.preset)
     assert desktop.preset.path.name == "extended.toml"
+
+
+def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, tmp_path, qtbot):
+    times, choices = window.talk.choices.times, window.talk.choices
+    assert times.milliseconds(Phoneme.M) == ("50", "150")
+    assert times.milliseconds(Phoneme.A) == ("100", "200")
+    assert "a: 100 and 200 ms" in times.toolTip()
+    before = times.grab().toImage()
+    choices.attack.setValue(150)
+    choices.release.setValue(200)
+    assert times.milliseconds(Phoneme.A) == ("150", "400")
+    assert "a: 150 and 400 ms" in times.toolTip()
+    assert times.grab().toImage() != before
+    text = (TABLES / "arkit.toml").read_text(encoding="utf-8").replace("a = { attack = 0.10", "a = { attack = 0.20")
+    (tmp_path / "mine.toml").write_text(text, encoding="utf-8")
+    desktop.talking.set_table(str(tmp_path / "mine.toml"))
+    qtbot.waitUntil(lambda: times.milliseconds(Phoneme.A) == ("300", "400"))
+    assert times.milliseconds(Phoneme.M) == ("75", "300")
 
 
 # -- whose face it is ---------------------------------------------------------------------------------
@@ -454,12 +511,16 @@ def test_choices_come_back_at_the_next_start(qapp, settings: QSettings, no_micro
     for box in (choices.blinks, choices.random):
         click(box)
     choices.attack.setValue(200)
+    choices.release.setValue(50)
+    desktop.talking.set_mode(Mode.NONE)
     desktop.talking.osc.set_address("127.0.0.1:9000")
     desktop.close()
     again = start()
     talking = again.talking
     assert (talking.table_name, talking.blinks, talking.random, talking.head_motion) == ("five", False, False, True)
-    assert talking.table.manner.attack == pytest.approx(0.2)
+    assert again.window.talk.visemes.mode.currentData() == Mode.NONE
+    a, written = talking.table.times[Phoneme.A], load_table("five").times[Phoneme.A]
+    assert (a.attack, a.release) == pytest.approx((2 * written.attack, written.release / 2))
     assert again.window.talk.choices.attack.value() == 200
     assert again.window.talk.osc.address.text() == "127.0.0.1:9000"
     assert not talking.osc.on

@@ -1,5 +1,7 @@
 """Filters do what their formula says."""
 
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -15,6 +17,7 @@ from engine.dsp.filters import (
     pre_emphasis,
 )
 from engine.dsp.spectrum import Transform
+from engine.errors import SettingsError
 from engine.settings import BIN_WIDTH, WINDOW, AnalysisSettings
 from tests.sounds import Sound, tone
 
@@ -133,6 +136,22 @@ def test_a_normalised_spectrum_has_its_largest_amplitude_at_one(loudness: float,
     normalised = normalise(spectra * np.float32(loudness))
     np.testing.assert_allclose(normalised.max(axis=1), 1, rtol=1e-6)
     np.testing.assert_allclose(normalised, normalise(spectra), rtol=1e-4)
+
+
+@pytest.mark.parametrize("maximum", [0.5, 1.0, 80.0])
+def test_the_largest_amplitude_becomes_the_maximum_that_is_asked_for(maximum: float):
+    spectra = some_spectra(5)
+    scaled = normalise(spectra, maximum)
+    np.testing.assert_allclose(scaled.max(axis=1), maximum, rtol=1e-6)
+    np.testing.assert_allclose(scaled, maximum * normalise(spectra), rtol=1e-5)
+    assert normalise(spectra[0], maximum).max() == pytest.approx(maximum)
+    assert not normalise(np.zeros(16, np.float32), maximum).any()
+
+
+@pytest.mark.parametrize("maximum", [0, -1, math.nan, math.inf])
+def test_a_maximum_that_is_no_amplitude_is_refused(maximum: float):
+    with pytest.raises(SettingsError, match=f"must be above 0, got {maximum:g}"):
+        normalise(some_spectra(1), maximum)
 
 
 def test_a_silent_spectrum_stays_zero_when_normalised():

@@ -96,6 +96,13 @@ def test_another_preset_acts_from_the_next_block_on(hear: Hear) -> None:
     assert Phoneme.SILENCE not in found.recognised[first + 1 :]
 
 
+def test_a_listener_tells_its_preset(hear: Hear) -> None:
+    listener = hear(HandDrivenMicrophone(), preset=DEAF).listener
+    assert listener.preset is DEAF
+    listener.use(PRESET)
+    assert listener.preset is PRESET
+
+
 def test_polling_gives_the_newest_phoneme_and_its_intensity(hear: Hear) -> None:
     microphone = HandDrivenMicrophone()
     hearing = hear(microphone)

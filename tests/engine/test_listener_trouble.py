@@ -52,7 +52,7 @@ def test_a_slider_that_is_moved_while_there_is_no_microphone_does_not_try_for_on
     hearing = hear()
     hearing.wait_words(REFUSAL)
     for _ in range(50):
-        hearing.listener.use(hearing.listener._preset)
+        hearing.listener.use(hearing.listener.preset)
         time.sleep(0.002)
     assert len(hearing.openers.asked) == 1
 

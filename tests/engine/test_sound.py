@@ -1,6 +1,7 @@
 """A sound file as a game uses it: what it says belongs to what is heard at this moment."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -231,6 +232,14 @@ def test_a_file_that_is_none_raises_at_once_and_opens_no_device(tmp_path: Path) 
 
     with pytest.raises(AudioError, match="missing"):
         Sound(tmp_path / "missing.wav", PRESET, open_device=refuse)
+
+
+def test_a_sound_tells_its_preset(path: Path) -> None:
+    with Sound(path, PRESET) as sound:
+        assert sound.preset is PRESET
+        other = replace(PRESET, name="other")
+        sound.use(other)
+        assert sound.preset is other
 
 
 def test_closing_lets_file_and_device_go(path: Path) -> None:

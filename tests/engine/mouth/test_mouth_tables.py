@@ -1,5 +1,7 @@
 """Mouth tables: what ships says what the subject says, and a broken file is refused in one sentence."""
 
+import re
+import tomllib
 from contextlib import suppress
 from pathlib import Path
 
@@ -9,11 +11,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.errors import MouthError
+from engine.mouth.manner import Manner, Times
 from engine.mouth.names import ARKIT, OCULUS, VRM
-from engine.mouth.table import TABLES, MouthTable, load_table, shipped_tables, table_of
+from engine.mouth.table import SPEAKING, TABLES, MouthTable, load_table, shipped_tables, table_of
 from engine.phonemes import MOUTH_SHAPES, Phoneme
 
 GOOD = (TABLES / "vrm.toml").read_text(encoding="utf-8")
+UNTIMED = re.sub(r"\[times\][^\[]*", "", GOOD)
+"""A table as it was before each sound had times of its own."""
 COLUMNS = {"arkit": ARKIT, "eleven": ARKIT, "five": ARKIT, "oculus": OCULUS, "vrm": VRM}
 
 
@@ -93,9 +98,35 @@ def test_a_table_may_exaggerate_and_pull_the_other_way() -> None:
     assert weight(table, Phoneme.A, "U") == pytest.approx(-0.2)
 
 
-def test_an_animator_sets_the_manner_in_the_table() -> None:
-    table = table_of(GOOD + "\n[manner]\nattack = 0.2\nrandomness = 0\n")
-    assert (table.manner.attack, table.manner.randomness) == (0.2, 0)
+@pytest.mark.parametrize("name", shipped_tables())
+def test_every_shipped_table_says_how_fast_the_mouth_is_for_which_sound(name: str) -> None:
+    document = tomllib.loads((TABLES / f"{name}.toml").read_text(encoding="utf-8"))
+    assert set(document["times"]) == {p.label for p in SPEAKING}
+    assert all(set(times) == {"attack", "release"} for times in document["times"].values())
+    assert load_table(name).times == load_table("arkit").times
+
+
+def test_an_animator_sets_the_times_of_one_sound_and_the_manner() -> None:
+    table = table_of(
+        re.sub("a = { attack.*", "a = { attack = 0.3, release = 0.4 }", GOOD) + "\n[manner]\nquiet = 0\n"
+    )
+    assert table.times[Phoneme.A] == Times(0.3, 0.4)
+    assert table.times[Phoneme.E] == load_table("vrm").times[Phoneme.E]
+    assert table.manner == Manner(quiet=0)
+
+
+def test_a_table_that_gives_one_attack_and_release_for_all_still_means_it() -> None:
+    table = table_of(UNTIMED + "\n[manner]\nattack = 0.2\nrelease = 0.3\nclosing = 0.04\nrandomness = 0\n")
+    lips = {Phoneme.M, Phoneme.P}
+    assert table.times == {p: Times(0.04 if p in lips else 0.2, 0.3) for p in SPEAKING}
+    assert table_of(UNTIMED).times == {p: Times(0.05 if p in lips else 0.09, 0.16) for p in SPEAKING}
+
+
+def test_what_a_sound_does_not_say_of_its_times_is_that_of_all() -> None:
+    text = UNTIMED.replace("[shapes.closed]", "[times]\na = { attack = 0.3 }\nm = { release = 0.1 }\n[shapes.closed]")
+    times = table_of(text + "\n[manner]\nrelease = 0.25\n").times
+    assert (times[Phoneme.A], times[Phoneme.M]) == (Times(0.3, 0.25), Times(0.05, 0.1))
+    assert times[Phoneme.E] == Times(0.09, 0.25)
 
 
 # name: (what stands in the file, what is put there instead, what the refusal says)
@@ -137,6 +168,25 @@ CHANGES = {
         "[shapes.A]",
         "[manner]\nattack = 0\n[shapes.A]",
         r"\[manner\] attack must lie in 0.005..1 s",
+    ),
+    "times of silence": (
+        "[times]",
+        "[times]\nsilence = { attack = 0.1 }",
+        r"\[times\] silence has none: .* remove it",
+    ),
+    "times of nobody": ("[times]", "[times]\nth = { attack = 0.1 }", r"\[times\] knows no phoneme 'th'"),
+    "times as number": ("a = { attack = 0.10, release = 0.20 }", "a = 0.1", r"\[times\] a must be like .* found 0.1"),
+    "unknown time": ("a = { attack = 0.10", "a = { hold = 0.10", r"\[times\] a must be like { attack = 0.1"),
+    "time as text": ("a = { attack = 0.10", 'a = { attack = "0.1"', r"\[times\] a attack must be a number"),
+    "time too short": (
+        "a = { attack = 0.10",
+        "a = { attack = 0",
+        r"\[times\] a attack must lie in 0.005..1 s, got 0",
+    ),
+    "time that acts on nothing": (
+        "[shapes.A]",
+        "[manner]\nattack = 0.2\n[shapes.A]",
+        r"\[manner\] attack acts on nothing, since \[times\] names every phoneme; remove one of them",
     ),
     "manner not a number": (
         "[shapes.A]",

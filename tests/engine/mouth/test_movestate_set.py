@@ -7,7 +7,8 @@ import pytest
 from engine.errors import MeshError
 from engine.mouth.mesh import mesh_of
 from engine.mouth.movestate import Movestate, movestate_at, movestate_of
-from engine.mouth.movestate_set import Mode, MovestateSet
+from engine.mouth.movestate_set import MovestateSet
+from engine.mouth.percentages import Mode
 from tests.meshes import CORNERS, cube, moved_by
 
 UP, RIGHT, BACK = (0, 1, 0), (1, 0, 0), (0, 0, -1)
@@ -75,6 +76,17 @@ class TestPercentages:
         full.set_percentages({"open": 60, "blink": 90})
         full.reset_all(force=force)
         assert full.percentages == {"open": 0, "wide": 0, "purse": 0, "blink": blink}
+
+    def test_a_state_is_pushed_back_from_when_on_it_is_interactable(self):
+        full = states()
+        full.set_interactable("blink", True)
+        full.set_interactable("wide", False)
+        full.set_percentages({"open": 60, "wide": 20, "blink": 40})
+        full.set_percentage("purse", 50, Mode.INTERACT)
+        assert full.percentages == pytest.approx({"open": 30, "wide": 20, "purse": 50, "blink": 20})
+        full.set_percentage("purse", 50, Mode.RESET)
+        assert full.percentages == {"open": 0, "wide": 20, "purse": 50, "blink": 0}
+        assert (full.interactable("blink"), full.interactable("wide")) == (True, False)
 
     def test_resetting_one_takes_back_even_a_blink(self):
         full = states()

@@ -213,3 +213,14 @@ def test_a_name_that_nobody_knows_is_refused(monkeypatch: pytest.MonkeyPatch) ->
         MouthError, match=r"the OSC receiver nowhere is unknown .*; check its name, or give its number"
     ):
         OscMouth(OscAddress("nowhere", 9000), load_table("vrm"))
+
+
+def test_the_speech_goes_on_beside_a_shape_as_far_as_it_is_let(receiver: Receiver) -> None:
+    with mouth_to(receiver) as mouth, speaking(mouth, Phoneme.A):
+        wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an a")
+        mouth.ask({Phoneme.U: 0.4}, 1.0)
+        wait_for(lambda: receiver.weights()["U"] > 0.35 and receiver.weights()["A"] > 0.7, "both")
+        mouth.ask({Phoneme.U: 0.6}, 0.4)
+        wait_for(lambda: receiver.weights()["U"] > 0.55 and 0.27 < receiver.weights()["A"] < 0.45, "shares of both")
+        mouth.ask({Phoneme.U: 0.6})
+        wait_for(lambda: receiver.weights()["U"] > 0.55 and receiver.weights()["A"] < 0.01, "the shape alone")
