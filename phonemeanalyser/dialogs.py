@@ -239,7 +239,7 @@ class Dialogs(QObject):
             self._window, "Save the averaged spectrum", self._folder("curve"), CURVE_FILTER
         )
         if name:
-            path = Path(name) if name.endswith(".csv") else Path(name + ".csv")
+            path = Path(name) if name.endswith(".csv") else free_path(Path(name + ".csv"))
             front_end = self._preset.in_force.settings.front_end()
             self._try(lambda: self._session.averages.save(path, front_end))
 

@@ -15,8 +15,9 @@ from engine.mouth.speech import speech_of
 from engine.mouth.table import shipped_tables
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.presets.preset import Preset
+from phonemeanalyser.arguments import add_overwrite
 from phonemeanalyser.jobs import Job, jobs_of, sound_of, watched, work_through
-from phonemeanalyser.writing import print_whole, write_whole_bytes
+from phonemeanalyser.writing import Guard, print_whole, write_whole_bytes
 
 
 def export(words: list[str]) -> int:
@@ -28,11 +29,13 @@ def export(words: list[str]) -> int:
     if exporter.format.moves_mesh and options.out is None:
         raise EngineError(f"{options.kind} is no text to be printed; name a file or a folder with -o")
     preset = load_preset(options.preset)
-    jobs = jobs_of(options.inputs, options.out, exporter.format.ending)
-    return 1 if work_through(jobs, lambda job: _export(job, preset, exporter)) else 0
+    jobs = jobs_of(options.inputs, options.out, exporter.format.full_ending)
+    guard = Guard(exporter.format.owns, options.overwrite)
+    return 1 if work_through(jobs, lambda job: _export(job, preset, exporter, guard)) else 0
 
 
-def _export(job: Job, preset: Preset, exporter: Exporter) -> None:
+def _export(job: Job, preset: Preset, exporter: Exporter, guard: Guard) -> None:
+    guard.check(job.target)
     with sound_of(job) as reader:
         pitch = exporter.format.moves_head and exporter.life.head
         speech = speech_of(watched(reader, preset, pitch=pitch), shown_name(job.source), reader.duration)
@@ -41,7 +44,7 @@ def _export(job: Job, preset: Preset, exporter: Exporter) -> None:
         text = b"".join(parts).decode()
         print_whole(lambda file: file.writelines([text]))
     else:
-        write_whole_bytes(job.target, parts)
+        write_whole_bytes(job.target, parts, guard)
 
 
 def _options(words: list[str]) -> argparse.Namespace:
@@ -64,6 +67,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
     parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
     parser.add_argument("--no-head", action="store_true", help="keep the head still")
+    add_overwrite(parser)
     return parser.parse_args(words)
 
 

@@ -34,7 +34,7 @@ def test_every_format_is_printed_or_written_alike(
     said = capsys.readouterr()
     assert said.err == ""
     exported(sound, "--format", name, "-o", tmp_path / "out")
-    target = tmp_path / "out" / f"speech{FORMATS[name].ending}"
+    target = tmp_path / "out" / f"speech{FORMATS[name].full_ending}"
     assert target.read_text(encoding="utf-8") == said.out
     assert [path for path in (tmp_path / "out").rglob("*") if path.is_file()] == [target]
 
@@ -102,7 +102,7 @@ def test_a_folder_is_walked_and_what_cannot_be_read_is_said_and_passed_over(
     assert len(lines) == 1
     assert lines[0].startswith("phonemeanalyser: b.wav: ")
     found = {path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*.*")}
-    assert found == {"a.TextGrid", "deep/c.TextGrid"}
+    assert found == {"a.mouth.TextGrid", "deep/c.mouth.TextGrid"}
 
 
 @pytest.mark.parametrize("name", ODD_FILES)
@@ -144,7 +144,7 @@ def test_two_sounds_of_one_name_do_not_overwrite_each_other(
     said = refused(
         capsys, "export", sound, tmp_path / "speech.flac", "--format", "rhubarb-tsv", "-o", tmp_path / "out"
     )
-    assert said == "speech.flac: its file speech.tsv is already that of speech.wav; rename one of them"
+    assert said == "speech.flac: its file speech.rhubarb.tsv is already that of speech.wav; rename one of them"
 
 
 @pytest.mark.parametrize(

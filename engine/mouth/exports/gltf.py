@@ -9,15 +9,27 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.errors import ExportError
+from engine.errors import ExportError, MeshError
 from engine.mouth.animation import Animation
 from engine.mouth.exports.export import Export
-from engine.mouth.exports.glb import Glb, read_glb, shipped_glb
+from engine.mouth.exports.glb import LARGEST_JSON, Glb, read_glb, shipped_glb
+from engine.mouth.files.glb import chunks_of, document_of
+from engine.mouth.files.gltf_writing import GENERATOR
 from engine.mouth.head import HEAD
 
 FLOAT = 5126
 """glTF's code for float32."""
-NAME = "speech"
+NAME, EXTRAS = "speech", {"generator": GENERATOR}
+"""The animation that is added, and what it tells of itself."""
+
+
+def owns(content: bytes) -> bool:
+    """Say whether the content of a file is a GLB to which a movement was added here, the last one in it."""
+    try:
+        newest = document_of(chunks_of(content)[0], LARGEST_JSON)["animations"][-1]
+        return bool(newest["extras"] == EXTRAS)
+    except (MeshError, TypeError, KeyError, IndexError):
+        return False
 
 
 def write(export: Export) -> bytes:
@@ -51,7 +63,7 @@ def _animate(glb: Glb, faces: Sequence[tuple[int, Sequence[str]]], animation: An
             output = _accessor(glb, weights.ravel(), {})
             channels.append({"sampler": len(samplers), "target": {"node": node, "path": "weights"}})
             samplers.append({"input": input_, "output": output, "interpolation": "LINEAR"})
-    glb.list_of("animations").append({"name": NAME, "samplers": samplers, "channels": channels})
+    glb.list_of("animations").append({"name": NAME, "samplers": samplers, "channels": channels, "extras": EXTRAS})
 
 
 def _weights_for(names: Sequence[str], animation: Animation) -> NDArray[np.float32] | None:
