@@ -8,8 +8,9 @@ from typing import TextIO
 from engine.errors import EngineError
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.presets.preset import Preset
+from engine.settings import Channel
 from engine.tables import TABLES, TableFormat, Writer
-from phonemeanalyser.arguments import add_overwrite
+from phonemeanalyser.arguments import add_channel, add_overwrite
 from phonemeanalyser.jobs import Job, is_single, jobs_of, sound_of, watched, work_through
 from phonemeanalyser.writing import Guard, print_whole, write_whole
 
@@ -59,13 +60,14 @@ def analyse(words: list[str]) -> int:
     parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
     parser.add_argument("--format", choices=list(TABLES), dest="kind", help="default: as OUT ends, else csv")
     parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
+    add_channel(parser)
     add_overwrite(parser)
     options = parser.parse_args(words)
     table = Table(options.kind or kind_for(options.inputs, options.out), options.features)
     preset = load_preset(options.preset)
     jobs = jobs_of(options.inputs, options.out, table.format.ending)
     guard = Guard(table.format.owns, options.overwrite)
-    return 1 if work_through(jobs, lambda job: _analyse(job, preset, table, guard)) else 0
+    return 1 if work_through(jobs, lambda job: _analyse(job, options.channel, preset, table, guard)) else 0
 
 
 def kind_for(inputs: list[Path], out: Path | None) -> str:
@@ -75,9 +77,9 @@ def kind_for(inputs: list[Path], out: Path | None) -> str:
     return {form.ending.lower(): kind for kind, form in TABLES.items()}.get(out.suffix.lower(), "csv")
 
 
-def _analyse(job: Job, preset: Preset, table: Table, guard: Guard) -> None:
+def _analyse(job: Job, channel: Channel, preset: Preset, table: Table, guard: Guard) -> None:
     guard.check(job.target)
-    with sound_of(job) as reader:
+    with sound_of(job, channel) as reader:
 
         def write(file: TextIO) -> None:
             table.write(file, watched(reader, preset, pitch=table.features), reader, preset)

@@ -13,7 +13,7 @@ from engine.audio.files import SUFFIXES, SoundReader
 from engine.audio.opening import shown_name
 from engine.errors import AudioError, EngineError
 from engine.presets.preset import Preset
-from engine.settings import FRAME_PERIOD, SAMPLE_RATE
+from engine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 
 BLOCK = 5 * SAMPLE_RATE
 """Samples that are read at a time."""
@@ -72,17 +72,17 @@ def work_through(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
 
 
 @contextmanager
-def sound_of(job: Job) -> Iterator[SoundReader]:
-    """Open the sound of a job, and say what is odd about it.
+def sound_of(job: Job, channel: Channel) -> Iterator[SoundReader]:
+    """Open the sound of a job to analyse one of its channels, and say what is odd about it.
 
     Raises
     ------
-    AudioError : it cannot be read, or there is none.
+    AudioError : it cannot be read, or lacks the channel, or there is none.
     """
     name = shown_name(job.source)
     if _is_folder(job.source):
         raise AudioError(f"{name}: there is no sound file in this folder; name another")
-    with SoundReader(job.source) as reader:
+    with SoundReader(job.source, channel) as reader:
         for note in reader.notes:
             tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
         yield reader

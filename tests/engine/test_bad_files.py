@@ -139,8 +139,9 @@ def test_one_sample_is_a_sound_with_a_remark(tmp_path: Path) -> None:
     ("channel", "remark"),
     [
         (Channel.MIX, "200 channels are mixed to one"),
-        (Channel.LEFT, "only the first of 200 channels is used"),
-        (Channel.RIGHT, "only the second of 200 channels is used"),
+        (Channel.LEFT, "only channel 1 of 200 is used"),
+        (Channel("150"), "only channel 150 of 200 is used"),
+        (Channel.RIGHT, "only channel 2 of 200 is used"),
     ],
 )
 def test_two_hundred_channels_become_one_with_a_remark(channel: Channel, remark: str, tmp_path: Path) -> None:
