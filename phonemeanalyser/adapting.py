@@ -11,6 +11,7 @@ from engine.calibration.scores.corpus import Utterance, read_recordings
 from engine.errors import PresetError
 from engine.presets.files import DEFAULT_PRESET, load_preset, save_preset
 from phonemeanalyser.arguments import add_channel
+from phonemeanalyser.jobs import say_cut_off
 
 
 def adapt(words: list[str]) -> int:
@@ -25,6 +26,7 @@ def adapt(words: list[str]) -> int:
     found: list[Utterance] = []
     for folder in options.folders:
         found += read_recordings(folder, mapping, channel=options.channel)
+    say_cut_off(found)
     outcome = adapted(preset.model, [lesson_of_recording(utterance) for utterance in found])
     save_preset(replace(preset, name=options.out.stem, model=outcome.model), options.out)
     seconds = sum(utterance.labels[-1].end for utterance in found if utterance.labels)

@@ -32,12 +32,14 @@ class Dialogs(QObject):
     Signals
     -------
     refused : a sentence for the user; an empty one after something went well.
+    told : a sentence for the user about something to know.
     sound_opened : a sound file is in hand, and first among the recent ones.
     variable_added : name of the user's new variable.
     offered : a sentence, what can be done about it, and the function that does it.
     """
 
     refused = Signal(str)
+    told = Signal(str)
     sound_opened = Signal()
     variable_added = Signal(str)
     offered = Signal(str, str, object)
@@ -60,6 +62,8 @@ class Dialogs(QObject):
         """Open a sound file."""
         if self._session.open(path):
             self.refused.emit("")
+            if self._session.cut_off:
+                self.told.emit(self._session.cut_off)
             here = str(path.resolve())
             recent = [here] + [other for other in self.recent_sounds() if other != here]
             self._settings.setValue("recent", recent[:N_RECENT])

@@ -181,6 +181,7 @@ class MainWindow(QMainWindow):
         self.filters.bypass_asked.connect(preset.set_bypassed)
         self.recogniser.chosen.connect(dialogs.choose_recogniser)
         dialogs.refused.connect(self.banner.say)
+        dialogs.told.connect(self.banner.tell)
         preset.refused.connect(self.banner.say)
         dialogs.variable_added.connect(self.analysis.time_view.variable.setCurrentText)
         self.banner.shown.connect(self._banner_bar.setVisible)

@@ -18,6 +18,7 @@ from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.presets.preset import Preset
 from engine.settings import Channel
 from phonemeanalyser.arguments import add_channel, number
+from phonemeanalyser.jobs import say_cut_off
 from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset, printable
@@ -72,7 +73,9 @@ def _recordings_in(
 ) -> tuple[Utterance, ...]:
     if not folder.exists():
         raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")
-    return read_recordings(folder, mapping, channel=channel, passed_over=troubles.push)
+    utterances = read_recordings(folder, mapping, channel=channel, passed_over=troubles.push)
+    say_cut_off(utterances)
+    return utterances
 
 
 def _scored(

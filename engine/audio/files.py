@@ -11,7 +11,7 @@ from typing import BinaryIO, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.audio.headers import ADVICE, mp3_states_its_length, sound_end
+from engine.audio.headers import ADVICE, Extent, extent_of, mp3_states_its_length
 from engine.audio.libsndfile import Decoder, DecodingError
 from engine.audio.opening import Part, opened, shown_name
 from engine.audio.resampling import Resampler
@@ -72,8 +72,9 @@ class SoundReader:
         self._raw = opened(path, self._name)
         with ExitStack() as unless_read:
             unless_read.callback(self._raw.close)
-            self._file = _decoder(self._raw, self._name)
-            self._n_frames = _checked_length(self._file, self._raw, self._name)
+            self._extent = _extent(self._raw, self._name)
+            self._file = _decoder(self._raw, self._extent, self._name)
+            self._n_frames = _checked_length(self._file, self._raw, self._extent, self._name)
             self.n_file_channels = int(self._file.channels)
             self.choose(channel)
             unless_read.pop_all()
@@ -96,7 +97,20 @@ class SoundReader:
     @property
     def notes(self) -> tuple[str, ...]:
         """Remarks for the user, a sentence each; mostly none."""
-        return tuple(_notes(self.n_file_channels, self.n_samples, self.channel))
+        cut_off = [self.cut_off] if self.cut_off else []
+        return (*cut_off, *_notes(self.n_file_channels, self.n_samples, self.channel))
+
+    @property
+    def cut_off(self) -> str:
+        """What is missing of a file that ends before its header says, as a sentence; empty where it is whole."""
+        extent, there = self._extent, f"{self.duration:.3f} s are there"
+        if not extent.cut_off:
+            return ""
+        if extent.there == extent.announced:
+            return "it is cut off behind its sound, which is whole"
+        if not extent.share:
+            return f"its header does not say how long it is; {there}"
+        return f"it is cut off: of the {self.duration / extent.share:.3f} s that its header announces, {there}"
 
     def choose(self, channel: Channel) -> None:
         """Analyse another channel; not to be done once something was read.
@@ -263,19 +277,22 @@ def mono_of(block: Block, channel: Channel) -> Block:
     return np.ascontiguousarray(block[:, channel.number - 1])
 
 
-def _decoder(raw: BinaryIO, name: str) -> Decoder:
+def _extent(raw: BinaryIO, name: str) -> Extent:
     if raw.seek(0, io.SEEK_END) == 0:
         raise AudioError(f"{name}: the file is empty (0 bytes); copy or record it again")
-    end = sound_end(raw, name)
+    return extent_of(raw, name)
+
+
+def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder:
     try:
-        return Decoder(Part(raw, end))
+        return Decoder(Part(raw, extent.end, extent.corrections))
     except (DecodingError, TypeError) as error:
         raise AudioError(
             f"{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG or MP3 file"
         ) from error
 
 
-def _checked_length(file: Decoder, raw: BinaryIO, name: str) -> int:
+def _checked_length(file: Decoder, raw: BinaryIO, extent: Extent, name: str) -> int:
     """Give the number of frames, after the refusals that concern the file as a whole."""
     rate, n_frames = int(file.samplerate), int(file.frames)
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
@@ -286,7 +303,8 @@ def _checked_length(file: Decoder, raw: BinaryIO, name: str) -> int:
         )
     if n_frames >= 1 << 62:  # what libsndfile gives where the header names none
         raise AudioError(f"{name}: its header does not say how long the sound is; {ADVICE}")
-    if n_frames > 0 and _is_mp3(file) and not mp3_states_its_length(raw):
+    is_guess = extent.cut_off or (_is_mp3(file) and not mp3_states_its_length(raw))
+    if n_frames > 0 and is_guess:
         n_frames = _frames_there(file, n_frames)
     if n_frames <= 0:
         raise AudioError(f"{name}: there are no samples in it; record or export it again")
@@ -294,7 +312,7 @@ def _checked_length(file: Decoder, raw: BinaryIO, name: str) -> int:
 
 
 def _frames_there(file: Decoder, most: int) -> int:
-    """Count the frames of an MP3 file whose length is only guessed from its size, by looking where it ends."""
+    """Count the frames of a file whose length is only guessed, by looking where it ends."""
     here, beyond = -1, most
     probe = most - 1
     while here < beyond - 1:

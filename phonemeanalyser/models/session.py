@@ -161,6 +161,11 @@ class Session(QObject):
         """Channels of the file in hand; 2 where there is none yet."""
         return self._file.n_file_channels if self._file else 2
 
+    @property
+    def cut_off(self) -> str:
+        """What the file in hand lacks, as a sentence; empty where it is whole."""
+        return f"{self._file.path.name}: {self._file.cut_off}" if self._file and self._file.cut_off else ""
+
     # -- where the sound comes from -----------------------------------------------------------------------
 
     def open(self, path: Path) -> bool:

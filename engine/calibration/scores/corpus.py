@@ -53,6 +53,7 @@ class Utterance:
     labels : what was said, in order of time.
     speaker, corpus : who said it, and the part of the corpus it belongs to.
     channel : what is analysed of a sound that has several.
+    cut_off : what the sound's file lacks, as a sentence; empty where it is whole.
     """
 
     path: Path
@@ -60,6 +61,7 @@ class Utterance:
     speaker: str
     corpus: str
     channel: Channel = Channel.MIX
+    cut_off: str = ""
 
     @property
     def voice(self) -> str:
@@ -188,23 +190,24 @@ def _utterances_of(
     read = []
     for pair in pairs:
         try:
-            read.append((pair, _marks_of(pair, mapping, tier)))
+            read.append((pair, *_marks_of(pair, mapping, tier)))
         except AudioError as error:
             if passed_over is None:
                 raise
             passed_over(error)
-    names = sum((names_in(marks) for _, marks in read), Counter())
+    names = sum((names_in(marks) for _, marks, _ in read), Counter())
     senses = mapping.senses_of(names, source)
     return tuple(
-        Utterance(pair.sound, labels_named(marks, senses), pair.speaker, pair.corpus, pair.channel)
-        for pair, marks in read
+        Utterance(pair.sound, labels_named(marks, senses), pair.speaker, pair.corpus, pair.channel, cut_off)
+        for pair, marks, cut_off in read
     )
 
 
-def _marks_of(pair: _Pair, mapping: Mapping, tier: str | None) -> tuple[Mark, ...]:
+def _marks_of(pair: _Pair, mapping: Mapping, tier: str | None) -> tuple[tuple[Mark, ...], str]:
+    """Read the marks of a sound, and what its file lacks."""
     with SoundReader(pair.sound, pair.channel) as reader:
-        duration = reader.duration
-    return read_marks(pair.labels, mapping, duration=duration, tier=tier)
+        duration, cut_off = reader.duration, reader.cut_off
+    return read_marks(pair.labels, mapping, duration=duration, tier=tier), cut_off
 
 
 def _pairs_beside(source: Path, speaker: str | None, channel: Channel) -> Iterator[_Pair]:
