@@ -37,7 +37,8 @@ def _export(job: Job, channel: Channel, preset: Preset, exporter: Exporter, guar
     guard.check(job.target)
     with sound_of(job, channel) as reader:
         pitch = exporter.format.moves_head and exporter.life.head
-        speech = speech_of(watched(reader, preset, pitch=pitch), shown_name(job.source), reader.duration)
+        analyses = watched(reader, preset, pitch=pitch)
+        speech = speech_of(analyses, shown_name(job.source), reader.duration, job.source)
     parts = exporter.parts_of(speech)
     if job.target is None:
         text = b"".join(parts).decode()

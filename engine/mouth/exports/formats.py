@@ -101,7 +101,7 @@ FORMATS: dict[str, Format] = {
     ),
     "gltf": Format(
         ".glb", gltf.write, "arkit", "the head or a face of yours", rate=30, anticipation=MOST_ANTICIPATION,
-        moves_mesh=True, owns=gltf.owns,
+        moves_head=True, moves_mesh=True, owns=gltf.owns,
     ),
     "curves-json": Format(
         ".json", curves.write, "arkit", "curves for Unity, Godot, pages", rate=60, anticipation=MOST_ANTICIPATION,
