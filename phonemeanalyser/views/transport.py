@@ -103,6 +103,7 @@ class Transport(QWidget):
         self.volume.setRange(int(QUIETEST_DB), 0)
         self.volume.setFixedWidth(80)
         self.volume.setAccessibleName("volume")
+        self.channel.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.channel.setToolTip("Which channel of the file is analysed")
         self.channel.setAccessibleName("channel of the file")
         for source in Source:
