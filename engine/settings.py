@@ -55,12 +55,38 @@ class WindowFunction(StrEnum):
     BLACKMAN_HARRIS = "blackman_harris"
 
 
+MOST_CHANNELS = 1024
+"""The highest number that a channel may have."""
+
+
 class Channel(StrEnum):
-    """Which channel of a stereo sound is analysed."""
+    """Which channel of a sound is analysed: one of them, or the mean of all.
+
+    ``Channel("3")`` is the third; left is the first, and right the second.
+    """
 
     MIX = "mix"
     LEFT = "left"
     RIGHT = "right"
+
+    @property
+    def number(self) -> int:
+        """Counted from 1; 0 for the mix."""
+        known = (Channel.MIX, Channel.LEFT, Channel.RIGHT)
+        return known.index(self) if self in known else int(self.value)
+
+    @classmethod
+    def _missing_(cls, value: object) -> "Channel | None":
+        """Make the channels that have no other name than their number, each once."""
+        if not isinstance(value, str) or not value.isdecimal() or int(value) > MOST_CHANNELS:
+            return None
+        number = int(value)
+        if number <= cls.RIGHT.number:
+            return (cls.MIX, cls.LEFT, cls.RIGHT)[number]
+        made = str.__new__(cls, number)
+        made._name_ = made._value_ = str(number)
+        known = cls._value2member_map_.setdefault(made.value, made)
+        return known if isinstance(known, Channel) else None
 
 
 QUANTISATIONS = (1, 2, 4)

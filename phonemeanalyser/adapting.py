@@ -10,6 +10,8 @@ from engine.calibration.learning.lessons import lesson_of_recording
 from engine.calibration.scores.corpus import Utterance, read_recordings
 from engine.errors import PresetError
 from engine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from phonemeanalyser.arguments import add_channel
+from phonemeanalyser.jobs import say_cut_off
 
 
 def adapt(words: list[str]) -> int:
@@ -23,7 +25,8 @@ def adapt(words: list[str]) -> int:
     mapping = load_mapping(options.map) if options.map else Mapping()
     found: list[Utterance] = []
     for folder in options.folders:
-        found += read_recordings(folder, mapping)
+        found += read_recordings(folder, mapping, channel=options.channel)
+    say_cut_off(found)
     outcome = adapted(preset.model, [lesson_of_recording(utterance) for utterance in found])
     save_preset(replace(preset, name=options.out.stem, model=outcome.model), options.out)
     seconds = sum(utterance.labels[-1].end for utterance in found if utterance.labels)
@@ -46,6 +49,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="PRESET", help="the adapted preset, .toml")
     parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset to begin with (default: learned)")
     parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
+    add_channel(parser)
     options = parser.parse_args(words)
     if options.out.suffix.lower() != ".toml":
         raise PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from engine.audio.output import ClockOutput, Output, open_output
 from engine.errors import EngineError
+from engine.settings import Channel
 from phonemeanalyser.main_window import MainWindow
 from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.microphone import Microphone
@@ -136,7 +137,7 @@ def make_application() -> QApplication:
     return app
 
 
-def run(file: Path, preset: Path | None = None) -> int:
+def run(file: Path, preset: Path | None = None, channel: Channel | None = None) -> int:
     """Open the window on a file and stay until it is closed; returns the exit code."""
     app = make_application()
     sys.excepthook = _report_bug
@@ -144,21 +145,24 @@ def run(file: Path, preset: Path | None = None) -> int:
     desktop.window.dialogs.restore_preset()
     if preset is not None:
         desktop.window.dialogs.load_preset(preset)
-    FirstPaint(desktop.window).painted.connect(lambda: _begin(desktop, file))
+    FirstPaint(desktop.window).painted.connect(lambda: _begin(desktop, file, channel))
     desktop.window.show()
     code = app.exec()
     desktop.close()
     return code
 
 
-def _begin(desktop: Desktop, file: Path) -> None:
+def _begin(desktop: Desktop, file: Path, channel: Channel | None) -> None:
     desktop.window.dialogs.open_sound(file)
+    if channel is not None:
+        desktop.session.set_channel(channel)
     desktop.window.dialogs.offer_unfinished()
 
 
 def screenshot(
-    file: Path, out: Path, *, at: float | None, size: tuple[int, int], theme: str, preset: Path | None
-) -> None:
+    file: Path, out: Path, *, at: float | None, size: tuple[int, int], theme: str, preset: Path | None,
+    channel: Channel,
+) -> None:  # fmt: skip
     """Save a picture of the window, with a file analysed up to a time (seconds; None means its end).
 
     Raises
@@ -176,7 +180,7 @@ def screenshot(
                 desktop.preset.load(preset)
             desktop.window.resize(*size)
             desktop.window.show()
-            _follow(desktop.session, file, at)
+            _follow(desktop.session, file, at, channel)
             desktop.window.drawing.refresh_all()
             app.processEvents()
             saved = desktop.window.grab().save(str(out), "PNG")
@@ -186,10 +190,12 @@ def screenshot(
         raise EngineError(f"{out}: the picture cannot be written; choose another place with -o")
 
 
-def _follow(session: Session, file: Path, at: float | None) -> None:
+def _follow(session: Session, file: Path, at: float | None, channel: Channel) -> None:
     failures: list[str] = []
     session.failed.connect(failures.append)
-    if not session.open(file):
+    if session.open(file):
+        session.set_channel(channel)
+    if failures:
         raise EngineError(failures[0])
     session.follow(session.duration if at is None else at)
 

@@ -16,6 +16,8 @@ from engine.errors import EngineError
 from engine.mouth.osc import OscAddress, OscSettings
 from engine.mouth.table import USUAL_TABLE, load_table
 from engine.presets.files import DEFAULT_PRESET, load_preset
+from engine.settings import Channel
+from phonemeanalyser.arguments import add_channel
 from phonemeanalyser.display import why_no_qt, why_no_window
 from phonemeanalyser.listening import list_devices, listen, record
 
@@ -52,12 +54,13 @@ def _window(words: list[str]) -> int:
     )
     parser.add_argument("file", type=Path, nargs="?", default=DEMO, help="sound file to open (default: a demo)")
     parser.add_argument("--preset", type=Path, help="preset (.toml) or PhonemeData file to begin with")
+    add_channel(parser, None)
     parser.add_argument("--version", action="version", version=f"%(prog)s {version('phonemeanalyser')}")
     options = parser.parse_args(words)
     if reason := why_no_window(os.environ):
         print(f"phonemeanalyser: {reason}", file=sys.stderr)
         return NO_DISPLAY
-    return int(_app().run(options.file, options.preset))
+    return int(_app().run(options.file, options.preset, options.channel))
 
 
 def _listen(words: list[str]) -> int:
@@ -95,14 +98,14 @@ def _record(words: list[str]) -> int:
 
 def _add_input(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--device", default="", metavar="NAME", help="microphone, by name or a part of it")
-    parser.add_argument("--channel", type=_channel, default=1, metavar="N", help="channel of it, from 1; 0 mixes two")
+    add_channel(parser, Channel.LEFT)
     parser.add_argument("--rate", type=_rate, default=0, metavar="HZ", help="sample rate (default: 44100 if it can)")
     parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
     parser.add_argument("--seconds", type=_seconds, metavar="S", help="end after so long")
 
 
 def _choice_of(options: argparse.Namespace) -> InputChoice:
-    return InputChoice(options.device, options.channel, options.rate, latency=LATENCY)
+    return InputChoice(options.device, options.channel.number, options.rate, latency=LATENCY)
 
 
 def _screenshot(words: list[str]) -> int:
@@ -115,11 +118,13 @@ def _screenshot(words: list[str]) -> int:
     parser.add_argument("--size", type=_size, default=(1280, 800), metavar="WxH")
     parser.add_argument("--theme", choices=["light", "dark"], default="light")
     parser.add_argument("--preset", type=Path, help="preset (.toml) or PhonemeData file")
+    add_channel(parser)
     options = parser.parse_args(words)
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
     _app().screenshot(
-        options.file, options.out, at=options.at, size=options.size, theme=options.theme, preset=options.preset
-    )
+        options.file, options.out, at=options.at, size=options.size, theme=options.theme, preset=options.preset,
+        channel=options.channel,
+    )  # fmt: skip
     return 0
 
 
@@ -142,12 +147,6 @@ def _seconds(text: str) -> float:
     if not 0 <= seconds < math.inf:
         raise argparse.ArgumentTypeError(f"must be 0 s or later, got {text!r}")
     return seconds
-
-
-def _channel(text: str) -> int:
-    if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f"must be a channel, counted from 1, or 0 for a mix, got {text!r}")
-    return int(text)
 
 
 def _rate(text: str) -> int:

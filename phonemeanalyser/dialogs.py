@@ -35,12 +35,14 @@ class Dialogs(QObject):
     Signals
     -------
     refused : a sentence for the user; an empty one after something went well.
+    told : a sentence for the user about something to know.
     sound_opened : a sound file is in hand, and first among the recent ones.
     variable_added : name of the user's new variable.
     offered : a sentence, what can be done about it, and the function that does it.
     """
 
     refused = Signal(str)
+    told = Signal(str)
     sound_opened = Signal()
     variable_added = Signal(str)
     offered = Signal(str, str, object)
@@ -69,6 +71,8 @@ class Dialogs(QObject):
         if not self._session.open(path):
             return False
         self.refused.emit("")
+        if self._session.cut_off:
+            self.told.emit(self._session.cut_off)
         here = str(path.resolve())
         recent = [here] + [other for other in self.recent_sounds() if other != here]
         self._settings.setValue("recent", recent[:N_RECENT])
@@ -299,7 +303,7 @@ class Dialogs(QObject):
             self._window, "Save the averaged spectrum", self._folder("curve"), CURVE_FILTER
         )
         if name:
-            path = Path(name) if name.endswith(".csv") else Path(name + ".csv")
+            path = Path(name) if name.endswith(".csv") else free_path(Path(name + ".csv"))
             front_end = self._preset.in_force.settings.front_end()
             self._try(lambda: self._session.averages.save(path, front_end))
 

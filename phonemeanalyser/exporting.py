@@ -1,13 +1,11 @@
 """``phonemeanalyser export``: what sound files say, as mouth cues and movements for other programs."""
 
 import argparse
-import math
 from pathlib import Path
 
 from engine.audio.opening import shown_name
 from engine.errors import EngineError
 from engine.mouth.animation import Life
-from engine.mouth.cues import MINIMUM
 from engine.mouth.exports.exporter import Exporter, Wishes
 from engine.mouth.exports.formats import FORMATS
 from engine.mouth.morpher import Detail
@@ -15,8 +13,10 @@ from engine.mouth.speech import speech_of
 from engine.mouth.table import shipped_tables
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.presets.preset import Preset
+from engine.settings import Channel
+from phonemeanalyser.arguments import add_channel, add_mouth, add_overwrite, number
 from phonemeanalyser.jobs import Job, jobs_of, sound_of, watched, work_through
-from phonemeanalyser.writing import print_whole, write_whole_bytes
+from phonemeanalyser.writing import Guard, print_whole, write_whole_bytes
 
 
 def export(words: list[str]) -> int:
@@ -28,20 +28,23 @@ def export(words: list[str]) -> int:
     if exporter.format.moves_mesh and options.out is None:
         raise EngineError(f"{options.kind} is no text to be printed; name a file or a folder with -o")
     preset = load_preset(options.preset)
-    jobs = jobs_of(options.inputs, options.out, exporter.format.ending)
-    return 1 if work_through(jobs, lambda job: _export(job, preset, exporter)) else 0
+    jobs = jobs_of(options.inputs, options.out, exporter.format.full_ending)
+    guard = Guard(exporter.format.owns, options.overwrite)
+    return 1 if work_through(jobs, lambda job: _export(job, options.channel, preset, exporter, guard)) else 0
 
 
-def _export(job: Job, preset: Preset, exporter: Exporter) -> None:
-    with sound_of(job) as reader:
+def _export(job: Job, channel: Channel, preset: Preset, exporter: Exporter, guard: Guard) -> None:
+    guard.check(job.target)
+    with sound_of(job, channel) as reader:
         pitch = exporter.format.moves_head and exporter.life.head
-        speech = speech_of(watched(reader, preset, pitch=pitch), shown_name(job.source), reader.duration)
+        analyses = watched(reader, preset, pitch=pitch)
+        speech = speech_of(analyses, shown_name(job.source), reader.duration, job.source)
     parts = exporter.parts_of(speech)
     if job.target is None:
         text = b"".join(parts).decode()
         print_whole(lambda file: file.writelines([text]))
     else:
-        write_whole_bytes(job.target, parts)
+        write_whole_bytes(job.target, parts, guard)
 
 
 def _options(words: list[str]) -> argparse.Namespace:
@@ -56,14 +59,14 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--format", choices=FORMATS, required=True, dest="kind", metavar="F", help="see below")
     parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
     parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
-    parser.add_argument("--fps", type=_number, metavar="N", help="frames per second (default: see below)")
-    parser.add_argument("--minimum", type=_number, default=MINIMUM, metavar="S", help=f"shortest cue ({MINIMUM} s)")
-    parser.add_argument("--anticipation", type=_number, metavar="S", help="the mouth is ahead so much, 0..0.12 s")
+    parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
+    add_mouth(parser)
     parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
-    parser.add_argument("--detail", choices=[d.value for d in Detail], default=Detail.PHONEMES.value)
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
     parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
     parser.add_argument("--no-head", action="store_true", help="keep the head still")
+    add_channel(parser)
+    add_overwrite(parser)
     return parser.parse_args(words)
 
 
@@ -73,13 +76,3 @@ def _formats() -> str:
         rate = f"{form.rate:g} fps, " if form.rate else ""
         lines.append(f"  {name:<13} {form.words} ({rate}ahead {form.anticipation:g} s, table {form.table})")
     return "\n".join(lines)
-
-
-def _number(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"must be a number, got {text!r}")
-    return value

@@ -11,9 +11,10 @@ from tqdm import tqdm
 from engine.analyser import Analysis, analyses_of
 from engine.audio.files import SUFFIXES, SoundReader
 from engine.audio.opening import shown_name
+from engine.calibration.scores.corpus import Utterance
 from engine.errors import AudioError, EngineError
 from engine.presets.preset import Preset
-from engine.settings import FRAME_PERIOD, SAMPLE_RATE
+from engine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 
 BLOCK = 5 * SAMPLE_RATE
 """Samples that are read at a time."""
@@ -72,20 +73,32 @@ def work_through(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
 
 
 @contextmanager
-def sound_of(job: Job) -> Iterator[SoundReader]:
-    """Open the sound of a job, and say what is odd about it.
+def sound_of(job: Job, channel: Channel) -> Iterator[SoundReader]:
+    """Open the sound of a job to analyse one of its channels, and say what is odd about it.
 
     Raises
     ------
-    AudioError : it cannot be read, or there is none.
+    AudioError : it cannot be read, or lacks the channel, or there is none.
     """
     name = shown_name(job.source)
     if _is_folder(job.source):
         raise AudioError(f"{name}: there is no sound file in this folder; name another")
-    with SoundReader(job.source) as reader:
+    with SoundReader(job.source, channel) as reader:
         for note in reader.notes:
-            tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
+            say_note(name, note)
         yield reader
+
+
+def say_cut_off(utterances: Iterable[Utterance]) -> None:
+    """Say of which recordings a part is missing."""
+    for utterance in utterances:
+        if utterance.cut_off:
+            say_note(shown_name(utterance.path), utterance.cut_off)
+
+
+def say_note(name: str, note: str) -> None:
+    """Say what is odd about a file that is worked on all the same."""
+    tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
 
 
 def watched(reader: SoundReader, preset: Preset, *, pitch: bool) -> Iterator[Analysis]:

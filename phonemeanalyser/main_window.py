@@ -185,6 +185,7 @@ class MainWindow(QMainWindow):
         self.recogniser.chosen.connect(dialogs.choose_recogniser)
         self.preset_box.chosen.connect(dialogs.load_preset)
         dialogs.refused.connect(self.banner.say)
+        dialogs.told.connect(self.banner.tell)
         preset.refused.connect(self.banner.say)
         dialogs.variable_added.connect(self.analysis.time_view.variable.setCurrentText)
         self.banner.shown.connect(self._banner_bar.setVisible)

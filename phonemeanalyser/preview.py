@@ -16,10 +16,12 @@ from engine.mouth.cues import MOST_ANTICIPATION, cues_of
 from engine.mouth.face import Figure, fitted
 from engine.mouth.files.opening import load_face, load_figure
 from engine.mouth.head import load_head
+from engine.mouth.morpher import Detail
 from engine.mouth.speech import speech_of
 from engine.mouth.table import load_table, shipped_tables
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.settings import SAMPLE_RATE
+from phonemeanalyser.arguments import add_channel, add_mouth
 from phonemeanalyser.colours import DARK, LIGHT
 from phonemeanalyser.jobs import Job, sound_of, watched
 from phonemeanalyser.rendering.acting import Actor
@@ -45,7 +47,7 @@ def preview(words: list[str]) -> int:
     options = _options(words)
     _check_target(options.out, options.size)
     figure = smoothed(_figure_of(options.mesh, options.movestates))
-    with sound_of(Job(options.file, options.out)) as reader:
+    with sound_of(Job(options.file, options.out), options.channel) as reader:
         actor = Actor(figure, _animation_of(reader, options))
         if options.out.suffix.lower() == ".gif" and (reason := why_no_gif(len(actor), options.fps)):
             raise RenderingError(reason)
@@ -78,11 +80,12 @@ def _figure_of(mesh: Path | None, movestates: Path | None) -> Figure:
 
 
 def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation:
-    life = Life(not options.no_blinks, not options.no_head, options.seed)
+    life = Life(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     table, preset = load_table(options.table), load_preset(options.preset)
     name = shown_name(options.file)
     speech = speech_of(watched(reader, preset, pitch=life.head), name, reader.duration)
-    cues = cues_of(speech.runs, table, anticipation=MOST_ANTICIPATION)
+    ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
+    cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
     return animation_of(speech, cues, table, options.fps, life)
 
 
@@ -125,6 +128,8 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--size", type=_size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
     parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
     parser.add_argument("--table", default="arkit", metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
+    add_mouth(parser)
+    add_channel(parser)
     parser.add_argument("--theme", choices=["light", "dark"], default="light")
     parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
     parser.add_argument("--movestates", type=Path, metavar="F", help="its movestates: .3dm or .3dma")

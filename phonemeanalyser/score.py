@@ -1,7 +1,6 @@
 """``phonemeanalyser score``: how right presets are on labelled recordings."""
 
 import argparse
-import math
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -17,6 +16,9 @@ from engine.calibration.scores.evaluation import CorpusScores, score_corpus
 from engine.errors import AudioError, CorpusError, PresetError
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.presets.preset import Preset
+from engine.settings import Channel
+from phonemeanalyser.arguments import add_channel, number
+from phonemeanalyser.jobs import say_cut_off
 from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset, printable
@@ -43,7 +45,7 @@ def score(words: list[str]) -> int:
     noise = None if options.noise is None else Noise(NoiseKind(options.noise), options.snr, options.seed)
     mapping = None if options.map is None else load_mapping(options.map)
     troubles = _Troubles()
-    utterances = _recordings_in(options.corpus, mapping, troubles)
+    utterances = _recordings_in(options.corpus, mapping, options.channel, troubles)
     scored: list[ScoredPreset] = []
     for named in presets:
         adder = None if noise is None else NoiseAdder(noise, utterances)
@@ -66,10 +68,14 @@ class _Troubles:
         tqdm.write(f"phonemeanalyser: {error}", file=sys.stderr)
 
 
-def _recordings_in(folder: Path, mapping: Mapping | None, troubles: _Troubles) -> tuple[Utterance, ...]:
+def _recordings_in(
+    folder: Path, mapping: Mapping | None, channel: Channel, troubles: _Troubles
+) -> tuple[Utterance, ...]:
     if not folder.exists():
         raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")
-    return read_recordings(folder, mapping, passed_over=troubles.push)
+    utterances = read_recordings(folder, mapping, channel=channel, passed_over=troubles.push)
+    say_cut_off(utterances)
+    return utterances
 
 
 def _scored(
@@ -131,6 +137,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--by", choices=["corpus", "speaker"], default="corpus", help="rows of the text's table")
     parser.add_argument("--lag", type=_lag, default=0.0, metavar="MS", help="take the answers to come so late")
     parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
+    add_channel(parser)
     parser.add_argument("--noise", choices=[k.value for k in NoiseKind], help="add noise before the analysis")
     parser.add_argument("--snr", type=_snr, metavar="DB", help="how far the noise is below the speech")
     parser.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the noise (default: 0)")
@@ -140,24 +147,14 @@ def _options(words: list[str]) -> argparse.Namespace:
     return options
 
 
-def _number(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"must be a number, got {text!r}")
-    return value
-
-
 def _lag(text: str) -> float:
-    if not abs(lag := _number(text)) <= MOST_LAG_MS:
+    if not abs(lag := number(text)) <= MOST_LAG_MS:
         raise argparse.ArgumentTypeError(f"must lie in -{MOST_LAG_MS:g}..{MOST_LAG_MS:g} ms, got {text!r}")
     return lag
 
 
 def _snr(text: str) -> float:
-    if not LOWEST_SNR <= (snr := _number(text)) <= HIGHEST_SNR:
+    if not LOWEST_SNR <= (snr := number(text)) <= HIGHEST_SNR:
         raise argparse.ArgumentTypeError(f"must lie in {LOWEST_SNR:g}..{HIGHEST_SNR:g} dB, got {text!r}")
     return snr
 

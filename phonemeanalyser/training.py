@@ -12,6 +12,7 @@ from engine.calibration.learning.teaching import Taught, teach
 from engine.calibration.learning.training import Course
 from engine.errors import ModelError
 from engine.recognition.model import save_model
+from phonemeanalyser.arguments import add_channel
 from phonemeanalyser.writing import write_whole
 
 
@@ -27,7 +28,7 @@ def train(words: list[str]) -> int:
             bar.set_description(what)
             bar.update(100 * share - bar.n)
 
-        taught = teach(options.corpora, course, options.variations, options.folds, told)
+        taught = teach(options.corpora, course, options.variations, options.folds, told, options.channel)
     model = replace(taught.model, about=_about(options.out.stem, taught, course))
     save_model(model, options.out)
     card = options.out.with_suffix(".md")
@@ -59,6 +60,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--folds", type=int, default=4, help="groups of speakers left out in turn (default 4; 0: none)"
     )
+    add_channel(parser)
     options = parser.parse_args(words)
     if options.out.suffix != ".npz":
         raise ModelError(f"{options.out}: a model's file ends in .npz; name it so")

@@ -49,7 +49,7 @@ class WindowState:
             keep(name, int(switch.isChecked()))
         keep("volume", round(session.volume))
         keep("loop", int(session.loop))
-        keep("channel", session.channel.value)
+        keep("channel", session.wanted_channel.value)
         microphone = session.microphone
         keep("microphone", microphone.choice.label)
         keep("microphone_channel", microphone.choice.channel)
@@ -74,8 +74,8 @@ class WindowState:
             switch.setChecked(self._kept(name, int(switch.isChecked())) == "1")
         session.set_volume(self._kept_number("volume", session.volume))
         session.set_loop(self._kept("loop", int(session.loop)) == "1")
-        channels = {channel.value: channel for channel in Channel}
-        session.set_channel(channels.get(self._kept("channel", session.channel.value), session.channel))
+        with suppress(ValueError):  # somebody edited the file
+            session.set_channel(Channel(self._kept("channel", session.wanted_channel.value)))
         self._restore_microphone(session.microphone)
         view.variable.setCurrentText(self._kept("variable", view.variable.currentText()))
         view.colours.setCurrentText(self._kept("colours", view.colours.currentText()))

@@ -5,10 +5,53 @@ import os
 import sys
 import tempfile
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
 from engine.errors import EngineError
+from engine.own_files import Owns, is_own
+
+
+@dataclass(frozen=True)
+class Guard:
+    """Leaves files alone that somebody else made.
+
+    Attributes
+    ----------
+    owns : says which files the format wrote itself; None where those of other programs look alike, so that only one
+        with the same content is replaced.
+    overwrite : whether the user gives up whatever is in the way.
+    """
+
+    owns: Owns | None
+    overwrite: bool
+
+    def check(self, target: Path | None) -> None:
+        """Refuse a place where somebody else's file is, as far as that is known before anything is written.
+
+        Raises
+        ------
+        EngineError : there is one.
+        """
+        if self.owns is not None:
+            self._check(target, self.owns)
+
+    def check_written(self, target: Path, part: Path) -> None:
+        """Refuse to put what was written into `part` in the place of somebody else's file.
+
+        Raises
+        ------
+        EngineError : there is one.
+        """
+        self._check(target, self.owns or (lambda content: content == part.read_bytes()))
+
+    def _check(self, target: Path | None, owns: Owns) -> None:
+        if target is not None and not self.overwrite and target.is_file() and not is_own(target, owns):
+            raise EngineError(
+                f"{target}: the file that is there may not be this program's, so it is left alone; choose another "
+                "place with -o, or replace it with --overwrite"
+            )
 
 
 def print_whole(write: Callable[[TextIO], None]) -> None:
@@ -23,12 +66,12 @@ def print_whole(write: Callable[[TextIO], None]) -> None:
     sys.stdout.flush()
 
 
-def write_whole(target: Path, write: Callable[[TextIO], None]) -> None:
+def write_whole(target: Path, write: Callable[[TextIO], None], guard: Guard | None = None) -> None:
     """Write a file so that it is there complete, or not at all; its folder is made if need be.
 
     Raises
     ------
-    EngineError : it cannot be written.
+    EngineError : it cannot be written, or the guard leaves alone what is there.
     """
 
     def encode(file: BinaryIO) -> None:
@@ -36,25 +79,25 @@ def write_whole(target: Path, write: Callable[[TextIO], None]) -> None:
         write(text)
         text.detach()
 
-    write_whole_file(target, encode)
+    write_whole_file(target, encode, guard)
 
 
-def write_whole_bytes(target: Path, parts: Iterable[bytes]) -> None:
+def write_whole_bytes(target: Path, parts: Iterable[bytes], guard: Guard) -> None:
     """Write the parts of a file so that it is there complete, or not at all; its folder is made if need be.
 
     Raises
     ------
-    EngineError : it cannot be written.
+    EngineError : it cannot be written, or the guard leaves alone what is there.
     """
-    write_whole_file(target, lambda file: file.writelines(parts))
+    write_whole_file(target, lambda file: file.writelines(parts), guard)
 
 
-def write_whole_file(target: Path, write: Callable[[BinaryIO], None]) -> None:
+def write_whole_file(target: Path, write: Callable[[BinaryIO], None], guard: Guard | None = None) -> None:
     """Write a file of bytes so that it is there complete, or not at all; its folder is made if need be.
 
     Raises
     ------
-    EngineError : it cannot be written.
+    EngineError : it cannot be written, or the guard leaves alone what is there.
     """
     name = ""
     try:
@@ -63,6 +106,8 @@ def write_whole_file(target: Path, write: Callable[[BinaryIO], None]) -> None:
         with os.fdopen(handle, "wb") as file:
             write(file)
         Path(name).chmod(0o644)
+        if guard is not None:
+            guard.check_written(target, Path(name))
         Path(name).replace(target)
     except OSError as error:
         raise EngineError(f"{target}: cannot be written ({error.strerror}); choose another place with -o") from error

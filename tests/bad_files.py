@@ -142,11 +142,8 @@ HOSTILE: dict[str, Writer] = {
 """RIFF files made to keep a reader busy for ever."""
 
 LYING: dict[str, Writer] = {
-    "data_size_lies": _bytes("data_size_lies.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 1 << 30))),
-    "riff_size_lies": _bytes("riff_size_lies.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), size=1 << 30)),
     "riff_size_too_small": _bytes("too_small.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), size=100)),
     "rifx_size_lies": _bytes("rifx.wav", riff(chunk(b"fmt ", FMT, 1 << 20, ">"), magic=b"RIFX")),
-    "streamed_all_ones": _bytes("streamed.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, HUGE), size=HUGE)),
     "streamed_zero": _bytes("streamed_zero.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 0), size=36)),
     "streamed_all_zero": _bytes(
         "streamed_all_zero.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 0), size=0)
@@ -157,21 +154,42 @@ LYING: dict[str, Writer] = {
     "rf64_without_ds64": _bytes(
         "rf64.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), size=HUGE, magic=b"RF64")
     ),
-    "rf64_lies": _patched("rf64_lies.rf64", _after(b"ds64\x1c\0\0\0", 16), b"\x7f" * 16, format="RF64"),
-    "aiff_size_lies": _patched("aiff_size_lies.aiff", _after(b"SSND", 4), b"\x7f\0\0\0"),
-    "aiff_form_lies": _patched("aiff_form_lies.aiff", _after(b"FORM", 4), b"\x7f\0\0\0"),
-    "w64_lies": _patched("w64_lies.w64", lambda content: slice(16, 24), b"\x7f" * 8),
-    "caf_lies": _patched("caf_lies.caf", _after(b"data", 8), b"\x7f" * 8),
     "au_lies": _patched("au_lies.au", lambda content: slice(8, 12), b"\x7f\0\0\0"),
-    "truncated_wav": _cut("truncated.wav"),
-    "truncated_aiff": _cut("truncated.aiff"),
-    "truncated_w64": _cut("truncated.w64"),
-    "truncated_caf": _cut("truncated.caf"),
     "truncated_au": _cut("truncated.au"),
     "truncated_ogg": _cut("truncated.ogg"),
     "truncated_opus": _cut_opus,
 }
 """Files whose header claims more than there is, or nothing."""
+
+WITH_A_NOTE = riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), chunk(b"note", b"x" * 400))
+
+CUT_OFF: dict[str, Writer] = {
+    "data_size_lies": _bytes("data_size_lies.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 1 << 30))),
+    "riff_size_lies": _bytes("riff_size_lies.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), size=1 << 30)),
+    "streamed_all_ones": _bytes("streamed.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, HUGE), size=HUGE)),
+    "rf64_lies": _patched("rf64_lies.rf64", _after(b"ds64\x1c\0\0\0", 16), b"\x7f" * 16, format="RF64"),
+    "aiff_size_lies": _patched("aiff_size_lies.aiff", _after(b"SSND", 4), b"\x7f\0\0\0"),
+    "aiff_form_lies": _patched("aiff_form_lies.aiff", _after(b"FORM", 4), b"\x7f\0\0\0"),
+    "w64_lies": _patched("w64_lies.w64", lambda content: slice(16, 24), b"\x7f" * 8),
+    "caf_lies": _patched("caf_lies.caf", _after(b"data", 8), b"\x7f" * 8),
+    "truncated_wav": _cut("truncated.wav"),
+    "truncated_aiff": _cut("truncated.aiff"),
+    "truncated_w64": _cut("truncated.w64"),
+    "truncated_caf": _cut("truncated.caf"),
+    "cut_in_a_chunk_behind": _bytes("cut_behind.wav", WITH_A_NOTE[:-99]),
+    "cut_in_the_header_behind": _bytes("cut_header.wav", WITH_A_NOTE[:-405]),
+    "cut_and_tagged": _bytes(
+        "tagged.wav",
+        b"ID3\3\0\0\0\0\0\4abcd" + riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES + SAMPLES))[: -len(SAMPLES)],
+    ),
+    "cut_rf64": _cut("cut.rf64", format="RF64"),
+    "cut_rifx": _cut("cut_rifx.wav", endian="BIG"),
+    "cut_floats": _cut("cut_floats.wav", subtype="FLOAT"),
+    "cut_24_bits": _cut("cut_24_bits.wav", format="WAVEX", subtype="PCM_24"),
+    "cut_ulaw": _cut("cut_ulaw.wav", subtype="ULAW"),
+    "cut_adpcm": _cut("cut_adpcm.wav", subtype="IMA_ADPCM"),
+}
+"""Files that end before their header says, and are read as far as they go."""
 
 DAMAGED: dict[str, Writer] = {
     "truncated_flac": _cut("truncated.flac"),

@@ -11,7 +11,7 @@ from typing import BinaryIO, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.audio.headers import ADVICE, mp3_states_its_length, sound_end
+from engine.audio.headers import ADVICE, Extent, extent_of, mp3_states_its_length
 from engine.audio.libsndfile import Decoder, DecodingError
 from engine.audio.opening import Part, opened, shown_name
 from engine.audio.resampling import Resampler
@@ -48,40 +48,39 @@ Block = NDArray[np.float32]
 class SoundReader:
     """Reads a sound file as a stream at 44.1 kHz; never holds the whole file.
 
-    A file of one or two channels keeps them. One of more is reduced to a single channel: the mean of all,
-    the first (left) or the second (right).
+    A file of one or two channels keeps them. One of more is reduced to a single channel: the mean of all, or one.
 
     Attributes
     ----------
     path : the file.
-    channel : what is analysed of a stereo sound.
+    channel : what is analysed of a sound that has several.
     file_rate : sample rate of the file, Hz.
     n_file_channels : channels of the file.
     n_channels : channels that `read` gives, 1 or 2.
     n_samples : length at 44.1 kHz, samples; at least 1.
     position : the next sample that `read` gives.
-    notes : remarks for the user, a sentence each; mostly none.
 
     Raises
     ------
-    AudioError : the file cannot be read, or is no sound, or says something impossible about itself.
+    AudioError : the file cannot be read, or is no sound, or says something impossible about itself, or lacks the
+        channel.
     """
 
     def __init__(self, path: Path, channel: Channel = Channel.MIX) -> None:
         self.path = path
-        self.channel = channel
         self._name = shown_name(path)
         self._raw = opened(path, self._name)
         with ExitStack() as unless_read:
             unless_read.callback(self._raw.close)
-            self._file = _decoder(self._raw, self._name)
-            self._n_frames = _checked_length(self._file, self._raw, self._name)
+            self._extent = _extent(self._raw, self._name)
+            self._file = _decoder(self._raw, self._extent, self._name)
+            self._n_frames = _checked_length(self._file, self._raw, self._extent, self._name)
+            self.n_file_channels = int(self._file.channels)
+            self.choose(channel)
             unless_read.pop_all()
         self.file_rate = int(self._file.samplerate)
-        self.n_file_channels = int(self._file.channels)
         self.n_channels = 2 if self.n_file_channels == 2 else 1
         self.n_samples = max(1, round(self._n_frames * SAMPLE_RATE / self.file_rate))
-        self.notes = tuple(_notes(self.n_file_channels, self.n_samples, channel))
         self._is_mp3 = _is_mp3(self._file)
         self._is_vorbis = self._file.subtype == "VORBIS"
         self._leans_back = self._is_mp3 or self._file.subtype == "OPUS"
@@ -94,6 +93,37 @@ class SoundReader:
     def duration(self) -> float:
         """Length of the sound in the file, seconds."""
         return self._n_frames / self.file_rate
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Remarks for the user, a sentence each; mostly none."""
+        cut_off = [self.cut_off] if self.cut_off else []
+        return (*cut_off, *_notes(self.n_file_channels, self.n_samples, self.channel))
+
+    @property
+    def cut_off(self) -> str:
+        """What is missing of a file that ends before its header says, as a sentence; empty where it is whole."""
+        extent, there = self._extent, f"{self.duration:.3f} s are there"
+        if not extent.cut_off:
+            return ""
+        if extent.there == extent.announced:
+            return "it is cut off behind its sound, which is whole"
+        if not extent.share:
+            return f"its header does not say how long it is; {there}"
+        return f"it is cut off: of the {self.duration / extent.share:.3f} s that its header announces, {there}"
+
+    def choose(self, channel: Channel) -> None:
+        """Analyse another channel; not to be done once something was read.
+
+        Raises
+        ------
+        AudioError : the file does not have it.
+        """
+        if channel.number > self.n_file_channels:
+            n = self.n_file_channels
+            has, choice = ("only one channel", "") if n == 1 else (f"{n} channels", f"one of 1 to {n}, or ")
+            raise AudioError(f"{self._name}: it has {has} and so no channel {channel.number}; choose {choice}the mix")
+        self.channel = channel
 
     def read(self, n: int) -> Block:
         """Give the next samples, fewer than `n` only at the end of the sound and none after it.
@@ -229,27 +259,40 @@ class SoundReader:
 
 
 def mono_of(block: Block, channel: Channel) -> Block:
-    """Reduce a block of shape (m, n_channels) to shape (m,): the mean of all, the first or the second channel."""
-    if block.shape[1] == 1:
+    """Reduce a block of shape (m, n_channels) to shape (m,): the mean of all channels, or one of them.
+
+    What has one channel is given as it is.
+
+    Raises
+    ------
+    AudioError : there are several channels, and fewer than that.
+    """
+    n = block.shape[1]
+    if n == 1:
         return np.ascontiguousarray(block[:, 0])
     if channel is Channel.MIX:
         return np.asarray(block.mean(axis=1), np.float32)
-    return np.ascontiguousarray(block[:, 0 if channel is Channel.LEFT else 1])
+    if channel.number > n:
+        raise AudioError(f"there are {n} channels here and so no channel {channel.number}; choose another")
+    return np.ascontiguousarray(block[:, channel.number - 1])
 
 
-def _decoder(raw: BinaryIO, name: str) -> Decoder:
+def _extent(raw: BinaryIO, name: str) -> Extent:
     if raw.seek(0, io.SEEK_END) == 0:
         raise AudioError(f"{name}: the file is empty (0 bytes); copy or record it again")
-    end = sound_end(raw, name)
+    return extent_of(raw, name)
+
+
+def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder:
     try:
-        return Decoder(Part(raw, end))
+        return Decoder(Part(raw, extent.end, extent.corrections))
     except (DecodingError, TypeError) as error:
         raise AudioError(
             f"{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG or MP3 file"
         ) from error
 
 
-def _checked_length(file: Decoder, raw: BinaryIO, name: str) -> int:
+def _checked_length(file: Decoder, raw: BinaryIO, extent: Extent, name: str) -> int:
     """Give the number of frames, after the refusals that concern the file as a whole."""
     rate, n_frames = int(file.samplerate), int(file.frames)
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
@@ -260,7 +303,8 @@ def _checked_length(file: Decoder, raw: BinaryIO, name: str) -> int:
         )
     if n_frames >= 1 << 62:  # what libsndfile gives where the header names none
         raise AudioError(f"{name}: its header does not say how long the sound is; {ADVICE}")
-    if n_frames > 0 and _is_mp3(file) and not mp3_states_its_length(raw):
+    is_guess = extent.cut_off or (_is_mp3(file) and not mp3_states_its_length(raw))
+    if n_frames > 0 and is_guess:
         n_frames = _frames_there(file, n_frames)
     if n_frames <= 0:
         raise AudioError(f"{name}: there are no samples in it; record or export it again")
@@ -268,7 +312,7 @@ def _checked_length(file: Decoder, raw: BinaryIO, name: str) -> int:
 
 
 def _frames_there(file: Decoder, most: int) -> int:
-    """Count the frames of an MP3 file whose length is only guessed from its size, by looking where it ends."""
+    """Count the frames of a file whose length is only guessed, by looking where it ends."""
     here, beyond = -1, most
     probe = most - 1
     while here < beyond - 1:
@@ -286,12 +330,9 @@ def _is_mp3(file: Decoder) -> bool:
 
 
 def _notes(n_file_channels: int, n_samples: int, channel: Channel) -> Iterator[str]:
-    if n_file_channels > 2:
-        reduced = {
-            Channel.MIX: f"{n_file_channels} channels are mixed to one",
-            Channel.LEFT: f"only the first of {n_file_channels} channels is used",
-            Channel.RIGHT: f"only the second of {n_file_channels} channels is used",
-        }
-        yield reduced[channel]
+    if n_file_channels > 2 and channel is Channel.MIX:
+        yield f"{n_file_channels} channels are mixed to one"
+    elif n_file_channels > 2:
+        yield f"only channel {channel.number} of {n_file_channels} is used"
     if n_samples < WINDOW:
         yield f"shorter than one window ({1000 * WINDOW / SAMPLE_RATE:.0f} ms), so silence surrounds it"

@@ -21,6 +21,9 @@ OUTER_SLACK = 8
 UNKNOWN_32 = 0xFFFF_FFFF
 """The size that sends a reader of RF64 to the ``ds64`` chunk."""
 
+LARGEST_BELIEVED = 1 << 40
+"""Bytes of samples that a header may announce and be believed."""
+
 ADVICE = "open it in an audio editor and export it again"
 
 
@@ -33,9 +36,10 @@ class Family:
     order : byte order of the sizes, as `struct` writes it.
     first : where the first chunk begins, bytes.
     id_width, size_code : bytes of a chunk's name, and the type of its size, as `struct` writes it.
-    counts_header : whether a chunk's size includes its own header.
+    counts_header : whether a size includes its own header.
     align : chunks begin at multiples of this many bytes.
     data : names of the chunk that holds the samples.
+    outer_at : where the size of the whole stands, bytes; 0 where it is not stated.
     """
 
     order: str
@@ -45,6 +49,7 @@ class Family:
     counts_header: bool
     align: int
     data: tuple[bytes, ...]
+    outer_at: int = 4
 
     @property
     def header(self) -> int:
@@ -55,8 +60,8 @@ class Family:
 RIFF = Family("<", 12, 4, "I", False, 2, (b"data",))
 RIFX = Family(">", 12, 4, "I", False, 2, (b"data",))
 FORM = Family(">", 12, 4, "I", False, 2, (b"SSND", b"BODY"))
-W64 = Family("<", 40, 16, "Q", True, 8, (b"data\xf3\xac\xd3\x11\x8c\xd1\x00\xc0O\x8e\xdb\x8a",))
-CAF = Family(">", 8, 4, "q", False, 1, (b"data",))
+W64 = Family("<", 40, 16, "Q", True, 8, (b"data\xf3\xac\xd3\x11\x8c\xd1\x00\xc0O\x8e\xdb\x8a",), outer_at=16)
+CAF = Family(">", 8, 4, "q", False, 1, (b"data",), outer_at=0)
 
 FAMILIES: dict[bytes, Family] = {
     b"RIFF": RIFF,
@@ -67,6 +72,31 @@ FAMILIES: dict[bytes, Family] = {
     b"riff": W64,
     b"caff": CAF,
 }
+
+
+@dataclass(frozen=True)
+class Extent:
+    """How much of a file is sound.
+
+    Attributes
+    ----------
+    end : where the sound ends, bytes; what follows is none of it.
+    cut_off : whether the file ends before its header says.
+    announced, there : bytes of samples that the header announces, and that there are; equal where the sound is whole.
+    corrections : what the header has to say instead, so that it tells what is there: bytes by their places.
+    """
+
+    end: int
+    cut_off: bool = False
+    announced: int = 0
+    there: int = 0
+    corrections: tuple[tuple[int, bytes], ...] = ()
+
+    @property
+    def share(self) -> float:
+        """How much of what is announced is there, 0..1; 0 where what is announced cannot be meant."""
+        believable = self.announced < LARGEST_BELIEVED and self.announced != UNKNOWN_32
+        return self.there / max(1, self.announced) if believable else 0.0
 
 
 @dataclass(frozen=True)
@@ -87,8 +117,10 @@ class _LieError(Exception):
     """A size that cannot be true; its text says which."""
 
 
-def sound_end(file: BinaryIO, name: str) -> int:
-    """Check the sizes in a file's header and say where its sound ends, in bytes; what follows is none of it.
+def extent_of(file: BinaryIO, name: str) -> Extent:
+    """Check the sizes in a file's header, and say how much of it is sound.
+
+    A file of chunks that ends before its header says is cut off; what there is of its samples is its sound.
 
     Parameters
     ----------
@@ -97,7 +129,7 @@ def sound_end(file: BinaryIO, name: str) -> int:
 
     Raises
     ------
-    AudioError : a size contradicts the file's length.
+    AudioError : a size contradicts the file's length, and not because it was cut off among its samples or later.
     """
     length = file.seek(0, io.SEEK_END)
     start = _after_id3(file)
@@ -108,7 +140,7 @@ def sound_end(file: BinaryIO, name: str) -> int:
         if magic == b"OggS":
             _check_ogg(file, length)
         family = FAMILIES.get(magic)
-        return length if family is None else _walk(file, family, magic, start, length)
+        return Extent(length) if family is None else _walk(file, family, magic, start, length)
     except _LieError as lie:
         raise AudioError(f"{name}: the sizes in its header do not match the file ({lie}), so {ADVICE}") from None
 
@@ -119,36 +151,78 @@ def mp3_states_its_length(file: BinaryIO) -> bool:
     return any(tag in head for tag in (b"Xing", b"Info", b"VBRI"))
 
 
-def _walk(file: BinaryIO, family: Family, magic: bytes, start: int, length: int) -> int:
+def _walk(file: BinaryIO, family: Family, magic: bytes, start: int, length: int) -> Extent:
     sizes = _sizes_of_ds64(file, start) if magic in {b"RF64", b"BW64"} else None
-    end = min(_outer_end(file, family, start, length, sizes), length)
-    found = False
+    claimed = start + _outer_size(file, family, start, length, sizes)
+    end = min(claimed, length)
+    samples: Chunk | None = None
+    block = 1
     for chunk in _chunks(file, family, start + family.first, end, sizes):
-        if found and not chunk.name.strip(b"\0"):
-            return chunk.begin - family.header  # zeros that fill up the file
-        if chunk.end > end:
-            raise _LieError(f"{_shown(chunk.name)} claims {chunk.size} bytes, {max(end - chunk.begin, 0)} are there")
-        if chunk.name == b"LIST":
-            _check_list(file, family, chunk)
-        if chunk.name in family.data:
-            found = True
-            if chunk.size == 0 and chunk.end < length and end < length:
-                raise _LieError(f"{_shown(chunk.name)} claims 0 bytes, {length - chunk.end} are there")
-    if not found:
+        if samples and not chunk.name.strip(b"\0"):
+            return Extent(chunk.begin - family.header)  # zeros that fill up the file
+        is_samples = chunk.name in family.data
+        if chunk.end > length and (samples or is_samples):
+            whole = chunk.begin - family.header if samples else length
+            return _cut_off(family, start, samples or chunk, whole, block, wide=sizes is not None)
+        block = _block_in(file, family, chunk) or block
+        _check(file, family, chunk, end)
+        if is_samples:
+            samples = chunk
+            _check_samples(chunk, end, length)
+    if samples is None:
         raise _LieError("there is no chunk with samples")
-    return end
+    if claimed > length + OUTER_SLACK:
+        return _cut_off(family, start, samples, end, block, wide=sizes is not None)
+    return Extent(end)
 
 
-def _outer_end(file: BinaryIO, family: Family, start: int, length: int, sizes: tuple[int, int] | None) -> int:
-    if family is CAF:
-        return length
-    if family is W64:
-        claimed = _number_at(file, start + 16, "<Q")
+def _check(file: BinaryIO, family: Family, chunk: Chunk, end: int) -> None:
+    if chunk.end > end:
+        raise _LieError(f"{_shown(chunk.name)} claims {chunk.size} bytes, {max(end - chunk.begin, 0)} are there")
+    if chunk.name == b"LIST":
+        _check_list(file, family, chunk)
+
+
+def _check_samples(chunk: Chunk, end: int, length: int) -> None:
+    if chunk.size == 0 and chunk.end < length and end < length:
+        raise _LieError(f"{_shown(chunk.name)} claims 0 bytes, {length - chunk.end} are there")
+
+
+def _block_in(file: BinaryIO, family: Family, chunk: Chunk) -> int:
+    """Give the bytes of samples that cannot be parted, where a chunk tells the format; else 0."""
+    return _number_at(file, chunk.begin + 12, family.order + "H") if chunk.name.startswith(b"fmt ") else 0
+
+
+def _cut_off(family: Family, start: int, samples: Chunk, end: int, block: int, *, wide: bool) -> Extent:
+    """Tell of a file that was cut off among its samples or behind them: what is whole of it ends at `end`.
+
+    `block` is how many bytes of samples cannot be parted; `wide` says that its sizes stand in a ``ds64`` chunk.
+    """
+    there = samples.size
+    if end < samples.end:
+        there = (end - samples.begin) // block * block
+        end = samples.begin + there
+    whole = end - start - (0 if family.counts_header else 8)
+    form = family.order + family.size_code
+    corrections: tuple[tuple[int, bytes], ...] = ()
+    if wide:
+        unknown = struct.pack(form, UNKNOWN_32)
+        corrections = ((start + 20, struct.pack("<QQ", whole, there)), (samples.begin - len(unknown), unknown))
     else:
-        claimed = 8 + (sizes[0] if sizes else _number_at(file, start + 4, family.order + "I"))
-    if start + claimed > length + OUTER_SLACK:
-        raise _LieError(f"it claims {claimed} bytes, {length - start} are there")
-    return start + claimed
+        size = struct.pack(form, there + (family.header if family.counts_header else 0))
+        outer = (start + family.outer_at, struct.pack(form, whole))
+        corrections = ((samples.begin - len(size), size), *([outer] if family.outer_at else []))
+    return Extent(end, True, samples.size, there, corrections)
+
+
+def _outer_size(file: BinaryIO, family: Family, start: int, length: int, sizes: tuple[int, int] | None) -> int:
+    """Give the bytes that the whole claims to have."""
+    if not family.outer_at:
+        return length - start
+    if sizes:
+        return 8 + sizes[0]
+    claimed = _number_at(file, start + family.outer_at, family.order + family.size_code)
+    return claimed + (0 if family.counts_header else 8)
 
 
 def _sizes_of_ds64(file: BinaryIO, start: int) -> tuple[int, int]:

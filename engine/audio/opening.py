@@ -1,6 +1,7 @@
 """Files as bytes on the disk: what may be opened, and under which name it is spoken of."""
 
 import io
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -30,11 +31,19 @@ def opened(path: Path, name: str) -> BinaryIO:
 
 
 class Part(io.RawIOBase):
-    """The beginning of a file as a file of its own; it has no name whose ending could mislead libsndfile."""
+    """The beginning of a file as a file of its own; it has no name whose ending could mislead libsndfile.
 
-    def __init__(self, file: BinaryIO, end: int) -> None:
+    Parameters
+    ----------
+    file : open for reading.
+    end : where the part ends, bytes.
+    corrections : bytes that stand in it instead of the file's, by their places.
+    """
+
+    def __init__(self, file: BinaryIO, end: int, corrections: Sequence[tuple[int, bytes]] = ()) -> None:
         self._file = file
         self._end = end
+        self._corrections = corrections
         self._at = 0
 
     def readable(self) -> bool:
@@ -59,9 +68,12 @@ class Part(io.RawIOBase):
         """Fill a buffer as far as there are bytes, and say how many they were."""
         view = memoryview(buffer).cast("B")
         self._file.seek(self._at)
-        n = self._file.readinto(view[: max(0, self._end - self._at)])  # type: ignore[attr-defined]
+        n = int(self._file.readinto(view[: max(0, self._end - self._at)]))  # type: ignore[attr-defined]
+        for place, content in self._corrections:
+            for k in range(max(place, self._at), min(place + len(content), self._at + n)):
+                view[k - self._at] = content[k - place]
         self._at += n
-        return int(n)
+        return n
 
 
 def shown_name(path: Path) -> str:

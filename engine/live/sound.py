@@ -66,7 +66,7 @@ class Sound:
     ----------
     path : the sound file.
     preset : what to recognise with.
-    channel : what is recognised of a stereo file.
+    channel : what is recognised of a file of several channels.
     open_device : opens the output for a number of channels.
 
     Raises

@@ -74,7 +74,7 @@ class Calibration(QObject):
             return
         if session.source is Source.FILE and session.path is not None and (session.playing or self.stretch):
             if self.stretch is not None and not session.playing:
-                self.takes.add_stretch(session.path, *self.stretch, phoneme)
+                self.takes.add_stretch(session.path, session.channel, *self.stretch, phoneme)
                 self._forget_stretch()
                 return
             self._from = session.position
@@ -93,7 +93,7 @@ class Calibration(QObject):
         self.held.emit()
         path = self.session.path
         if start is not None and path is not None:
-            self.takes.add_stretch(path, start, self.session.position, phoneme)
+            self.takes.add_stretch(path, self.session.channel, start, self.session.position, phoneme)
             return
         samples, rate = self.catch.end()
         if not len(samples) and not self.session.microphone.listening:

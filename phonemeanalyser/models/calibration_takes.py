@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from engine.audio.files import SoundReader
+from engine.audio.files import SoundReader, mono_of
 from engine.calibration.scores.corpus import Utterance
 from engine.calibration.takes.check import TakeReport, check_take
 from engine.calibration.takes.project import TakeProject
 from engine.calibration.takes.take import Take
 from engine.phonemes import Phoneme
-from engine.settings import SAMPLE_RATE
+from engine.settings import SAMPLE_RATE, Channel
 from phonemeanalyser.models.backroom import Backroom
 from phonemeanalyser.models.catch import in_house_form
 from phonemeanalyser.models.take_labels import write_labels_of
@@ -155,14 +155,19 @@ class TakesModel(QObject):
 
         self._change(act, self._tell_added)
 
-    def add_stretch(self, path: Path, start: float, end: float, phoneme: Phoneme) -> None:
-        """Make a stretch of a file, in seconds, a take; what lies around it is kept, and does not count."""
+    def add_stretch(self, path: Path, channel: Channel, start: float, end: float, phoneme: Phoneme) -> None:
+        """Make a stretch of a file, in seconds, a take; what lies around it is kept, and does not count.
+
+        The mix keeps both channels of a stereo file.
+        """
 
         def act(project: TakeProject) -> Take:
             before = min(start, AROUND)
-            with SoundReader(path) as reader:
+            with SoundReader(path, channel) as reader:
                 reader.seek(round((start - before) * SAMPLE_RATE))
                 samples = reader.read(round((before + end - start + AROUND) * SAMPLE_RATE))
+            if channel is not Channel.MIX:
+                samples = mono_of(samples, channel)[:, np.newaxis]
             marked = samples[round(before * SAMPLE_RATE) : round((before + end - start) * SAMPLE_RATE)]
             report = check_take(in_house_form(marked, SAMPLE_RATE), self._noise_now(project), phoneme)
             take = project.add(

@@ -70,7 +70,7 @@ class Session(QObject):
         self.tone = Tone()
         self.loop = False
         self.volume = 0.0
-        self.channel = Channel.MIX
+        self.wanted_channel = Channel.MIX
         self._open_device = open_device
         self._file: SoundReader | None = None
         self._left_at = 0.0
@@ -151,12 +151,35 @@ class Session(QObject):
         """Frames that were analysed but never shown, since the source is in use."""
         return self._player.n_dropped if self._player else self.microphone.n_dropped
 
+    @property
+    def channel(self) -> Channel:
+        """What is analysed of the file in hand: the channel that is wanted, or the mix of a file that lacks it."""
+        return self._file.channel if self._file else self.wanted_channel
+
+    @property
+    def n_channels(self) -> int:
+        """Channels of the file in hand; 2 where there is none yet."""
+        return self._file.n_file_channels if self._file else 2
+
+    @property
+    def cut_off(self) -> str:
+        """What the file in hand lacks, as a sentence; empty where it is whole."""
+        return f"{self._file.path.name}: {self._file.cut_off}" if self._file and self._file.cut_off else ""
+
     # -- where the sound comes from -----------------------------------------------------------------------
 
     def open(self, path: Path) -> bool:
-        """Open a file and stand at its beginning; a file that cannot be read leaves everything as it was."""
+        """Open a file and stand at its beginning; a file that cannot be read leaves everything as it was.
+
+        Of a file without the channel that is wanted, the mix is analysed.
+        """
+        return self._open(path, None)
+
+    def _open(self, path: Path, channel: Channel | None) -> bool:
         try:
-            file = SoundReader(path, self.channel)
+            file = SoundReader(path, channel or Channel.MIX)
+            if channel is None and self.wanted_channel.number <= file.n_file_channels:
+                file.choose(self.wanted_channel)
         except EngineError as error:
             self.failed.emit(str(error))
             return False
@@ -281,15 +304,15 @@ class Session(QObject):
         self.transport_changed.emit()
 
     def set_channel(self, channel: Channel) -> None:
-        """Choose what is analysed of a stereo file; it goes on from the same place."""
-        if channel is self.channel:
+        """Choose what is analysed of files of several channels; the one in hand goes on from the same place."""
+        if channel is self.wanted_channel is self.channel:
             return
-        before, self.channel = self.channel, channel
-        if self._file is not None and self.source is Source.FILE:
+        if self._file is None or self.source is not Source.FILE:
+            self.wanted_channel = channel
+        else:
             position, playing = self.position, self.playing
-            if not self.open(self._file.path):
-                self.channel = before
-            else:
+            if self._open(self._file.path, channel):
+                self.wanted_channel = channel
                 self.seek(position)
                 if playing:
                     self.play()

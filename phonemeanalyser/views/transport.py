@@ -103,9 +103,8 @@ class Transport(QWidget):
         self.volume.setRange(int(QUIETEST_DB), 0)
         self.volume.setFixedWidth(80)
         self.volume.setAccessibleName("volume")
-        for channel in Channel:
-            self.channel.addItem(channel.value, channel)
-        self.channel.setToolTip("Which channel of a stereo file is analysed")
+        self.channel.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.channel.setToolTip("Which channel of the file is analysed")
         self.channel.setAccessibleName("channel of the file")
         for source in Source:
             self.source.addItem(source.value, source)
@@ -136,7 +135,7 @@ class Transport(QWidget):
         self.time_line.sought.connect(session.seek)
         self.tone.tone_changed.connect(session.set_tone)
         self.volume.valueChanged.connect(session.set_volume)
-        self.channel.activated.connect(lambda k: session.set_channel(Channel(self.channel.itemData(k))))
+        self.channel.activated.connect(lambda k: session.set_channel(Channel(str(k))))
         session.transport_changed.connect(self._show_state)
         session.opened.connect(self._show_state)
         session.microphone.changed.connect(self._show_state)
@@ -151,12 +150,23 @@ class Transport(QWidget):
         with QSignalBlocker(self.volume), QSignalBlocker(self.loop):
             self.volume.setValue(round(session.volume))
             self.loop.setChecked(session.loop)
-        self.channel.setCurrentText(session.channel.value)
+        self._show_channels()
         self.source.setCurrentIndex(self.source.findData(session.source))
         self.record.show_state()
         self._show_page()
         self.time_line.update()
         self.refresh()
+
+    def _show_channels(self) -> None:
+        """Offer the channels of the file, and the mix of them where there are several."""
+        n = self._session.n_channels
+        names = {1: ["mono"], 2: ["mix", "left", "right"]}
+        texts = names.get(n) or ["mix", *(str(number) for number in range(1, n + 1))]
+        if texts != [self.channel.itemText(k) for k in range(self.channel.count())]:
+            self.channel.clear()
+            self.channel.addItems(texts)
+        self.channel.setCurrentIndex(self._session.channel.number if n > 1 else 0)
+        self.channel.setEnabled(n > 1)
 
     def _show_page(self) -> None:
         """Show the controls of the source in use."""

@@ -34,7 +34,7 @@ def test_every_format_is_printed_or_written_alike(
     said = capsys.readouterr()
     assert said.err == ""
     exported(sound, "--format", name, "-o", tmp_path / "out")
-    target = tmp_path / "out" / f"speech{FORMATS[name].ending}"
+    target = tmp_path / "out" / f"speech{FORMATS[name].full_ending}"
     assert target.read_text(encoding="utf-8") == said.out
     assert [path for path in (tmp_path / "out").rglob("*") if path.is_file()] == [target]
 
@@ -52,7 +52,7 @@ def test_a_face_is_animated(sound: Path, tmp_path: Path) -> None:
     exported(sound, "--format", "gltf", "--mesh", face, "--fps", 25, "-o", tmp_path / "talking.glb")
     gltf = GLTF2().load(str(tmp_path / "talking.glb"))
     assert gltf is not None
-    (sampler,) = gltf.animations[0].samplers
+    sampler = gltf.animations[0].samplers[0]
     n_frames = int(soundfile.info(sound).duration * 25) + 1
     assert gltf.accessors[sampler.input].count == n_frames
     assert gltf.accessors[sampler.output].count == n_frames * 52
@@ -67,12 +67,14 @@ def test_the_programs_own_head_is_animated_where_no_other_is_named(sound: Path, 
     assert gltf.accessors[primitive.attributes.POSITION].count == len(head.mesh)
     names = gltf.meshes[0].extras["targetNames"]
     assert sorted(names) == sorted(ARKIT)
-    (channel,), (sampler,) = gltf.animations[0].channels, gltf.animations[0].samplers
+    (channel, turning), (sampler, turned) = gltf.animations[0].channels, gltf.animations[0].samplers
     assert (gltf.nodes[channel.target.node].mesh, channel.target.path) == (0, "weights")
     form = gltf.accessors[sampler.output]
     begin = gltf.bufferViews[form.bufferView].byteOffset
     weights = np.frombuffer(gltf.binary_blob(), "<f4", form.count, begin).reshape(-1, len(names))
     assert weights[:, names.index("jawOpen")].max() > 0.2
+    assert (turning.target.node, turning.target.path) == (channel.target.node, "rotation")
+    assert gltf.accessors[turned.output].type == "VEC4"
 
 
 def test_wishes_reach_the_format(sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -102,7 +104,7 @@ def test_a_folder_is_walked_and_what_cannot_be_read_is_said_and_passed_over(
     assert len(lines) == 1
     assert lines[0].startswith("phonemeanalyser: b.wav: ")
     found = {path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*.*")}
-    assert found == {"a.TextGrid", "deep/c.TextGrid"}
+    assert found == {"a.mouth.TextGrid", "deep/c.mouth.TextGrid"}
 
 
 @pytest.mark.parametrize("name", ODD_FILES)
@@ -110,6 +112,24 @@ def test_an_unusual_file_can_be_exported_too(name: str, tmp_path: Path) -> None:
     path = ODD_FILES[name](tmp_path)
     for form in ("rhubarb-xml", "papagayo-pgo", "oculus-csv"):
         exported(path, "--format", form, "-o", tmp_path / "out" / form)
+
+
+@pytest.mark.parametrize("out", ["project.pgo", "deep/project.pgo", "deep", None])
+def test_papagayo_finds_the_sound_wherever_the_project_lies_and_whoever_wrote_it(
+    out: str | None, sound: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for folder, name in ((tmp_path, "speech.wav"), (tmp_path / "elsewhere", "../speech.wav")):
+        folder.mkdir(exist_ok=True)
+        monkeypatch.chdir(folder)
+        exported(name, "--format", "papagayo-pgo", *([] if out is None else ["-o", out]))
+        text = capsys.readouterr().out
+        if out is not None:
+            project = folder / out / "speech.pgo" if out == "deep" else folder / out
+            text = project.read_text(encoding="utf-8")
+        monkeypatch.chdir("/")
+        named = text.splitlines()[1]
+        assert Path(named).is_absolute()
+        assert Path(named).samefile(sound)
 
 
 def test_silence_is_a_mouth_at_rest(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -144,7 +164,7 @@ def test_two_sounds_of_one_name_do_not_overwrite_each_other(
     said = refused(
         capsys, "export", sound, tmp_path / "speech.flac", "--format", "rhubarb-tsv", "-o", tmp_path / "out"
     )
-    assert said == "speech.flac: its file speech.tsv is already that of speech.wav; rename one of them"
+    assert said == "speech.flac: its file speech.rhubarb.tsv is already that of speech.wav; rename one of them"
 
 
 @pytest.mark.parametrize(

@@ -65,7 +65,7 @@ def microphone(portaudio: FakePortAudio, monkeypatch: pytest.MonkeyPatch, tmp_pa
         ["listen", "--seconds", "soon"],
         ["listen", "--seconds", "nan"],
         ["listen", "--seconds=-1"],
-        ["listen", "--channel", "left"],
+        ["listen", "--channel", "middle"],
         ["listen", "--channel=-1"],
         ["listen", "--rate", "fast"],
         ["listen", "--rate=-44100"],

@@ -165,6 +165,13 @@ def entries(window) -> list[str]:
     return [label.text() for label in window.analysis.averaged._names]
 
 
+def test_a_curve_whose_ending_nobody_typed_replaces_nothing(window, monkeypatch, tmp_path):
+    (tmp_path / "tone.csv").write_text("mine")
+    choose_save(window, monkeypatch, tmp_path / "tone")
+    assert (tmp_path / "tone.csv").read_text() == "mine"
+    assert load_curve(tmp_path / "tone (2).csv").n_frames == 80
+
+
 def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, monkeypatch, tmp_path):
     choose_save(window, monkeypatch, tmp_path / "tone")
     saved = load_curve(tmp_path / "tone.csv")

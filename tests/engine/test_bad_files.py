@@ -13,7 +13,7 @@ import soundfile
 from engine.audio.files import SoundReader
 from engine.errors import AudioError
 from engine.settings import SAMPLE_RATE, Channel
-from tests.bad_files import BAD_FILES, DAMAGED, HOSTILE, LYING, ODD_FILES, a_sound
+from tests.bad_files import BAD_FILES, CUT_OFF, DAMAGED, FMT, HOSTILE, LYING, ODD_FILES, SAMPLES, a_sound, chunk, riff
 
 READ_ALL = """
 import sys, time
@@ -128,6 +128,42 @@ def test_an_unusual_file_is_read_to_its_end(name: str, tmp_path: Path) -> None:
         assert sum(len(block) for block in reader.blocks(1000)) == reader.n_samples
 
 
+@pytest.mark.parametrize("name", CUT_OFF)
+def test_a_file_that_was_cut_off_is_read_as_far_as_it_goes_and_says_so(name: str, tmp_path: Path) -> None:
+    with SoundReader(CUT_OFF[name](tmp_path)) as reader:
+        assert reader.cut_off in reader.notes
+        assert f"{reader.duration:.3f} s are there" in reader.cut_off or "sound, which is whole" in reader.cut_off
+        sound = np.concatenate(list(reader.blocks(1000)))
+        assert len(sound) == reader.n_samples > 2000
+        reader.seek(1500)
+        np.testing.assert_array_equal(next(reader.blocks(100)), sound[1500:1600])
+        if name.startswith(("truncated", "cut_")) and "behind" not in name and name != "cut_and_tagged":
+            assert 1.6 < reader.duration < 1.81
+            assert np.corrcoef(sound, a_sound(3.0)[: len(sound)])[0, 1] > 0.9
+
+
+def test_of_three_seconds_as_many_are_said_to_be_there_as_are_read(tmp_path: Path) -> None:
+    with SoundReader(CUT_OFF["truncated_wav"](tmp_path)) as reader:
+        assert reader.cut_off == "it is cut off: of the 3.000 s that its header announces, 1.800 s are there"
+    with SoundReader(CUT_OFF["streamed_all_ones"](tmp_path)) as reader:
+        assert reader.cut_off == "its header does not say how long it is; 0.200 s are there"
+
+
+@pytest.mark.parametrize("length", range(0, 300, 7))
+def test_wherever_a_wav_is_cut_it_is_read_or_refused(length: int, tmp_path: Path) -> None:
+    path = tmp_path / "cut.wav"
+    samples = chunk(b"data", SAMPLES[:200])
+    whole = riff(chunk(b"fmt ", FMT), samples, chunk(b"LIST", b"INFO" + chunk(b"INAM", b"name")))
+    path.write_bytes(whole[:length])
+    n = min((length - 44) // 2, 100)
+    if n < 1:
+        refusal_of(path)
+        return
+    with SoundReader(path) as reader:
+        assert sum(len(block) for block in reader.blocks(100)) == n
+        assert ("header announces" in reader.cut_off) == (n < 100)
+
+
 def test_one_sample_is_a_sound_with_a_remark(tmp_path: Path) -> None:
     with SoundReader(ODD_FILES["one_sample"](tmp_path)) as reader:
         assert reader.n_samples == 1
@@ -139,8 +175,9 @@ def test_one_sample_is_a_sound_with_a_remark(tmp_path: Path) -> None:
     ("channel", "remark"),
     [
         (Channel.MIX, "200 channels are mixed to one"),
-        (Channel.LEFT, "only the first of 200 channels is used"),
-        (Channel.RIGHT, "only the second of 200 channels is used"),
+        (Channel.LEFT, "only channel 1 of 200 is used"),
+        (Channel("150"), "only channel 150 of 200 is used"),
+        (Channel.RIGHT, "only channel 2 of 200 is used"),
     ],
 )
 def test_two_hundred_channels_become_one_with_a_remark(channel: Channel, remark: str, tmp_path: Path) -> None:

@@ -18,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.analyser import Analyser
-from engine.audio.files import SoundReader
 from engine.calibration.fits.folds import groups_of, held_out
 from engine.calibration.fits.threshold_search import LEAST_EXCLUDED, LEAST_FOUND, Fit, ThresholdSearch
 from engine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
@@ -242,7 +241,7 @@ def _recognised(features: Features, fit: Fit, settings: AnalysisSettings) -> Cod
 def _recordings_of(folder: Path, seed: int) -> Iterator[Recording]:
     generator = np.random.default_rng(seed)
     for utterance in read_corpus(folder):
-        with SoundReader(utterance.path) as reader:
+        with utterance.opened() as reader:
             clean = np.concatenate(list(reader.blocks(1 << 16)))
         gain = 10 ** (generator.uniform(*GAIN_RANGE) / 20)
         level = 10 ** (generator.uniform(*NOISE_RANGE) / 20)

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.analyser import Analyser
-from engine.audio.files import SoundReader
 from engine.calibration.scores.added_noise import Noise, NoiseAdder, NoiseKind
 from engine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
 from engine.dsp.mel import frequency_of, mel_of
@@ -157,7 +156,7 @@ def _measured(
 def _sounds_of(
     utterance: Utterance, adder: NoiseAdder, generator: np.random.Generator
 ) -> Iterator[NDArray[np.float32]]:
-    with SoundReader(utterance.path) as reader:
+    with utterance.opened() as reader:
         sound = np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])
     yield sound
     floor = _gain_of(generator.uniform(*FLOORS)) * generator.standard_normal(len(sound), np.float32)

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.analyser import BLOCK, analyses_of
-from engine.audio.files import SoundReader
 from engine.calibration.heed import Heed, go_on, part_of, tell
 from engine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
 from engine.calibration.scores.scoring import Codes
@@ -86,7 +85,7 @@ def _spectra_at(
 ) -> NDArray[np.float32]:
     """Give the filtered spectra of those of the wanted frames that the sound has."""
     found = []
-    with SoundReader(utterance.path) as reader:
+    with utterance.opened() as reader:
         for analysis in analyses_of(reader.blocks(BLOCK * HOP), Preset(settings=settings)):
             tell(heed, min(1.0, analysis.start / max(1, int(wanted[-1]))))
             first, end = np.searchsorted(wanted, (analysis.start, analysis.start + len(analysis)))

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from engine.calibration.labels.label import Label, Mark
 from engine.errors import CorpusError
+from engine.own_files import begins_like
 
 INTERVALS, POINTS = "IntervalTier", "TextTier"
 
@@ -22,6 +23,13 @@ _WORD = re.compile(
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|nan|inf(?:inity)?)", re.IGNORECASE | re.ASCII)
 
 Stretch = tuple[float, float, str]
+
+owns = begins_like(
+    b"%sxmin = 0 \nxmax = [0-9.]+ \ntiers\\? <exists> \nsize = [12] \nitem \\[\\]: \n    item \\[1\\]: \n"
+    b'        class = "IntervalTier" \n        name = "phonemes" \n' % _HEADER.encode()
+)
+"""Whether the content of a file is a long TextGrid as it was written here: what Praat saves has no space after the
+number of an item."""
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,6 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.audio.files import SoundReader
 from engine.calibration.labels.label import Label
 from engine.calibration.learning.varied import Variation, drawn_variation, varied
 from engine.calibration.scores.corpus import Utterance, frame_labels_of
@@ -94,7 +93,7 @@ def _lessons(task: tuple[Utterance, int, int]) -> tuple[Lesson, ...] | EngineErr
 
 
 def _sound_of(utterance: Utterance) -> NDArray[np.float32]:
-    with SoundReader(utterance.path) as reader:
+    with utterance.opened() as reader:
         return np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])
 
 

@@ -22,6 +22,7 @@ from engine.calibration.scores.scoring import Codes, Scores, scores_of
 from engine.errors import CorpusError
 from engine.phonemes import Phoneme
 from engine.recognition.model import Model
+from engine.settings import Channel
 
 HESITATION = 0.2
 """How much more an unidentified sound must be the likeliest, in units of the logarithm of its probability: its frames
@@ -51,7 +52,10 @@ class Taught:
     everyone: Scores | None
 
 
-def teach(corpora: Sequence[Path], course: Course, n_variations: int, n_folds: int, told: Told) -> Taught:
+def teach(
+    corpora: Sequence[Path], course: Course, n_variations: int, n_folds: int, told: Told,
+    channel: Channel = Channel.MIX,
+) -> Taught:  # fmt: skip
     """Train a model on folders in the corpus format, and validate it on speakers left out.
 
     Parameters
@@ -61,13 +65,14 @@ def teach(corpora: Sequence[Path], course: Course, n_variations: int, n_folds: i
     n_variations : of each recording, besides the recording itself.
     n_folds : groups of speakers, each of which is left out once; 0 for no validation.
     told : is told of the progress.
+    channel : what is heard of sounds that have several.
 
     Raises
     ------
     CorpusError : a folder is none, or there is too little speech for a batch.
     EngineError : a sound cannot be read.
     """
-    utterances = [u for corpus in corpora for u in read_corpus(corpus)]
+    utterances = [u for corpus in corpora for u in read_corpus(corpus, channel=channel)]
     sources = tuple(sources_of(corpora))
     if sum(source.minutes for source in sources) * 60 < course.n_together * course.n_frames * 0.02:
         raise CorpusError(

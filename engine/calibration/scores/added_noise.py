@@ -10,7 +10,6 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.audio.files import SoundReader
 from engine.calibration.scores.corpus import Utterance, frame_labels_of
 from engine.errors import AudioError, CorpusError, SettingsError
 from engine.phonemes import Phoneme
@@ -100,7 +99,7 @@ class NoiseAdder:
         gain = speech_level_of(utterance) * 10 ** (-self.noise.snr / 20)
         name = f"{utterance.voice}/{utterance.path.name}"
         place = int(np.random.default_rng([self.noise.seed, zlib.crc32(name.encode())]).integers(LOOP))
-        with SoundReader(utterance.path) as reader:
+        with utterance.opened() as reader:
             for block in reader.blocks(n):
                 at = np.arange(place, place + len(block)) % LOOP
                 yield block + np.float32(gain) * period[at]
@@ -128,7 +127,7 @@ def speech_level_of(utterance: Utterance) -> float:
     """
     spoken = frame_labels_of(utterance.labels).phonemes != Phoneme.SILENCE
     power, n, frame = 0.0, 0, 0
-    with SoundReader(utterance.path) as reader:
+    with utterance.opened() as reader:
         for block in reader.blocks(SPEECH_BLOCK):
             is_speech = np.repeat(spoken[frame : frame + len(block) // HOP + 1], HOP)[: len(block)]
             heard = block[: len(is_speech)][is_speech]
@@ -171,7 +170,7 @@ def _pool_of(utterances: Sequence[Utterance], seed: int) -> list[tuple[str, Bloc
 def _voice_of(utterance: Utterance) -> Block | None:
     """Give a recording as a period of noise, or None where it is silent or cannot be read: its scorer tells that."""
     try:
-        with SoundReader(utterance.path) as reader:
+        with utterance.opened() as reader:
             block = next(reader.blocks(LOOP), np.zeros(0, np.float32))
     except AudioError:
         return None

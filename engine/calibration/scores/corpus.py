@@ -24,7 +24,7 @@ from engine.calibration.labels.textfile import read_text
 from engine.calibration.takes.listing import LIST
 from engine.errors import AudioError, CorpusError
 from engine.phonemes import Phoneme
-from engine.settings import FRAME_PERIOD
+from engine.settings import FRAME_PERIOD, Channel
 
 __all__ = [
     "FrameLabels",
@@ -52,17 +52,30 @@ class Utterance:
     path : the sound file.
     labels : what was said, in order of time.
     speaker, corpus : who said it, and the part of the corpus it belongs to.
+    channel : what is analysed of a sound that has several.
+    cut_off : what the sound's file lacks, as a sentence; empty where it is whole.
     """
 
     path: Path
     labels: tuple[Label, ...]
     speaker: str
     corpus: str
+    channel: Channel = Channel.MIX
+    cut_off: str = ""
 
     @property
     def voice(self) -> str:
         """Who says it, as corpus/speaker."""
         return f"{self.corpus}/{self.speaker}"
+
+    def opened(self) -> SoundReader:
+        """Open its sound.
+
+        Raises
+        ------
+        AudioError : it cannot be read.
+        """
+        return SoundReader(self.path, self.channel)
 
 
 @dataclass(frozen=True)
@@ -81,20 +94,23 @@ class FrameLabels:
 
 @dataclass(frozen=True)
 class _Pair:
-    """A sound, its label file, and whose they are."""
+    """A sound, its label file, whose they are, and the channel that counts."""
 
     sound: Path
     labels: Path
     speaker: str
     corpus: str
+    channel: Channel
 
 
 def read_corpus(
-    folder: Path, mapping: Mapping | None = None, *, passed_over: PassedOver | None = None
-) -> tuple[Utterance, ...]:
+    folder: Path, mapping: Mapping | None = None, *, channel: Channel = Channel.MIX,
+    passed_over: PassedOver | None = None,
+) -> tuple[Utterance, ...]:  # fmt: skip
     """Read the manifest and all label files of a folder; of the sounds only their lengths.
 
-    `passed_over` is told of each sound that cannot be read, which is then left out; None refuses it.
+    `channel` is what will be analysed of sounds that have several. `passed_over` is told of each sound that cannot be
+    read, which is then left out; None refuses it.
 
     Raises
     ------
@@ -103,7 +119,9 @@ def read_corpus(
     AudioError : a sound is missing or cannot be read.
     """
     rows = rows_of(read_text(folder / MANIFEST), MANIFEST_COLUMNS, MANIFEST)
-    pairs = (_Pair(folder / row["wav"], folder / row["labels"], row["speaker"], row["corpus"]) for _, row in rows)
+    pairs = (
+        _Pair(folder / row["wav"], folder / row["labels"], row["speaker"], row["corpus"], channel) for _, row in rows
+    )
     return _utterances_of(pairs, mapping or Mapping(), folder.name or str(folder), passed_over=passed_over)
 
 
@@ -113,6 +131,7 @@ def read_recordings(
     *,
     speaker: str | None = None,
     tier: str | None = None,
+    channel: Channel = Channel.MIX,
     passed_over: PassedOver | None = None,
 ) -> tuple[Utterance, ...]:
     """Read labelled recordings wherever they are.
@@ -124,6 +143,7 @@ def read_recordings(
     mapping : what names stand for that nobody knows.
     speaker : who speaks, unless a manifest says it; where it is None, the folder of the sound tells.
     tier : of TextGrids; the first one whose names are phonemes, where it is None.
+    channel : what will be analysed of sounds that have several.
     passed_over : told of each sound that cannot be read, which is then left out; None refuses it.
 
     Raises
@@ -134,8 +154,8 @@ def read_recordings(
     """
     mapping = mapping or Mapping()
     if (source / MANIFEST).is_file():
-        return read_corpus(source, mapping, passed_over=passed_over)
-    pairs = list(_pairs_beside(source, speaker))
+        return read_corpus(source, mapping, channel=channel, passed_over=passed_over)
+    pairs = list(_pairs_beside(source, speaker, channel))
     if not pairs:
         fault = "there is no label file beside this sound" if source.is_file() else "no labelled sound was found here"
         raise CorpusError(
@@ -170,31 +190,32 @@ def _utterances_of(
     read = []
     for pair in pairs:
         try:
-            read.append((pair, _marks_of(pair, mapping, tier)))
+            read.append((pair, *_marks_of(pair, mapping, tier)))
         except AudioError as error:
             if passed_over is None:
                 raise
             passed_over(error)
-    names = sum((names_in(marks) for _, marks in read), Counter())
+    names = sum((names_in(marks) for _, marks, _ in read), Counter())
     senses = mapping.senses_of(names, source)
     return tuple(
-        Utterance(path=pair.sound, labels=labels_named(marks, senses), speaker=pair.speaker, corpus=pair.corpus)
-        for pair, marks in read
+        Utterance(pair.sound, labels_named(marks, senses), pair.speaker, pair.corpus, pair.channel, cut_off)
+        for pair, marks, cut_off in read
     )
 
 
-def _marks_of(pair: _Pair, mapping: Mapping, tier: str | None) -> tuple[Mark, ...]:
-    with SoundReader(pair.sound) as reader:
-        duration = reader.duration
-    return read_marks(pair.labels, mapping, duration=duration, tier=tier)
+def _marks_of(pair: _Pair, mapping: Mapping, tier: str | None) -> tuple[tuple[Mark, ...], str]:
+    """Read the marks of a sound, and what its file lacks."""
+    with SoundReader(pair.sound, pair.channel) as reader:
+        duration, cut_off = reader.duration, reader.cut_off
+    return read_marks(pair.labels, mapping, duration=duration, tier=tier), cut_off
 
 
-def _pairs_beside(source: Path, speaker: str | None) -> Iterator[_Pair]:
+def _pairs_beside(source: Path, speaker: str | None, channel: Channel) -> Iterator[_Pair]:
     deep = source.is_dir()
     top = source if deep else source.parent
     for sound, labels in _labelled_sounds_in(os.walk(top) if deep else islice(os.walk(top), 1)):
         if deep or sound == source:
-            yield _Pair(sound, labels, speaker or sound.parent.absolute().name, top.absolute().name)
+            yield _Pair(sound, labels, speaker or sound.parent.absolute().name, top.absolute().name, channel)
 
 
 def _labelled_sounds_in(walk: Iterable[tuple[str, list[str], list[str]]]) -> Iterator[tuple[Path, Path]]:

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.analyser import BLOCK, Analyser, analyses_of
-from engine.audio.files import SoundReader
 from engine.calibration.scores.added_noise import NoiseAdder
 from engine.calibration.scores.corpus import FrameLabels, PassedOver, Utterance, frame_labels_of
 from engine.calibration.scores.scoring import N_CODES, Codes, Counts, Scores, confusion_of, macro_f1_of, scores_of
@@ -153,7 +152,7 @@ def answers_to(utterance: Utterance, preset: Preset, *, lag: float = 0.0, noise:
     AudioError : the sound cannot be read.
     """
     labels = frame_labels_of(utterance.labels)
-    with SoundReader(utterance.path) as reader:
+    with utterance.opened() as reader:
         blocks = reader.blocks(BLOCK * HOP) if noise is None else noise.blocks(utterance, BLOCK * HOP)
         found = [(a.phonemes, a.intensities) for a in analyses_of(blocks, preset)]
         n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound

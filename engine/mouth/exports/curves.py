@@ -19,9 +19,12 @@ from numpy.typing import NDArray
 
 from engine.mouth.cues import Cue
 from engine.mouth.exports.export import Export
+from engine.own_files import begins_like
 
 FORMAT = "phonemeanalyser curves 1"
 HEAD = ("yaw", "pitch", "roll")
+
+owns = begins_like(b'{\n "format": "%s",\n' % FORMAT.encode())
 
 
 def write(export: Export) -> Iterator[str]:

@@ -1,6 +1,8 @@
-"""A face's GLB with an animation of its morph weights: a file, or the program's own head, with movement added.
+"""A face's GLB with an animation: a file, or the program's own head, with movement added.
 
-Everything else in the file stays as it is. See section 3.11 of the glTF 2.0 specification.
+Its morph weights say the speech and blink, and its nodes turn the head.
+
+Everything else in the file stays what it is. See section 3.11 of the glTF 2.0 specification.
 """
 
 from collections.abc import Sequence
@@ -9,15 +11,33 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.errors import ExportError
+from engine.errors import ExportError, MeshError
 from engine.mouth.animation import Animation
 from engine.mouth.exports.export import Export
-from engine.mouth.exports.glb import Glb, read_glb, shipped_glb
+from engine.mouth.exports.glb import LARGEST_JSON, Glb, read_glb, shipped_glb
+from engine.mouth.exports.gltf_turning import turnings_of
+from engine.mouth.files.glb import chunks_of, document_of
+from engine.mouth.files.gltf_writing import GENERATOR
 from engine.mouth.head import HEAD
+from engine.mouth.head_motion import quaternions_of
 
 FLOAT = 5126
 """glTF's code for float32."""
-NAME = "speech"
+FORMS = {"weights": "SCALAR", "rotation": "VEC4", "translation": "VEC3"}
+"""What values of each property are."""
+WIDTHS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
+"""Numbers of a value, by its form."""
+NAME, EXTRAS = "speech", {"generator": GENERATOR}
+"""The animation that is added, and what it tells of itself."""
+
+
+def owns(content: bytes) -> bool:
+    """Say whether the content of a file is a GLB to which a movement was added here, the last one in it."""
+    try:
+        newest = document_of(chunks_of(content)[0], LARGEST_JSON)["animations"][-1]
+        return bool(newest["extras"] == EXTRAS)
+    except (MeshError, TypeError, KeyError, IndexError):
+        return False
 
 
 def write(export: Export) -> bytes:
@@ -36,22 +56,49 @@ def write(export: Export) -> bytes:
             f"{face}: it has no morph target of the table {export.table.name!r} ({wanted}, ...); choose "
             "a table for its names with --table, or name the targets in your modelling program"
         )
-    _animate(glb, faces, export.animation)
+    samplers = _Samplers(glb, export.animation)
+    _move(faces, export.animation, samplers)
+    _turn([node for node, _ in faces], export.animation, samplers)
+    glb.list_of("animations").append({"name": NAME, **samplers.lists(), "extras": EXTRAS})
     return glb.content()
 
 
-def _animate(glb: Glb, faces: Sequence[tuple[int, Sequence[str]]], animation: Animation) -> None:
-    times = animation.times.astype("<f4")
-    input_ = _accessor(glb, times, {"min": [float(times[0])], "max": [float(times[-1])]})
-    samplers: list[dict[str, Any]] = []
-    channels: list[dict[str, Any]] = []
+class _Samplers:
+    """What moves with time: samplers, each with the channel that says what it moves."""
+
+    def __init__(self, glb: Glb, animation: Animation) -> None:
+        self.document = glb.document
+        self._glb = glb
+        times = animation.times.astype("<f4")
+        limits = {"min": [float(times[0])], "max": [float(times[-1])]}
+        self._input = _accessor(glb, times, "SCALAR", limits)
+        self._samplers: list[dict[str, Any]] = []
+        self._channels: list[dict[str, Any]] = []
+
+    def push(self, node: int, path: str, values: NDArray[Any]) -> None:
+        """Have a property of a node, such as ``rotation``, take values one after the other."""
+        output = _accessor(self._glb, values.astype("<f4"), FORMS[path], {})
+        self._channels.append({"sampler": len(self._samplers), "target": {"node": node, "path": path}})
+        self._samplers.append({"input": self._input, "output": output, "interpolation": "LINEAR"})
+
+    def lists(self) -> dict[str, Any]:
+        """Give both as an animation has them."""
+        return {"samplers": self._samplers, "channels": self._channels}
+
+
+def _move(faces: Sequence[tuple[int, Sequence[str]]], animation: Animation, samplers: _Samplers) -> None:
     for node, names in faces:
         weights = _weights_for(names, animation)
         if weights is not None:
-            output = _accessor(glb, weights.ravel(), {})
-            channels.append({"sampler": len(samplers), "target": {"node": node, "path": "weights"}})
-            samplers.append({"input": input_, "output": output, "interpolation": "LINEAR"})
-    glb.list_of("animations").append({"name": NAME, "samplers": samplers, "channels": channels})
+            samplers.push(node, "weights", weights)
+
+
+def _turn(nodes: Sequence[int], animation: Animation, samplers: _Samplers) -> None:
+    if not animation.head.any():
+        return
+    for turning in turnings_of(samplers.document, nodes, quaternions_of(animation.head)):
+        for path, values in turning.tracks().items():
+            samplers.push(turning.node, path, values)
 
 
 def _weights_for(names: Sequence[str], animation: Animation) -> NDArray[np.float32] | None:
@@ -66,12 +113,13 @@ def _weights_for(names: Sequence[str], animation: Animation) -> NDArray[np.float
     return weights
 
 
-def _accessor(glb: Glb, values: NDArray[np.float32], limits: dict[str, Any]) -> int:
+def _accessor(glb: Glb, values: NDArray[np.float32], form: str, limits: dict[str, Any]) -> int:
     views, accessors = glb.list_of("bufferViews"), glb.list_of("accessors")
     offset = glb.append(values.tobytes())
     views.append({"buffer": 0, "byteOffset": offset, "byteLength": values.nbytes})
     accessors.append(
-        {"bufferView": len(views) - 1, "componentType": FLOAT, "count": values.size, "type": "SCALAR", **limits}
+        {"bufferView": len(views) - 1, "componentType": FLOAT, "count": values.size // WIDTHS[form], "type": form}
+        | limits
     )
     return len(accessors) - 1
 

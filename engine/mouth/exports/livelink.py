@@ -10,23 +10,29 @@ import numpy as np
 
 from engine.mouth.exports.export import Export
 from engine.mouth.exports.rows import lines_of
+from engine.mouth.names import ARKIT
+from engine.own_files import begins_like
 
 ANGLES = (
     "HeadYaw", "HeadPitch", "HeadRoll", "LeftEyeYaw", "LeftEyePitch", "LeftEyeRoll", "RightEyeYaw", "RightEyePitch",
     "RightEyeRoll",
 )  # fmt: skip
+COLUMNS = ("Timecode", "BlendShapeCount", *(name[0].upper() + name[1:] for name in ARKIT), *ANGLES)
+COUNT = len(COLUMNS) - 2
+
+owns = begins_like(b"%s\n00:00:00:00\\.000,%d(?:,-?\\d\\.\\d{5}){%d}\n" % (",".join(COLUMNS).encode(), COUNT, COUNT))
+"""Whether the content of a file was written here: the recording of an actor begins at the time of day, and has more
+digits."""
 
 
 def write(export: Export) -> Iterator[str]:
     """Write the header and a row for each frame."""
     animation = export.animation
-    names = [name[0].upper() + name[1:] for name in animation.movestates]
-    yield ",".join(["Timecode", "BlendShapeCount", *names, *ANGLES]) + "\n"
-    count = len(names) + len(ANGLES)
+    yield ",".join(COLUMNS) + "\n"
     eyes = np.zeros((len(animation.weights), len(ANGLES) - 3), np.float32)
     rows = np.hstack((animation.weights, np.radians(animation.head), eyes))
     for frame, line in enumerate(lines_of(rows)):
-        yield f"{timecode_of(frame, animation.rate)},{count},{line}\n"
+        yield f"{timecode_of(frame, animation.rate)},{COUNT},{line}\n"
 
 
 def timecode_of(frame: int, rate: float) -> str:

@@ -1,7 +1,8 @@
 """Projects of Papagayo and Papagayo-NG, version 1: voice, phrases, words and phonemes on the frames of a film.
 
 A phrase of one word stands for each stretch between two silences; its text spells our phonemes. Frames count from 0,
-and Papagayo shows the mouth at rest wherever there is no phrase.
+and Papagayo shows the mouth at rest wherever there is no phrase. The sound is named with all its folders: any other
+name is looked for in the folder of the project.
 """
 
 from collections.abc import Iterator
@@ -9,6 +10,7 @@ from collections.abc import Iterator
 from engine.mouth.cues import Cue
 from engine.mouth.exports.export import Export
 from engine.mouth.exports.frames import drawings_on_frames, frame_of
+from engine.mouth.speech import Speech
 from engine.phonemes import Phoneme
 
 Phrase = list[tuple[int, int, Cue]]
@@ -18,7 +20,7 @@ def write(export: Export) -> Iterator[str]:
     """Write a project with one voice."""
     phrases = list(_phrases(export))
     text = "|".join(_spelt(phrase) for phrase in phrases)
-    yield f"lipsync version 1\n{export.speech.name}\n{export.rate:.0f}\n"
+    yield f"lipsync version 1\n{_sound_of(export.speech)}\n{export.rate:.0f}\n"
     yield f"{max(frame_of(export.speech.duration, export.rate), 1)}\n1\n"
     yield f"\tVoice 1\n\t{text}\n\t{len(phrases)}\n"
     for phrase in phrases:
@@ -27,6 +29,12 @@ def write(export: Export) -> Iterator[str]:
         yield f"\t\t\t{word} {first} {last} {len(phrase)}\n"
         for frame, _, cue in phrase:
             yield f"\t\t\t\t{frame} {cue.shape}\n"
+
+
+def _sound_of(speech: Speech) -> str:
+    """Give where the sound is; its name alone where that is unknown, or would break the line."""
+    place = str(speech.path.resolve()) if speech.path else ""
+    return place if place and place.isprintable() else speech.name
 
 
 def _phrases(export: Export) -> Iterator[Phrase]:

@@ -8,11 +8,21 @@ from collections.abc import Iterator
 from html import escape
 
 from engine.mouth.exports.export import Export
+from engine.own_files import begins_like
 from engine.phonemes import Phoneme
 
 SHAPES = frozenset("ABCDEFGHX")
 
 Stretch = tuple[str, str, str]
+
+owns_xml = begins_like(
+    rb'<\?xml version="1\.0" encoding="utf-8"\?>\n<rhubarbResult>\n  <metadata>\n'
+    rb"    <soundFile>[^<>/\\\n]*</soundFile>\n    <duration>\d+\.\d\d</duration>\n"
+)
+"""Whether the content of a file was written here: Rhubarb itself names the folders of its sound too."""
+
+owns_json = begins_like(rb'\{\n  "metadata": \{\n    "soundFile": "[^"/\\\n]*",\n    "duration": \d+\.\d\d\n')
+"""The same for JSON."""
 
 
 def write_tsv(export: Export) -> Iterator[str]:

@@ -3,8 +3,10 @@
 from collections.abc import Iterator
 
 from engine.calibration.labels.label import Label
-from engine.calibration.labels.textgrid import format_textgrid
+from engine.calibration.labels.textgrid import format_textgrid, owns
 from engine.mouth.exports.export import Export
+
+__all__ = ["owns", "write"]
 
 
 def write(export: Export) -> Iterator[str]:

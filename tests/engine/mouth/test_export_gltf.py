@@ -55,7 +55,7 @@ def test_the_movement_is_that_of_live_link_and_its_times_rise(tmp_path: Path) ->
     names = ("jawOpen", "unknown", "mouthPucker")
     gltf = read(animated(face(tmp_path, face_with_targets(names)), rate=30.0), tmp_path)
     (animation,) = gltf.animations
-    (channel,), (sampler,) = animation.channels, animation.samplers
+    channel, sampler = animation.channels[0], animation.samplers[0]
     assert (channel.target.node, channel.target.path, sampler.interpolation) == (0, "weights", "LINEAR")
     times, weights = floats_of(gltf, sampler.input), floats_of(gltf, sampler.output).reshape(-1, 3)
     np.testing.assert_allclose(times, np.arange(int(DURATION * 30) + 1) / 30, atol=1e-6)
@@ -92,7 +92,12 @@ def test_every_node_that_shows_the_face_moves(tmp_path: Path) -> None:
     glb = read_glb(face(tmp_path, face_with_targets(("jawOpen", "mouthPucker"))))
     glb.document["nodes"] += [{"mesh": 0}, {"name": "no mesh"}]
     gltf = read(animated(face(tmp_path, glb.content())), tmp_path)
-    assert [channel.target.node for channel in gltf.animations[0].channels] == [0, 1]
+    moved = [(channel.target.node, channel.target.path) for channel in gltf.animations[0].channels]
+    assert moved == [
+        (0, "weights"),
+        (1, "weights"),
+        *((k, path) for k in (0, 1) for path in ("rotation", "translation")),
+    ]
 
 
 def test_numbers_begin_on_a_word_whatever_a_file_ends_with(tmp_path: Path) -> None:

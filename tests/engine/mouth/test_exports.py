@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -154,6 +155,17 @@ def test_papagayo_has_a_phrase_between_two_silences() -> None:
         assert frames[-1] <= last
         assert all(a < b for a, b in pairwise(frames))
     assert phrases[0][1] < phrases[1][0]
+
+
+def test_papagayo_is_told_where_the_sound_is_and_its_name_alone_where_nobody_knows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for path in (Path("masapo.wav"), tmp_path / "masapo.wav", Path("deep") / ".." / "masapo.wav"):
+        head, _ = read_papagayo(written("papagayo-pgo", replace(speech(), path=path)))
+        assert head["sound"] == str(tmp_path.resolve() / "masapo.wav")
+    head, _ = read_papagayo(written("papagayo-pgo", replace(speech(), path=Path("a\nb.wav"))))
+    assert head["sound"] == "masapo.wav"
 
 
 # -- labels ---------------------------------------------------------------------------------------------------
