@@ -186,7 +186,7 @@ class Dialogs(QObject):
             return False
         path = Path(name)
         if path.suffix.lower() not in PRESET_SUFFIXES:
-            path = path.with_name(path.name + (".phonemedata" if "PhonemeData" in chosen else ".toml"))
+            path = free_path(path.with_name(path.name + (".phonemedata" if "PhonemeData" in chosen else ".toml")))
         self._settings.setValue("folder/preset", str(path.parent))
         return self._save_to(path)
 

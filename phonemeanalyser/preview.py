@@ -18,7 +18,7 @@ from engine.mouth.files.opening import load_face, load_figure
 from engine.mouth.head import load_head
 from engine.mouth.morpher import Detail
 from engine.mouth.speech import speech_of
-from engine.mouth.table import load_table, shipped_tables
+from engine.mouth.table import USUAL_TABLE, load_table, shipped_tables
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.settings import SAMPLE_RATE
 from phonemeanalyser.arguments import add_channel, add_mouth
@@ -127,7 +127,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--fps", type=float, default=RATE, metavar="N", help=f"frames per second ({RATE:g})")
     parser.add_argument("--size", type=_size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
     parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
-    parser.add_argument("--table", default="arkit", metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
+    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
     add_mouth(parser)
     add_channel(parser)
     parser.add_argument("--theme", choices=["light", "dark"], default="light")

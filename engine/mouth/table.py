@@ -3,6 +3,7 @@
 They are TOML files that an animator edits, read strictly.
 """
 
+import reprlib
 import tomllib
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, replace
@@ -280,4 +281,6 @@ def _number(place: str, name: str, value: Any) -> float:
 
 
 def _shown(value: Any) -> str:
+    if isinstance(value, list | dict):
+        return reprlib.repr(value)  # however deep it is
     return f"{value!r:.40}" if not isinstance(value, int) or abs(value) < 10**30 else "an endless number"

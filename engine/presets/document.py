@@ -6,6 +6,7 @@ variables and rules, the recogniser's name and notes.
 
 import math
 import re
+import reprlib
 import tomllib
 from dataclasses import asdict, fields, replace
 from pathlib import Path
@@ -156,6 +157,8 @@ def _checked(table: dict[str, Any]) -> dict[str, Any]:
 
 
 def _shown(value: Any) -> str:
+    if isinstance(value, list | dict):
+        return reprlib.repr(value)  # however deep it is
     endless = isinstance(value, int) and abs(value) > LARGEST
     return "an endless number" if endless else f"{value!r:.60}"
 

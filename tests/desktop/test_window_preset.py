@@ -97,6 +97,15 @@ def test_save_as_writes_phonemedata_by_name_or_by_filter(desktop, window, monkey
     assert parse_phoneme_data((tmp_path / "old.phonemedata").read_text()).sz_s1 == 3.5
 
 
+def test_a_preset_whose_ending_nobody_typed_replaces_no_other_one(desktop, window, monkeypatch, tmp_path):
+    (tmp_path / "voice.toml").write_text("somebody's")
+    change(window)
+    will_save_to(monkeypatch, tmp_path / "voice")
+    press(window, Qt.Key.Key_S, CONTROL | SHIFT)
+    assert (tmp_path / "voice.toml").read_text() == "somebody's"
+    assert load_preset(tmp_path / "voice (2).toml").thresholds.sz_s1 == 3.5
+
+
 def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, window, monkeypatch, tmp_path):
     change(window)
     will_save_to(monkeypatch, tmp_path / "nowhere" / "voice.toml")

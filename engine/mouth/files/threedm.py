@@ -100,7 +100,8 @@ class _Pieces:
 
     def vectors(self, n: int) -> Vectors:
         """Read n vectors, as right-handed coordinates, shape (n, 3)."""
-        found: Vectors = self.array("<f4", 3 * n).reshape(n, 3).astype(np.float32) * MIRROR
+        found: Vectors = self.array("<f4", 3 * n).reshape(n, 3).astype(np.float32)
+        np.negative(found[:, 2], out=found[:, 2])  # unlike a product, it says nothing of signalling NaNs
         return found
 
     def end(self) -> None:

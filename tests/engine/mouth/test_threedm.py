@@ -115,6 +115,10 @@ REFUSED = {
     "one byte less": (GOOD[:-1], "room for 1"),
     "one byte more": (GOOD + b"x", "1 bytes follow its end"),
     "a NaN": (file(state(b"s", block((3,), 1, NAN, 3)), moving=MOVING), "'s' holds an offset that is no finite"),
+    "a signalling NaN": (
+        file(state(b"s", struct.pack("<II", 1, 3) + b"\x01\x00\xa0\x7f" * 3), moving=MOVING),
+        "'s' holds an offset that is no finite",
+    ),
     "an infinity": (file(ONE, moving=block((3, 5), *[1] * 5, float("inf"))), "no finite number"),
     "a vertex beyond any mesh": (file(state(b"s", block((HUGE,), 1, 2, 3)), moving=MOVING), "vertex 4294967295"),
     "a vertex twice": (file(state(b"s", block((3, 3), *[1] * 6)), moving=MOVING), "vertex 3 twice"),
