@@ -6,6 +6,7 @@ from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QMainWindow, QWidget
 
+from engine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeanalyser import commands
 from phonemeanalyser.calibration_dialogs import CalibrationDialogs
 from phonemeanalyser.dialogs import Dialogs
@@ -159,7 +160,7 @@ class MainWindow(QMainWindow):
         add(
             "&Help",
             Command("Keyboard Shortcuts", "F1", self.show_shortcuts),
-            Command("About PhonemeAnalyser", "", partial(show_about, self)),
+            Command("About PhonemeAnalyser", "", lambda: show_about(self, load_preset(DEFAULT_PRESET).notes)),
         )
 
     def _make_view_menu(self) -> None:

@@ -23,6 +23,8 @@ CONDITION_OF = {c.threshold: c for c in CONDITIONS}
 """The comparison of the thesis rules in which a threshold stands."""
 LIMIT_ROOM = 4.0
 """The slider of a rule's limit reaches to so many times what the limit was."""
+MOST_NAMES = 2
+"""So many phonemes are named beside the slider of a limit."""
 MOST_HOLD = 0.2
 """Seconds; who wants a phoneme to stay longer types it."""
 FILTERS_NOTE = "what shapes the variables"
@@ -236,7 +238,7 @@ def _limit_control(rules: tuple[Rule, ...], variable: str, limit: float, places:
     first, number = places[0]
     return Control(
         name=f"limit {first + 1}.{number + 1}",
-        label=", ".join(asked[:4]) + ("…" if len(asked) > 4 else ""),
+        label=", ".join(asked[:MOST_NAMES]) + ("…" if len(asked) > MOST_NAMES else ""),
         low=0.0,
         high=RANGES[variable][0] if variable in RANGES else LIMIT_ROOM * max(abs(limit), 1e-3),
         decimals=4,

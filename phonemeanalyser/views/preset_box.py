@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QSizePolicy, QToolButton
+from PySide6.QtWidgets import QMenu, QPushButton, QSizePolicy
 
 from engine.presets.entries import PresetEntry
 from phonemeanalyser.models.preset import PresetModel
@@ -15,7 +15,7 @@ WIDTH = 150
 Sections = dict[str, tuple[PresetEntry, ...]]
 
 
-class PresetBox(QToolButton):
+class PresetBox(QPushButton):
     """Shows the preset in use, and opens a menu of the others, with a line that says what each is.
 
     Parameters
@@ -39,8 +39,6 @@ class PresetBox(QToolButton):
         menu.setToolTipsVisible(True)
         menu.aboutToShow.connect(self._fill)
         self.setMenu(menu)
-        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setFixedWidth(WIDTH)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)

@@ -27,6 +27,7 @@ from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.keys import KeysOfNumbers
 
+LABEL_WIDTH = 88
 LARGEST = 1e6
 """A number that is typed lies within ± this."""
 CURVATURE = 2.5
@@ -226,6 +227,7 @@ class ThresholdView(QScrollArea):
     def _add_row(self, grid: QGridLayout, at: int, control: Control) -> Row:
         label = QLabel(control.label)
         label.setTextFormat(Qt.TextFormat.PlainText)
+        label.setFixedWidth(LABEL_WIDTH)  # the same for all recognisers, so that the dock keeps its width
         label.setToolTip(f"<p>{escape(control.hint)}</p>")
         slider = ThresholdSlider(control, self._theme)
         slider.setAccessibleName(control.name)

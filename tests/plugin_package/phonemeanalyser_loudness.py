@@ -12,7 +12,7 @@ from engine.recognition.trace import Comparison, Trace
 class Loudness:
     """Names every frame a or silence; made with the preset's thresholds, and then given block after block."""
 
-    used_thresholds = ("silence_energy",)  # the window greys the others
+    used_thresholds = ("silence_energy",)  # the window shows their sliders
 
     def __init__(self, thresholds):
         self.opens = thresholds.silence_energy
