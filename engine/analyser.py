@@ -15,6 +15,7 @@ from engine.audio.files import SoundReader
 from engine.dsp.framing import Framer
 from engine.features.measure import Features
 from engine.features.path import LevelPath, Measured, SpectrumPath, joined
+from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
 from engine.recognition.intensity import intensities_of
 from engine.recognition.recogniser import HEARERS, Recogniser, recogniser_of
@@ -44,7 +45,7 @@ class Analysis:
     features : the measured variables.
     recognised : uint8, shape (n_frames,): codes of `Phoneme`, as the recogniser says.
     phonemes : uint8, shape (n_frames,): the same after the statistics.
-    intensities : float32, shape (n_frames,): 0..1 from the peak level.
+    intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
     """
 
     start: int
@@ -201,11 +202,12 @@ class Analyser:
         if settings.statistics:
             wavers = self._statistics.wavers(recognised)
             phonemes = self._statistics.push(recognised, self._recogniser.shortfalls(features) if wavers else None)
+        intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
+        intensities[phonemes == Phoneme.SILENCE] = 0
         start, self._next = self._next, self._next + len(recognised)
         return Analysis(
-            start, measured.spectra, measured.mel, measured.waveforms, features, recognised, phonemes,
-            intensities_of(levels, settings.intensity_low, settings.intensity_high),
-        )  # fmt: skip
+            start, measured.spectra, measured.mel, measured.waveforms, features, recognised, phonemes, intensities
+        )
 
     def _path_of(self, preset: Preset) -> SpectrumPath | LevelPath:
         if self._phonemes_only and preset.recogniser in HEARERS:
