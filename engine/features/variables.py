@@ -5,6 +5,7 @@ The band variables are those of the thesis, given there as ranges of bins; the u
 
 import math
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -109,6 +110,16 @@ SCORES = tuple(f"p_{phoneme.label}" for phoneme in Phoneme)
 """How likely each phoneme is, in the order of `Phoneme`: further columns, of recognisers that measure it."""
 
 BUILT_IN_NAMES = (*WHOLE_FRAME_VARIABLES, *(v.name for v in BAND_VARIABLES))
+
+
+UNITS = {"zero_crossings": "per window", "f0": "Hz"}
+"""Units of what is no amplitude."""
+
+
+def unit_of(name: str, mine: Iterable[Variable] = ()) -> str:
+    """Give the unit of a variable, built in or one of the user's own; a quotient of two is a ratio."""
+    quotients = {variable.name for variable in mine if variable.per}
+    return "ratio" if name in quotients else UNITS.get(name, "amplitude")
 
 
 def check_user_variables(variables: tuple[Variable, ...]) -> None:

@@ -12,6 +12,7 @@ from engine.calibration.heed import Heed
 from engine.calibration.scores.confusion import Confusion, Passage
 from engine.calibration.scores.corpus import Utterance
 from engine.errors import EngineError
+from engine.features.variables import Variable
 from engine.phonemes import Phoneme
 from engine.recognition.rules import CONDITIONS
 from phonemeanalyser.models.preset import PresetModel
@@ -59,6 +60,7 @@ class BenchModel(Workplace):
         self.distribution: Distribution | None = None
         self.ranking: tuple[RankedVariable, ...] = ()
         self.suggestions: tuple[Suggestion, ...] = ()
+        self.preview: Suggestion | None = None
         self.variable = "m_szsch1"
         self._preset = preset
         self._utterances: tuple[Utterance, ...] = ()
@@ -83,9 +85,26 @@ class BenchModel(Workplace):
         """The recordings that are measured, or are being."""
         return self._utterances
 
+    @property
+    def shown(self) -> Distribution | None:
+        """The distribution of the suggestion that is looked at, or of the chosen variable."""
+        return self.distribution if self.preview is None else self.preview.distribution
+
+    @property
+    def own_variables(self) -> tuple[Variable, ...]:
+        """The user's own variables."""
+        return self._preset.preset.variables
+
+    @property
+    def recogniser(self) -> str:
+        """The name of the recogniser in use."""
+        return self._preset.preset.recogniser
+
     def lines(self) -> list[Line]:
-        """Give the thresholds of the preset on the chosen variable."""
+        """Give the thresholds of the preset on the chosen variable; a suggestion has none yet."""
         preset = self._preset.preset
+        if self.preview is not None:
+            return []
         if preset.recogniser == "rules":
             found = {
                 (c.limit, c.sign): Line("limit", c.sign, c.limit, is_limit=True)
@@ -139,8 +158,13 @@ class BenchModel(Workplace):
 
     def choose(self, variable: str) -> None:
         """Show the distribution of another variable."""
-        self.variable = variable
+        self.variable, self.preview = variable, None
         self._look()
+
+    def look_at(self, suggestion: Suggestion | None) -> None:
+        """Show the distribution of a variable that is suggested, before it is added."""
+        self.preview = suggestion
+        self.distribution_changed.emit()
 
     def suggest(self, one: Phoneme, other: Phoneme | None) -> None:
         """Search for variables that part two phonemes, or one from all others."""
@@ -186,6 +210,8 @@ class BenchModel(Workplace):
 
     def _take_up(self, workbench: Workbench | None) -> None:
         self.workbench = workbench
+        if self.preview is not None and (workbench is None or self.preview.variable.name in workbench.variables):
+            self.variable, self.preview = self.preview.variable.name, None
         self._stale = True
         self.measured.emit()
         self._look()
@@ -225,6 +251,7 @@ class BenchModel(Workplace):
 
     def _take_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
         self.suggestions = suggestions
+        self.look_at(suggestions[0] if suggestions else None)
         self.suggested.emit()
         if not suggestions:
             self.failed.emit("No frequency range parts these two; record more takes of them, or choose another pair.")
