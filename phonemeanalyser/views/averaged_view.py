@@ -17,9 +17,12 @@ from phonemeanalyser.views.plot import switch
 from phonemeanalyser.views.spectrum_view import SpectrumView
 
 TIP = (
-    "The mean of all spectra since Play, Record or Clear, through the filters of now: others begin a new mean. It is "
-    "told at the plot's upper left corner since when it is, and of how much"
+    "The mean of all spectra that were heard since Play, Record or Clear; when other filters are heard, a new mean "
+    "begins"
 )
+
+
+DELTA = "Δ is how differently it is shaped from the averaged spectrum, whatever the loudness"
 
 
 class LegendEntry(QLabel):
@@ -91,7 +94,8 @@ class AveragedView(SpectrumView):
         if text != self._since.text():
             self._since.setText(text)
             self._since.adjustSize()
-            self._since.setToolTip(f"{current.n_frames} frames since {current.since}; {current.front_end}")
+            of = f"<p>Now: {_told(current)}</p>" if current.n_frames else ""
+            self.heading.setToolTip(f"<p>{TIP}.</p>{of}")
 
     def _columns(self) -> dict[str, NDArray[np.float64]]:
         curves, columns = self._averages.curves, super()._columns()
@@ -129,7 +133,8 @@ class AveragedView(SpectrumView):
             edge.setMovable(True)  # while a drag inside of it draws another
         self.item.addItem(self.region, ignoreBounds=True)
         self.measure.toggled.connect(self._toggle_region)
-        self._since.setStyleSheet(f"color: {self.theme.faint}; padding: 0")
+        self._since.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)  # a drag may begin there
+        self._since.setStyleSheet(f"color: {self.theme.faint}")
         self._since.move(60, 6)
 
     def _toggle_region(self, on: bool) -> None:
@@ -147,7 +152,7 @@ class AveragedView(SpectrumView):
             overlay = pg.PlotCurveItem(curve.frequencies, self.heights_of(curve.amplitudes), pen=pg.mkPen(colour))
             self.item.addItem(overlay)
             self._overlays.append(overlay)
-            self._names.append(self._legend_entry(k, curve.name, _words(curve), colour))
+            self._names.append(self._legend_entry(k, curve.name, f"{curve.name}: {_told(curve)}; {DELTA}", colour))
         self._entries.addStretch(1)
         self._legend.setVisible(bool(self._overlays))
 
@@ -175,6 +180,6 @@ class AveragedView(SpectrumView):
         return label
 
 
-def _words(curve: Curve) -> str:
+def _told(curve: Curve) -> str:
     since = f" since {curve.since}" if curve.since else ""
-    return f"{curve.name}: {curve.n_frames} frames{since}; {curve.front_end}"
+    return f"{curve.n_frames} frames{since}; {curve.front_end}"

@@ -73,6 +73,7 @@ class VariablesPanel(QWidget):
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setShowGrid(False)
+        self.table.setWordWrap(False)
         self.table.setTabKeyNavigation(False)
         self.table.setAccessibleName("variables")
         self.table.setToolTip(
@@ -124,23 +125,23 @@ class VariablesPanel(QWidget):
         self._bench.confusion_changed.connect(self._tell)  # the recogniser may be another
 
     def _fill(self) -> None:
-        ranked = [(r.variable, r.separation, "") for r in self._bench.ranking]
-        have = {name for name, _, _ in ranked}
+        ranked = [(r.variable, r.variable, r.separation, r.variable) for r in self._bench.ranking]
+        have = {name for name, *_ in ranked}
         suggested = [
-            (s.variable.name, s.separation, _words_of(s))
+            (s.variable.name, f"+ {_range_of(s.variable)}", s.separation, f"{s.variable.name}: {_words_of(s)}")
             for s in self._bench.suggestions
             if s.variable.name not in have
         ]
         rows = [*suggested, *ranked]
         self.table.blockSignals(True)
         self.table.setRowCount(len(rows))
-        for row, (name, separation, words) in enumerate(rows):
+        for row, (name, text, separation, words) in enumerate(rows):
             new = row < len(suggested)
-            items = QTableWidgetItem(f"+ {name}" if new else name), QTableWidgetItem(f"{separation:.0%}")
+            items = QTableWidgetItem(text), QTableWidgetItem(f"{separation:.0%}")
             items[1].setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             for column, item in enumerate(items):
                 item.setData(NAME, name)
-                item.setToolTip(words or name)
+                item.setToolTip(words)
                 item.setForeground(QColor(self._theme.accent if new else self._theme.text))
                 self.table.setItem(row, column, item)
             preview = self._bench.preview
@@ -193,9 +194,13 @@ class VariablesPanel(QWidget):
             self.words.setText(f"{_words_of(suggestion)}.<br><span style='color:{colour}'>{note}</span>")
 
 
+def _range_of(variable: Variable) -> str:
+    return f"{variable.low:.0f}–{variable.high:.0f} Hz {variable.kind}"
+
+
 def _words_of(suggestion: Suggestion) -> str:
     variable = suggestion.variable
     return (
         f"{variable.kind} of {variable.low:.0f}–{variable.high:.0f} Hz of the {variable.source} spectrum, "
-        f"parts {suggestion.separation:.0%}"
+        f"separates {suggestion.separation:.0%}"
     )

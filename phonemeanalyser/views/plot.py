@@ -134,11 +134,11 @@ class Plot(QWidget):
         self._cursor.setVisible(False)
 
     def _lay_out(self, title: str, tip: str) -> None:
-        heading = QLabel(f"<b>{title}</b>")
-        heading.setToolTip(tip)
+        self.heading = QLabel(f"<b>{title}</b>")
+        self.heading.setToolTip(tip)
         self.header.setContentsMargins(6, 3, 6, 1)
         self.header.setSpacing(6)
-        self.header.addWidget(heading)
+        self.header.addWidget(self.heading)
         self.header.addStretch(1)
         self._body = QVBoxLayout(self)
         layout = self._body

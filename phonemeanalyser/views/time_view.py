@@ -199,6 +199,7 @@ class TimeView(QWidget):
         self.colours.currentTextChanged.connect(lambda _name: self._choose_colours())
         self.variable.currentTextChanged.connect(lambda _name: self._choose_variable())
         self._preset.changed.connect(self._list_variables)
+        self._plots[0].vb.sigXRangeChanged.connect(lambda *_range: self._draw_course())  # who pans back sees it too
         scene = self._graphics.scene()
         self._proxy = pg.SignalProxy(scene.sigMouseMoved, rateLimit=READOUTS_PER_SECOND, slot=self._on_mouse)
 

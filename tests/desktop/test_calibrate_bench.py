@@ -179,7 +179,7 @@ def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrato
     loaded.until(lambda: loaded.model.bench.suggestions)
     loaded.settle()
     best = loaded.model.bench.suggestions[0].variable
-    assert variables.table.item(0, 0).text() == f"+ {best.name}"
+    assert variables.table.item(0, 0).text() == f"+ {best.low:.0f}–{best.high:.0f} Hz {best.kind}"
     table = variables.table
     QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
     click(variables.add)

@@ -294,6 +294,38 @@ def test_the_course_is_the_variable_over_time(desktop, qtbot):
         assert TimeEyes(window).course.getAxis("left").labelText == name.replace("_", " ")
 
 
+def test_in_a_pause_the_course_is_drawn_anew_where_one_pans_and_when_the_preset_changes(desktop, qtbot, tmp_path):
+    window = followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, 20, 0.5)), 20.0)
+    window.drawing.timer.stop()
+    history, sonagram = desktop.session.history, TimeEyes(window).sonagram
+    course = next(i for i in TimeEyes(window).course.items if isinstance(i, pg.PlotCurveItem))
+    sonagram.setXRange(-18, -12, padding=0)
+    x, y = course.getData()
+    assert x[0] < -17.9
+    assert np.array_equal(y, history.features(history.indices(history.n - len(y), history.n))["energy"])
+    before = y[-500:].copy()
+    desktop.preset.set_setting("high_pass_end", 2000.0)
+    _, y = course.getData()
+    assert len(y) > 1790
+    assert np.array_equal(y, history.features(history.indices(history.n - len(y), history.n))["energy"])
+    assert (y[-500:] < 0.9 * before).all()
+    window.analysis.time_view.variable.setCurrentText("volume")
+    assert course.getData()[1] == pytest.approx(0.5, abs=0.01)
+
+
+def test_a_gap_is_empty_in_sonagram_lane_and_course(desktop, qtbot, tmp_path):
+    window = followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, 3, 0.5)), 2.0)
+    desktop.session.seek(1.0)
+    window.drawing.refresh_all()
+    eyes, nothing = TimeEyes(window), QColor(window.theme.base)
+    for seconds, empty in ((-0.5, False), (-1.05, True), (-2.0, False), (-3.05, False), (-3.2, True)):
+        for plot, y in ((eyes.sonagram, ON_BIN), (eyes.lane, 0.95)):
+            assert (eyes.colour(plot, seconds, y) == nothing) is empty, seconds
+    course = next(i for i in eyes.course.items if isinstance(i, pg.PlotCurveItem))
+    x, y = course.getData()
+    assert x[np.isnan(y)] == pytest.approx(-1 - np.arange(9.5, 0, -1) / 100)
+
+
 def test_the_thresholds_of_the_chosen_variable_are_lines(desktop, qtbot):
     window = followed(desktop, qtbot, seconds=1.0)
 
