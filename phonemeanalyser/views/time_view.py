@@ -100,7 +100,7 @@ class TimeView(QWidget):
             f"<span style='color:{self._theme.faint}'>&nbsp; {name}</span> {value}"
             for name, value in zip(names, shown, strict=True)
         )
-        of = f"of {self._history.n_measured(name) * FRAME_PERIOD:.1f} s since Clear"
+        of = f"of {self._history.n_measured(name) * FRAME_PERIOD:.1f} s"
         for label, words in ((self._extremes, text), (self._measured, of)):
             if words != label.text():
                 label.setText(words)
