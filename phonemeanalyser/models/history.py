@@ -59,6 +59,7 @@ class History:
     def clear(self) -> None:
         """Forget everything."""
         self.n = self._oldest = 0
+        self._heard[:] = False
         self.newest = None
         self._forget_extremes()
 
@@ -190,8 +191,7 @@ class History:
 
     def _extremes_of(self, k: int) -> tuple[int, float, float, float]:
         """Give number, sum, maximum and minimum of the values of a variable, those that are forgotten included."""
-        at = self.indices(0, self.n)
-        values = self._values[at[self._heard[at]], k]
+        values = self._values[:, k][self._heard]
         values = values[~np.isnan(values)]
         return (
             int(self._n_out[k]) + len(values),
