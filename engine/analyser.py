@@ -15,12 +15,13 @@ from engine.audio.files import SoundReader
 from engine.dsp.framing import Framer
 from engine.features.measure import Features
 from engine.features.path import LevelPath, Measured, SpectrumPath, joined
+from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
 from engine.recognition.intensity import intensities_of
 from engine.recognition.recogniser import HEARERS, Recogniser, recogniser_of
 from engine.recognition.recognition import Recognition
 from engine.recognition.statistics import Statistics
-from engine.settings import FRAME_PERIOD, HOP, WINDOW
+from engine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
 BLOCK = 512
 """Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
@@ -44,7 +45,8 @@ class Analysis:
     features : the measured variables.
     recognised : uint8, shape (n_frames,): codes of `Phoneme`, as the recogniser says.
     phonemes : uint8, shape (n_frames,): the same after the statistics.
-    intensities : float32, shape (n_frames,): 0..1 from the peak level.
+    intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
+    settings : with which all of this was found.
     """
 
     start: int
@@ -55,6 +57,7 @@ class Analysis:
     recognised: NDArray[np.uint8]
     phonemes: NDArray[np.uint8]
     intensities: Block
+    settings: AnalysisSettings
 
     def __len__(self) -> int:
         return len(self.phonemes)
@@ -201,10 +204,12 @@ class Analyser:
         if settings.statistics:
             wavers = self._statistics.wavers(recognised)
             phonemes = self._statistics.push(recognised, self._recogniser.shortfalls(features) if wavers else None)
+        intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
+        intensities[phonemes == Phoneme.SILENCE] = 0
         start, self._next = self._next, self._next + len(recognised)
         return Analysis(
-            start, measured.spectra, measured.mel, measured.waveforms, features, recognised, phonemes,
-            intensities_of(levels, settings.intensity_low, settings.intensity_high),
+            start, measured.spectra, measured.mel, measured.waveforms, features, recognised, phonemes, intensities,
+            settings,
         )  # fmt: skip
 
     def _path_of(self, preset: Preset) -> SpectrumPath | LevelPath:
@@ -240,6 +245,7 @@ class Analyser:
             recognised=np.concatenate([b.recognised for b in blocks]),
             phonemes=np.concatenate([b.phonemes for b in blocks]),
             intensities=np.concatenate([b.intensities for b in blocks]),
+            settings=blocks[-1].settings,
         )  # fmt: skip
 
 

@@ -28,6 +28,7 @@ class Curve:
     amplitudes : float64, shape (n_bins,), 0 or more.
     n_frames : how many frames were averaged.
     front_end : in words, which filters shaped the spectra.
+    since : in words, what the average begins with; empty where nobody knows.
     """
 
     name: str
@@ -35,6 +36,7 @@ class Curve:
     amplitudes: NDArray[np.float64]
     n_frames: int
     front_end: str
+    since: str = ""
 
     def at(self, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
         """Give the amplitudes at other frequencies (Hz), linear between bins, NaN beyond the curve's end."""
@@ -61,7 +63,7 @@ class SpectrumAverage:
         self.n_frames = 0
         self._sum = np.zeros(0)
 
-    def curve(self, name: str, front_end: str) -> Curve:
+    def curve(self, name: str, front_end: str, since: str = "") -> Curve:
         """Give the mean so far; bins lie at multiples of 21.53 Hz."""
         n_bins = len(self._sum)
         return Curve(
@@ -70,6 +72,7 @@ class SpectrumAverage:
             self._sum / max(self.n_frames, 1),
             self.n_frames,
             front_end,
+            since,
         )
 
 
@@ -99,6 +102,8 @@ def save_curve(curve: Curve, path: Path) -> None:
         "bins": len(curve.frequencies),
         "frames": curve.n_frames,
     }
+    if curve.since:
+        header["since"] = curve.since
     lines = [f"# {FORMAT}", *(f"# {key}: {' '.join(str(value).split())}" for key, value in header.items())]
     lines.append(",".join(COLUMNS))
     lines += [f"{f:.9g},{a:.9g}" for f, a in zip(curve.frequencies, curve.amplitudes, strict=True)]
@@ -150,7 +155,8 @@ def _parse(lines: list[str]) -> Curve:
         raise ValueError(f"the header announces {n_bins} bins (1..{MOST_BINS}), found {len(points)}")
     if np.any(np.diff(points[:, 0]) <= 0):
         raise ValueError("the frequencies must rise from row to row")
-    return Curve(header["name"], points[:, 0], points[:, 1], n_frames, header["front end"])
+    since = header.get("since", "")
+    return Curve(header["name"], points[:, 0], points[:, 1], n_frames, header["front end"], since)
 
 
 def _count(header: dict[str, str], key: str) -> int:

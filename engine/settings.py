@@ -229,7 +229,17 @@ class AnalysisSettings:
         return self.window_function if self.has(Filter.WINDOW_FUNCTION) else WindowFunction.RECTANGLE
 
     def front_end(self) -> str:
-        """Describe in a few words what shaped the spectra, for curve files and legends."""
+        """Describe all that shapes the spectra, for curve files and legends: equal words stand for equal filters."""
         quantised = f"quantise {self.step} {self.decimation}" if self.step > 1 else "quantise off"
-        steps = [f.value for f in Filter if self.has(f) and f is not Filter.QUANTISE]
-        return ", ".join([quantised, *steps]).replace("window_function", f"window {self.window_function}")
+        words = {
+            Filter.PRE_EMPHASIS: f"pre_emphasis {self.pre_emphasis:.7g}",
+            Filter.WINDOW_FUNCTION: f"window {self.window_function}",
+            Filter.FREQUENCY_SMOOTH: f"frequency_smooth {self.frequency_smooth:.7g}",
+            Filter.TIME_SMOOTH: f"time_smooth {self.time_smooth:.7g}",
+            Filter.HIGH_PASS: f"high_pass {self.high_pass_start:.7g}-{self.high_pass_end:.7g} Hz",
+            Filter.LOW_PASS: f"low_pass {self.low_pass_start:.7g}-{self.low_pass_end:.7g} Hz",
+            Filter.DENOISE: f"denoise {self.denoise_threshold:.7g}",
+            Filter.MEL: f"mel {self.mel_bands} bands",
+            Filter.NORMALISE: "normalise",
+        }
+        return ", ".join([quantised, *(text for step, text in words.items() if self.has(step))])

@@ -5,7 +5,8 @@ from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtCore import QIODevice, QObject, QSaveFile, QSettings, Signal
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
 from engine.audio.takes import free_path, presets_folder
@@ -304,8 +305,16 @@ class Dialogs(QObject):
         )
         if name:
             path = Path(name) if name.endswith(".csv") else free_path(Path(name + ".csv"))
-            front_end = self._preset.in_force.settings.front_end()
-            self._try(lambda: self._session.averages.save(path, front_end))
+            self._try(lambda: self._session.averages.save(path))
+
+    def ask_save_picture(self, picture: QPixmap, name: str) -> None:
+        """Let the user choose a file to save the picture of a plot to."""
+        suggested = str(Path(self._folder("picture")) / f"{name}.png")
+        chosen, _ = QFileDialog.getSaveFileName(self._window, "Save the picture", suggested, "Pictures (*.png)")
+        if chosen:
+            path = Path(chosen) if chosen.lower().endswith(".png") else free_path(Path(f"{chosen}.png"))
+            self._settings.setValue("folder/picture", str(path.parent))
+            self._try(lambda: _write_picture(picture, path))
 
     def _try(self, act: Callable[[], object]) -> bool:
         try:
@@ -322,3 +331,9 @@ class Dialogs(QObject):
 
 def _listed(words: tuple[str, ...]) -> str:
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def _write_picture(picture: QPixmap, path: Path) -> None:
+    file = QSaveFile(str(path))
+    if not (file.open(QIODevice.OpenModeFlag.WriteOnly) and picture.save(file, "PNG") and file.commit()):
+        raise EngineError(f"{path.name}: cannot be written ({file.errorString()}); choose another folder")

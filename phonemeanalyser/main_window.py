@@ -179,6 +179,7 @@ class MainWindow(QMainWindow):
         session.microphone.told.connect(self.banner.tell)
         session.writer.told.connect(self.banner.tell)
         dialogs.offered.connect(self.banner.offer)
+        self.analysis.picture_asked.connect(dialogs.ask_save_picture)
         self.analysis.averaged.load_asked.connect(dialogs.ask_curves)
         self.analysis.averaged.save_asked.connect(dialogs.ask_save_curve)
         self.analysis.averaged.variable_asked.connect(dialogs.ask_variable)

@@ -37,6 +37,7 @@ class PageMaker:
         page.takes.project_asked.connect(dialogs.ask_project)
         page.takes.import_asked.connect(dialogs.ask_recordings)
         page.workbench.rival.file_asked.connect(lambda: self._ask_rival(page))
+        page.workbench.picture_asked.connect(self._dialogs.ask_save_picture)
         page.workbench.variables.add_asked.connect(self._dialogs.add_variable)
         self._window.installEventFilter(page.keys)
         return page

@@ -5,6 +5,10 @@ harmonics-to-noise ratio of a sampled sound", IFA Proceedings 17 (1993): the aut
 frame is divided by that of the window, and its highest peak, with a small bonus for short lags, is the period.
 It is the method behind Praat's pitch, here without the path search, since a live frame knows no future, and on
 the sound below 1.5 kHz only, at an eighth of the rate.
+
+A tone above the range of voices repeats after every multiple of its period too, and so seems to be a voice an octave
+or more below itself. Periods shorter than a voice's are therefore searched as well: where one of them is the best,
+there is no voice.
 """
 
 import math
@@ -20,6 +24,8 @@ HIGHEST = 500.0
 VOICING_THRESHOLD = 0.55
 SILENCE_LEVEL = 0.001
 OCTAVE_BONUS = 0.04
+TOLERANCE = 0.003
+"""Share by which a period may lie outside of the range: it is measured no better than that."""
 PASSED, STOPPED = 1500.0, 2000.0
 """Between these frequencies (Hz) the sound fades out; what decimating folds down lies above them."""
 
@@ -29,7 +35,7 @@ _LENGTH = 254  # samples of a frame at an eighth of the rate
 _PADDED = 384  # those and the longest lag, so that nothing wraps around
 _KEPT = math.ceil(STOPPED / (SAMPLE_RATE / _STEP / _PADDED))  # bins that do not fade out entirely
 _LAG_RATE = SAMPLE_RATE / _STEP * _FINE
-_LAGS = np.arange(int(_LAG_RATE / HIGHEST), int(_LAG_RATE / LOWEST) + 2)
+_LAGS = np.arange(int(_LAG_RATE / STOPPED) - 1, int(_LAG_RATE / LOWEST) + 3)  # down to whatever is heard
 
 
 @lru_cache(maxsize=1)
@@ -68,7 +74,7 @@ def fundamental_of(frames: NDArray[np.float32]) -> NDArray[np.float32]:
 
     Returns
     -------
-    float32, shape (n_frames,): 60..500 Hz, or 0 where the frame is unvoiced or nearly silent.
+    float32, shape (n_frames,): 60..500 Hz, or 0 where the frame is unvoiced, nearly silent, or a tone beyond that.
     """
     from scipy.fft import rfft  # noqa: PLC0415 - half a second that a window should not wait for
 
@@ -101,14 +107,18 @@ def _slowed(frames: NDArray[np.float32]) -> NDArray[np.float32]:
 def _best_peak(strength: NDArray[np.float32], loud: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Choose the strongest inner peak of each row and give its frequency, 0 where there is none.
 
-    A peak is as high as the parabola through it and its neighbours, so that none gains by lying on a whole lag.
+    A peak is as high as the parabola through it and its neighbours, so that none gains by lying on a whole lag. What
+    stands above 1 is mirrored at 1, as Praat does: nothing resembles itself by more than wholly.
     """
     left, top, right = strength[:, :-2], strength[:, 1:-1], strength[:, 2:]
     tilt = right - left
     shift = tilt / np.maximum(4 * top - 2 * (left + right), np.finfo(np.float32).eps)
     height = top + tilt * shift / 4
+    height = np.where(height > 1, 1 / np.maximum(height, 1), height)
     score = np.where((top >= left) & (top >= right), height + _BONUS, np.float32(-1))
     best = score.argmax(axis=1)
     chosen = (np.arange(len(strength)), best)
-    voiced = loud & (height[chosen] > VOICING_THRESHOLD) & (score[chosen] > 0)
-    return np.where(voiced, _LAG_RATE / (_LAGS[1] + best + shift[chosen]), 0).astype(np.float32)
+    frequency = _LAG_RATE / np.maximum(_LAGS[1] + best + shift[chosen], _LAGS[0])
+    in_range = (frequency > LOWEST * (1 - TOLERANCE)) & (frequency < HIGHEST * (1 + TOLERANCE))
+    voiced = loud & in_range & (height[chosen] > VOICING_THRESHOLD) & (score[chosen] > 0)
+    return np.where(voiced, np.clip(frequency, LOWEST, HIGHEST), 0).astype(np.float32)

@@ -5,6 +5,7 @@ The band variables are those of the thesis, given there as ranges of bins; the u
 
 import math
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -112,6 +113,16 @@ DEFICITS = tuple(f"deficit_{phoneme.label}" for phoneme in Phoneme)
 """By how much each phoneme falls short of being the likeliest, log-odds; worked out from the scores."""
 
 BUILT_IN_NAMES = (*WHOLE_FRAME_VARIABLES, *(v.name for v in BAND_VARIABLES))
+
+
+UNITS = {"zero_crossings": "per window", "f0": "Hz", **dict.fromkeys(DEFICITS, "log-odds")}
+"""Units of what is no amplitude."""
+
+
+def unit_of(name: str, mine: Iterable[Variable] = ()) -> str:
+    """Give the unit of a variable, built in or one of the user's own; a quotient of two is a ratio."""
+    quotients = {variable.name for variable in mine if variable.per}
+    return "ratio" if name in quotients else UNITS.get(name, "amplitude")
 
 
 def check_user_variables(variables: tuple[Variable, ...]) -> None:

@@ -112,7 +112,8 @@ def _union(one: Cue, other: Cue) -> Cue:
     longer = one if one.duration >= other.duration else other
     total = one.duration + other.duration
     mean = (one.intensity * one.duration + other.intensity * other.duration) / total if total else one.intensity
-    return replace(longer, start=one.start, end=other.end, intensity=mean)
+    silent = longer.phoneme == Phoneme.SILENCE
+    return replace(longer, start=one.start, end=other.end, intensity=0.0 if silent else mean)
 
 
 def _ahead(cues: list[Cue], anticipation: float, minimum: float, table: MouthTable) -> list[Cue]:

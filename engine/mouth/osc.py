@@ -169,6 +169,7 @@ class OscMouth:
         code, intensity = self._saying
         self._said, self._said_at = code, now
         phoneme = Phoneme(code)
+        intensity = 0.0 if phoneme is Phoneme.SILENCE else intensity  # it may be asked for, yet nobody hears it
         self._send(
             [("/phoneme", (phoneme.label, intensity)), ("/viseme", (self._table.phonemes[phoneme], intensity))]
         )

@@ -88,6 +88,15 @@ HEARERS = frozenset({"learned", "templates"})
 """Those that listen to the windows themselves, and need no variables."""
 
 
+def takes_own_variables(name: str) -> bool:
+    """Say whether a user's own variables can act on what a recogniser says.
+
+    The rules of a preset may name them, and recognisers of other packages see them; the other ones of the program
+    measure what they need themselves.
+    """
+    return name == "rules" or name not in RECOGNISERS
+
+
 def _model_of(tuning: Tuning) -> Model:
     if tuning.model is None:
         raise PresetError(

@@ -13,7 +13,7 @@ from engine.calibration.heed import Heed
 from engine.calibration.scores.confusion import Confusion, Passage
 from engine.calibration.scores.corpus import Utterance
 from engine.errors import EngineError
-from engine.features.variables import DEFICITS
+from engine.features.variables import DEFICITS, Variable
 from engine.phonemes import Phoneme
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.workplace import Workplace
@@ -62,6 +62,7 @@ class BenchModel(Workplace):
         self.distribution: Distribution | None = None
         self.ranking: tuple[RankedVariable, ...] = ()
         self.suggestions: tuple[Suggestion, ...] = ()
+        self.preview: Suggestion | None = None
         self.variable = "m_szsch1"
         self._preset = preset
         self._utterances: tuple[Utterance, ...] = ()
@@ -88,8 +89,25 @@ class BenchModel(Workplace):
         """The recordings that are measured, or are being."""
         return self._utterances
 
+    @property
+    def shown(self) -> Distribution | None:
+        """The distribution of the suggestion that is looked at, or of the chosen variable."""
+        return self.distribution if self.preview is None else self.preview.distribution
+
+    @property
+    def own_variables(self) -> tuple[Variable, ...]:
+        """The user's own variables."""
+        return self._preset.preset.variables
+
+    @property
+    def recogniser(self) -> str:
+        """The name of the recogniser in use."""
+        return self._preset.preset.recogniser
+
     def lines(self) -> list[Line]:
-        """Return the preset's thresholds, limits or sensitivities on the chosen variable."""
+        """Return what tunes the recogniser on the chosen variable; a suggestion has nothing of the kind yet."""
+        if self.preview is not None:
+            return []
         preset, controls = self._preset.preset, self._preset.controls.values()
         return [Line(c.name, c.sign, c.read(preset)) for c in controls if c.variable == self.variable]
 
@@ -115,8 +133,13 @@ class BenchModel(Workplace):
 
     def choose(self, variable: str) -> None:
         """Show the distribution of another variable."""
-        self.variable = variable
+        self.variable, self.preview = variable, None
         self._look()
+
+    def look_at(self, suggestion: Suggestion | None) -> None:
+        """Show the distribution of a variable that is suggested, before it is added."""
+        self.preview = suggestion
+        self.distribution_changed.emit()
 
     def suggest(self, one: Phoneme, other: Phoneme | None) -> None:
         """Search for variables that part two phonemes, or one from all others."""
@@ -164,6 +187,8 @@ class BenchModel(Workplace):
 
     def _take_up(self, workbench: Workbench | None) -> None:
         self.workbench = workbench
+        if self.preview is not None and (workbench is None or self.preview.variable.name in workbench.variables):
+            self.variable, self.preview = self.preview.variable.name, None
         self._stale = True
         self.measured.emit()
         self._look()
@@ -210,6 +235,7 @@ class BenchModel(Workplace):
 
     def _take_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
         self.suggestions = suggestions
+        self.look_at(suggestions[0] if suggestions else None)
         self.suggested.emit()
         if not suggestions:
             self.failed.emit("No frequency range parts these two; record more takes of them, or choose another pair.")

@@ -25,7 +25,7 @@ class Findings(QObject):
     Signals
     -------
     cleared : everything was forgotten.
-    rewritten : this many of the newest columns of the history are others now.
+    rewritten : the columns of the history from this one on are others now.
     failed : a sentence for the user.
     """
 
@@ -46,9 +46,8 @@ class Findings(QObject):
         self.averages.add(analysis)
 
     def clear(self) -> None:
-        """Forget spectra, averages, sonagram and extremes."""
+        """Forget sonagram and extremes."""
         self.history.clear()
-        self.averages.clear()
         self.cleared.emit()
 
     def follow(self, path: Path, channel: Channel, n_frames: int) -> None:
@@ -59,16 +58,22 @@ class Findings(QObject):
     def analyse_again(self, path: Path, channel: Channel) -> None:
         """Analyse what was heard last of a file anew with the preset in force."""
         first, last = self.history.newest_run(AGAIN)
+        column = rewritten = self.history.n - (last - first)
+        for analysis in self._told_analyses(path, channel, first, last):
+            self.history.rewrite(column, analysis)
+            column += len(analysis)
         if first < last:
-            self.history.take_back(last - first)
-            self._look_back(path, channel, first, last)
-            self.rewritten.emit(last - first)
+            self.rewritten.emit(rewritten)
 
     def show_before(self, path: Path, channel: Channel, seconds: float) -> None:
-        """Show the seconds of a file before a time in place of what was heard."""
-        last = round(seconds / FRAME_PERIOD)
-        self.history.clear()
-        self._look_back(path, channel, max(0, last - AGAIN), last)
+        """Show the seconds of a file before a time after what was heard, from which a gap parts them.
+
+        Nobody hears them, so they do not count, and they give way to those before the next place that is sought.
+        """
+        column, last = self.history.take_back_unheard(), round(seconds / FRAME_PERIOD)
+        for analysis in self._told_analyses(path, channel, max(0, last - AGAIN), last):
+            self.history.append(analysis, heard=False)
+        self.rewritten.emit(column)
 
     def explain(self) -> Trace | None:
         """Say why the newest frame was recognised as it was."""
@@ -83,11 +88,10 @@ class Findings(QObject):
                 self.failed.emit(str(error))
             return None
 
-    def _look_back(self, path: Path, channel: Channel, first: int, last: int) -> None:
-        """Analyse frames that nobody hears into the history; a damaged file is said."""
+    def _told_analyses(self, path: Path, channel: Channel, first: int, last: int) -> Iterator[Analysis]:
+        """Analyse frames that nobody hears; a damaged file is said."""
         try:
-            for analysis in self._analyses(path, channel, first, last):
-                self.history.append(analysis)
+            yield from self._analyses(path, channel, first, last)
         except EngineError as error:
             self.failed.emit(str(error))
 

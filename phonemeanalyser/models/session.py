@@ -42,7 +42,7 @@ class Session(QObject):
     opened : another file is in hand, or another source.
     transport_changed : playing, pausing, stopping, recording, loop, volume or channel.
     cleared : everything gathered was forgotten.
-    rewritten : this many of the newest columns of the history are others now.
+    rewritten : the columns of the history from this one on are others now.
     heard : a list of the blocks that were heard since the last tick; see `engine.analyser.Analysis`.
     sought : the file stands elsewhere.
     failed : a sentence for the user.
@@ -200,7 +200,7 @@ class Session(QObject):
             return
         self._leave()
         self.source = source
-        self.clear()
+        self._forget("Opening")
         if source is Source.TONE:
             self._tone_reader = ToneReader(self.tone)
             self._take_up(Player(self._tone_reader, self.preset.in_force, self._open_device))
@@ -221,7 +221,7 @@ class Session(QObject):
         player.loop = self.loop
         self._player = player
         self.set_volume(self.volume)
-        self.clear()
+        self._forget("Opening")
         self.opened.emit()
         self.transport_changed.emit()
 
@@ -237,13 +237,13 @@ class Session(QObject):
 
     def play(self) -> None:
         """Play or listen; the averaged spectrum begins anew when that is the beginning."""
+        if self.source is not Source.MICROPHONE and self._player is None:
+            return
+        if self.position == 0:
+            self.averages.begin("Play", self.name)
         if self.source is Source.MICROPHONE:
             self.microphone.listen(self.preset.in_force)
-        elif self._player is None:
-            return
-        else:
-            if self.position == 0:
-                self.averages.clear()
+        elif self._player is not None:
             self._player.play()
         self.transport_changed.emit()
 
@@ -271,13 +271,18 @@ class Session(QObject):
         self.transport_changed.emit()
 
     def toggle_recording(self) -> None:
-        """Record what the microphone hears, or end that; another source makes room for the microphone."""
+        """Record what the microphone hears, or end that; another source makes room for the microphone.
+
+        The averaged spectrum begins anew with a recording.
+        """
         if self.microphone.recording:
             self.microphone.end_recording()
         else:
             self.set_source(Source.MICROPHONE)
             self.play()
             self.microphone.begin_recording()
+            if self.microphone.recording:
+                self.averages.begin("Record", self.name)
         self.transport_changed.emit()
 
     def seek(self, seconds: float) -> None:
@@ -320,7 +325,7 @@ class Session(QObject):
 
     def clear(self) -> None:
         """Forget spectra, averages, sonagram and extremes."""
-        self.findings.clear()
+        self._forget("Clear")
 
     def close(self) -> None:
         """Let everything go."""
@@ -369,6 +374,10 @@ class Session(QObject):
     def explain(self) -> Trace | None:
         """Say why the newest frame was recognised as it was."""
         return self.findings.explain()
+
+    def _forget(self, cause: str) -> None:
+        self.averages.begin(cause, self.name)
+        self.findings.clear()
 
     def _use_preset(self) -> None:
         self.microphone.use(self.preset.in_force)

@@ -246,7 +246,7 @@ class Talking(QObject):
             self._last = None
             self._mouth.hold(self._clock() - self._began, int(newest.phonemes[-1]))
 
-    def _seek(self, _first: int = 0) -> None:
+    def _seek(self, _column: int = 0) -> None:
         """While nothing plays, stand as somebody does who has just said what comes before that place."""
         session, now = self.session, self._clock() - self._began
         if session.playing:
@@ -254,7 +254,8 @@ class Talking(QObject):
         elif session.position == 0 or session.history.n == 0:
             self._hush()
         else:
-            at = session.history.indices(session.history.n - FOLLOWED, session.history.n)
+            first, last = session.history.newest_run(FOLLOWED)
+            at = session.history.indices(session.history.n - (last - first), session.history.n)
             codes, loud = session.history.phonemes[at].tolist(), session.history.intensities[at].tolist()
             self._mouth.stand(Frames(codes, loud, [0.0] * len(codes)), now)
 

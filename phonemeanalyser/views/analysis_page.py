@@ -1,6 +1,7 @@
 """The page of the analysis: spectra above, the waveform amid, and the time view below."""
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QAbstractButton, QSplitter
 
 from phonemeanalyser.models.history import shown_spectra
@@ -16,20 +17,29 @@ from phonemeanalyser.views.waveform_view import WaveformView
 class AnalysisPage(QSplitter):
     """Lays out what is drawn of the sound in hand.
 
+    Signals
+    -------
+    picture_asked : the user wants to save a picture of a plot, of this name.
+
     Attributes
     ----------
     spectra : the splitter between the two spectra.
     """
 
+    picture_asked = Signal(QPixmap, str)
+
     def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
         super().__init__(Qt.Orientation.Vertical)
         self._history = session.history
-        self.spectrum = SpectrumView("Spectrum", theme)
+        tip = "The spectrum of the newest window of 46.4 ms, after all filters that are on"
+        self.spectrum = SpectrumView("Spectrum", tip, theme)
         self.averaged = AveragedView(session.averages, theme)
         self.waveform = WaveformView(theme)
         self.time_view = TimeView(session.history, preset, theme)
         self.spectra = QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()
+        for view in (self.spectrum, self.averaged, self.waveform, self.time_view):
+            view.menu.save_asked.connect(self.picture_asked)
 
     def refresh_fast(self) -> None:
         """Draw what changes with every picture."""

@@ -4,15 +4,25 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
+from numpy.typing import NDArray
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
-from engine.settings import BIN_WIDTH
+from engine.curves import Curve
+from engine.settings import BIN_WIDTH, FRAME_PERIOD
 from phonemeanalyser.models.averages import AveragesModel
 from phonemeanalyser.theme import CURVE_COLOURS, Theme
 from phonemeanalyser.views.plot import switch
 from phonemeanalyser.views.spectrum_view import SpectrumView
+
+TIP = (
+    "The mean of all spectra that were heard since Play, Record or Clear; when other filters are heard, a new mean "
+    "begins"
+)
+
+
+DELTA = "Δ is how differently it is shaped from the averaged spectrum, whatever the loudness"
 
 
 class LegendEntry(QLabel):
@@ -52,26 +62,48 @@ class AveragedView(SpectrumView):
     variable_asked = Signal(float, float)
 
     def __init__(self, averages: AveragesModel, theme: Theme) -> None:
-        super().__init__("Averaged spectrum", theme)
+        super().__init__("Averaged spectrum", TIP, theme)
         self._averages = averages
+        self._since = QLabel(self.graphics)
         self._overlays: list[pg.PlotCurveItem] = []
         self._legend = QWidget()
         self._entries = QHBoxLayout(self._legend)
         self._names: list[LegendEntry] = []
-        self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"))
-        self.measure = switch("variable", "Mark a range of frequencies to measure as a variable of your own")
+        self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"), movable=False)
+        self.measure = switch(
+            "variable", "Mark a range of frequencies to measure as a variable of your own: drag anywhere in the plot"
+        )
         self._add_curve_controls()
         self._add_region()
         averages.curves_changed.connect(self._show_curves)
         self._show_curves()
 
     def refresh(self) -> None:
-        """Draw the running mean as it is now."""
-        self.draw(self._averages.current().amplitudes.astype(np.float32))
+        """Draw the running mean as it is now, and say of how much it is."""
+        current = self._averages.current()
+        self.draw(current.amplitudes.astype(np.float32))
+        self._tell_since(current)
         for label, curve, distance in zip(
             self._names, self._averages.curves, self._averages.distances(), strict=True
         ):
             label.setText(curve.name if np.isnan(distance) else f"{curve.name} Δ {distance:.1f} dB")
+
+    def _tell_since(self, current: Curve) -> None:
+        seconds = current.n_frames * FRAME_PERIOD
+        text = f"mean of {seconds:.1f} s since {current.since.partition(' at ')[0]}" if current.n_frames else ""
+        if text != self._since.text():
+            self._since.setText(text)
+            self._since.adjustSize()
+            of = f"<p>Now: {_told(current)}</p>" if current.n_frames else ""
+            self.heading.setToolTip(f"<p>{TIP}.</p>{of}")
+
+    def _columns(self) -> dict[str, NDArray[np.float64]]:
+        curves, columns = self._averages.curves, super()._columns()
+        finest = max([columns["frequency (Hz)"], *(c.frequencies for c in curves)], key=len)
+        short = len(finest) - len(self._amplitudes)
+        padded = {name: np.pad(column, (0, short), constant_values=np.nan) for name, column in columns.items()}
+        of_curves = {f"{k + 1} {c.name}, amplitude (linear)": c.at(finest) for k, c in enumerate(curves)}
+        return {**padded, "frequency (Hz)": finest, **of_curves}
 
     def _change_scale(self) -> None:
         super()._change_scale()
@@ -97,12 +129,18 @@ class AveragedView(SpectrumView):
         self.measure.setFixedWidth(self.measure.sizeHint().width())  # other words on it must not widen the window
         self.header.addWidget(self.measure)
         self.region.setVisible(False)
+        for edge in self.region.lines:
+            edge.setMovable(True)  # while a drag inside of it draws another
         self.item.addItem(self.region, ignoreBounds=True)
         self.measure.toggled.connect(self._toggle_region)
+        self._since.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)  # a drag may begin there
+        self._since.setStyleSheet(f"color: {self.theme.faint}")
+        self._since.move(60, 6)
 
     def _toggle_region(self, on: bool) -> None:
         self.measure.setText("name it" if on else "variable")
         self.region.setVisible(on)
+        self.item.vb.draw = (lambda start, end: self.region.setRegion((start, end))) if on else None
         if not on:
             low, high = (max(0.0, edge) for edge in self.region.getRegion())
             self.variable_asked.emit(round(low / BIN_WIDTH) * BIN_WIDTH, round(high / BIN_WIDTH) * BIN_WIDTH)
@@ -114,9 +152,7 @@ class AveragedView(SpectrumView):
             overlay = pg.PlotCurveItem(curve.frequencies, self.heights_of(curve.amplitudes), pen=pg.mkPen(colour))
             self.item.addItem(overlay)
             self._overlays.append(overlay)
-            self._names.append(
-                self._legend_entry(k, curve.name, f"{curve.name}: {curve.n_frames} frames; {curve.front_end}", colour)
-            )
+            self._names.append(self._legend_entry(k, curve.name, f"{curve.name}: {_told(curve)}; {DELTA}", colour))
         self._entries.addStretch(1)
         self._legend.setVisible(bool(self._overlays))
 
@@ -142,3 +178,8 @@ class AveragedView(SpectrumView):
         self._entries.addWidget(label)
         self._entries.addWidget(button)
         return label
+
+
+def _told(curve: Curve) -> str:
+    since = f" since {curve.since}" if curve.since else ""
+    return f"{curve.n_frames} frames{since}; {curve.front_end}"

@@ -4,6 +4,7 @@ import math
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QTabWidget, QVBoxLayout, QWidget
 
 from engine.phonemes import Phoneme
@@ -25,9 +26,11 @@ class BenchView(QWidget):
     Signals
     -------
     play_asked : path, start and end of a stretch.
+    picture_asked : the user wants to save a picture of a plot, of this name.
     """
 
     play_asked = Signal(Path, float, float)
+    picture_asked = Signal(QPixmap, str)
 
     def __init__(self, calibration: Calibration, theme: Theme) -> None:
         super().__init__()
@@ -106,6 +109,8 @@ class BenchView(QWidget):
         for view in (self.stretches, self.rival):
             view.play_asked.connect(calibration.play)
         self.stretches.play_asked.connect(self._show_place)
+        for plot in (self.spread, self.confusion, self.lanes):
+            plot.menu.save_asked.connect(self.picture_asked)
 
     # -- what is shown ------------------------------------------------------------------------------------
 

@@ -1,5 +1,6 @@
 """The confusion matrix: what was said, and what it was taken for."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from engine.phonemes import Phoneme
 from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_keys import name_of
+from phonemeanalyser.views.plot_menu import PlotMenu, table_of
 
 LEFT, TOP = 62, 34
 SAID, TAKEN = TEN, (*TEN, Phoneme.UNIDENTIFIED)
@@ -40,6 +42,7 @@ class ConfusionView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName("confusion matrix")
+        self.menu = PlotMenu(self, "confusion matrix", lambda _at: table_of(self._columns()))
 
     def show_counts(self, counts: Counts | None, against: Counts | None = None) -> None:
         """Show frames by label (row) and answer (column); with others, how much more of each row these are."""
@@ -76,6 +79,16 @@ class ConfusionView(QWidget):
             painter.setPen(QPen(QColor(self._theme.text), 2))
             painter.drawRect(self.cell_rect(*self.cell).adjusted(1, 1, -1, -1))
 
+    def _columns(self) -> dict[str, Sequence[object]]:
+        """Give the frames by what was said (row) and what they were taken for (column)."""
+        if self.counts is None:
+            return {}
+        counts = self.counts
+        answers: dict[str, Sequence[object]] = {
+            f"recognised as {p.label} (frames of 10 ms)": [int(counts[said, p]) for said in SAID] for p in TAKEN
+        }
+        return {"said": [said.label for said in SAID], **answers}
+
     def _paint_cell(self, painter: QPainter, row: int, column: int) -> None:
         box = self.cell_rect(row, column).adjusted(0.5, 0.5, -0.5, -0.5)
         if self.counts is None or not self.counts[SAID[row]].sum():
@@ -106,7 +119,7 @@ class ConfusionView(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Choose a cell."""
         found = self._cell_at(event.position().x(), event.position().y())
-        if found is not None:
+        if found is not None and event.button() == Qt.MouseButton.LeftButton:
             self._choose(*found)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -1,5 +1,6 @@
 """What was said, and what was recognised, one above the other over all recordings."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from engine.settings import FRAME_PERIOD
 from phonemeanalyser.lettering import CENTRED, write
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.views.calibration_keys import name_of
+from phonemeanalyser.views.plot_menu import PlotMenu, table_of
 
 LEFT = 76
 HEADING, LANE, GAP = 14, 20, 2
@@ -115,6 +117,7 @@ class LanesView(QWidget):
         super().__init__()
         self.lanes = Lanes(theme)
         self.bar = QScrollBar(Qt.Orientation.Horizontal)
+        self.menu = PlotMenu(self.lanes, "said and recognised", lambda _at: table_of(self._columns()), self._whole)
         self.setToolTip("Click a stretch to hear it; the wheel scrolls, with Ctrl it zooms")
         self.setAccessibleName("said and recognised")
         column = QVBoxLayout(self)
@@ -143,6 +146,8 @@ class LanesView(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Choose the labelled stretch, or the recognised one, under the mouse."""
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
         confusion, y = self.lanes.confusion, event.position().y()
         frame = self.lanes.frame_at(event.position().x())
         if confusion is None or not 0 <= frame < self.lanes.n_frames or event.position().x() < LEFT:
@@ -172,6 +177,25 @@ class LanesView(QWidget):
         """Let the scroll bar know how much is seen."""
         super().resizeEvent(event)
         self._fit()
+
+    def _whole(self) -> None:
+        """Zoom out to all recordings."""
+        self.lanes.scale = min(max((self.lanes.width() - LEFT) / max(1, self.lanes.n_frames), NARROWEST), 1.0)
+        self._fit()
+
+    def _columns(self) -> dict[str, Sequence[object]]:
+        """Give what is seen as columns, each under its name and unit."""
+        confusion = self.lanes.confusion
+        if confusion is None:
+            return {}
+        frames = np.arange(int(self.lanes.first), min(int(self.lanes.first + self.lanes.n_seen), self.lanes.n_frames))
+        recordings = np.searchsorted(confusion.edges, frames, side="right") - 1
+        return {
+            "recording": [self.lanes.names[k] for k in recordings.tolist()],
+            "time (s)": ((frames - confusion.edges[recordings]) * FRAME_PERIOD).tolist(),
+            "said": [Phoneme(code).label for code in confusion.labels.phonemes[frames].tolist()],
+            "recognised": [Phoneme(code).label for code in confusion.answers[frames].tolist()],
+        }
 
     def _fit(self) -> None:
         seen = int(self.lanes.n_seen)

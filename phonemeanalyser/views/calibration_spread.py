@@ -1,25 +1,26 @@
 """How the chosen variable is spread over each phoneme, with the preset's thresholds to be dragged."""
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from engine.calibration.bench.distributions import Distribution, Spread
-from engine.features.variables import DEFICITS
+from engine.features.variables import unit_of
 from engine.phonemes import Phoneme
 from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
 from phonemeanalyser.models.calibration_bench import BenchModel, Line
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.views.calibration_keys import name_of
+from phonemeanalyser.views.plot_menu import PlotMenu, table_of
 
 LEFT, RIGHT, TOP, BOTTOM = 88, 168, 36, 34
 """Pixels around the plot: names at its left, numbers at its right, thresholds above, the axis below."""
 NEAR = 6
-UNITS = {"zero_crossings": " (per window)", "f0": " (Hz)", **dict.fromkeys(DEFICITS, " (log-odds)")}
 COLUMNS = ("min", "median", "max")
 
 
@@ -42,6 +43,7 @@ class SpreadView(QWidget):
             "Each row is a sound: histogram, a box from quartile to quartile, the median, and a line from minimum "
             "to maximum. Drag a threshold, or move it with the arrow keys (Shift: finer; Up and Down choose one)"
         )
+        self.menu = PlotMenu(self, "distribution", lambda _at: table_of(self._columns()))
         bench.distribution_changed.connect(self.show_lines)
         self.show_lines()
 
@@ -54,7 +56,7 @@ class SpreadView(QWidget):
 
     def x_of(self, value: float) -> float:
         """Give where a value lies, pixels."""
-        distribution = self._bench.distribution
+        distribution = self._bench.shown
         if distribution is None:
             return float(LEFT)
         low, high = float(distribution.edges[0]), float(distribution.edges[-1])
@@ -66,7 +68,7 @@ class SpreadView(QWidget):
 
     def value_at(self, x: float) -> float:
         """Give the value that lies at a pixel."""
-        distribution = self._bench.distribution
+        distribution = self._bench.shown
         if distribution is None:
             return 0.0
         low, high = float(distribution.edges[0]), float(distribution.edges[-1])
@@ -80,7 +82,7 @@ class SpreadView(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(self._theme.base))
-        distribution = self._bench.distribution
+        distribution = self._bench.shown
         if distribution is None:
             words = (
                 "measuring …"
@@ -95,6 +97,8 @@ class SpreadView(QWidget):
             self._paint_row(painter, distribution, phoneme, spread, TOP + k * height, height)
         for k, line in enumerate(self.lines):
             self._paint_line(painter, k, line)
+        if self._bench.preview is not None:
+            self._paint_best(painter, self._bench.preview.threshold)
 
     def _paint_row(
         self, painter: QPainter, distribution: Distribution, phoneme: Phoneme, spread: Spread, top: float,
@@ -138,10 +142,10 @@ class SpreadView(QWidget):
             x = self.x_of(value)
             painter.fillRect(QRectF(x, TOP, 1, bottom - TOP), QColor(self._theme.raised))
             write(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
-        unit = UNITS.get(distribution.variable, " (amplitude)")
         scale = ", logarithmic scale" if distribution.logarithmic else ""
         label = QRectF(LEFT, bottom + 15, self.width() - LEFT - RIGHT, 16)
-        write(painter, label, f"{distribution.variable}{unit}{scale}", self._theme.text, 11, CENTRED)
+        text = f"{distribution.variable} ({self._unit_of(distribution)}){scale}"
+        write(painter, label, text, self._theme.text, 11, CENTRED)
         for k, name in enumerate(COLUMNS):
             write(painter, self._cell(k, TOP - 18, 16), name, self._theme.faint, 10, AT_RIGHT)
 
@@ -162,6 +166,34 @@ class SpreadView(QWidget):
         box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
         write(painter, box, text, self._theme.bad, 10, CENTRED)
 
+    def _paint_best(self, painter: QPainter, threshold: float) -> None:
+        """Paint where a suggested variable parts best; it is no threshold of the preset, and cannot be dragged."""
+        x = self.x_of(threshold)
+        painter.setPen(QPen(QColor(self._theme.accent), 1.2, Qt.PenStyle.DashLine))
+        painter.drawLine(QPointF(x, TOP - 4), QPointF(x, self.height() - BOTTOM))
+        box = QRectF(x - 75, 1, 150, 13)
+        box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
+        write(painter, box, f"parts best at {short(threshold)}", self._theme.accent, 10, CENTRED)
+
+    def _unit_of(self, distribution: Distribution) -> str:
+        return unit_of(distribution.variable, self._bench.own_variables)
+
+    def _columns(self) -> dict[str, Sequence[object]]:
+        """Give what is drawn as columns, each under its name and unit."""
+        distribution = self._bench.shown
+        if distribution is None:
+            return {}
+        unit, spreads = self._unit_of(distribution), distribution.spreads.values()
+        numbers = ("minimum", "lower_quartile", "median", "upper_quartile", "maximum")
+        return {
+            "sound": [name_of(phoneme) for phoneme in distribution.spreads],
+            "frames (10 ms)": [spread.n for spread in spreads],
+            **{
+                f"{name.replace('_', ' ')} of {distribution.variable} ({unit})": [getattr(s, name) for s in spreads]
+                for name in numbers
+            },
+        }
+
     def _cell(self, k: int, top: float, height: float) -> QRectF:
         width = (RIGHT - 16) / len(COLUMNS)
         return QRectF(self.width() - RIGHT + 8 + k * width, top, width, height)
@@ -170,6 +202,8 @@ class SpreadView(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take hold of a threshold."""
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
         self.setFocus()
         self._held = self._line_near(event.position().x())
         if self._held is not None:

@@ -15,13 +15,19 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from engine.calibration.fits.suggestions import Suggestion
 from engine.features.variables import Variable
 from engine.phonemes import Phoneme
+from engine.recognition.recogniser import takes_own_variables
 from phonemeanalyser.models.calibration_bench import BenchModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_keys import KEYS, LettersPassed, name_of
 
 NAME = Qt.ItemDataRole.UserRole
+
+
+ACTS = "It acts once a rule of the preset names it."
+NO_ACT = "it would be measured and drawn, and change no phoneme. The recogniser rules can use them."
 
 
 class VariablesPanel(QWidget):
@@ -42,6 +48,7 @@ class VariablesPanel(QWidget):
         self.one, self.other = QComboBox(), QComboBox()
         self.search = QPushButton("suggest")
         self.add = QPushButton("add")
+        self.words = QLabel()
         self._lay_out()
         self._connect()
         self._fill()
@@ -66,6 +73,7 @@ class VariablesPanel(QWidget):
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setShowGrid(False)
+        self.table.setWordWrap(False)
         self.table.setTabKeyNavigation(False)
         self.table.setAccessibleName("variables")
         self.table.setToolTip(
@@ -104,6 +112,9 @@ class VariablesPanel(QWidget):
         grid.addWidget(self.search, 1, 0, 1, 2)
         grid.addWidget(self.add, 1, 2, 1, 2)
         column.addLayout(grid)
+        self.words.setWordWrap(True)
+        self.words.setVisible(False)
+        column.addWidget(self.words)
 
     def _connect(self) -> None:
         self.table.currentCellChanged.connect(self._choose)
@@ -111,31 +122,31 @@ class VariablesPanel(QWidget):
         self.add.clicked.connect(self._add)
         self._bench.distribution_changed.connect(self._fill)
         self._bench.suggested.connect(self._fill)
+        self._bench.confusion_changed.connect(self._tell)  # the recogniser may be another
 
     def _fill(self) -> None:
-        ranked = [(r.variable, r.separation, "") for r in self._bench.ranking]
-        have = {name for name, _, _ in ranked}
+        ranked = [(r.variable, r.variable, r.separation, r.variable) for r in self._bench.ranking]
+        have = {name for name, *_ in ranked}
         suggested = [
-            (s.variable.name, s.separation, f"{s.variable.kind} of {s.variable.low:.0f}–{s.variable.high:.0f} Hz, "
-             f"threshold {s.threshold:.3g}")
-            for s in self._bench.suggestions if s.variable.name not in have
-        ]  # fmt: skip
+            (s.variable.name, f"+ {_range_of(s.variable)}", s.separation, f"{s.variable.name}: {_words_of(s)}")
+            for s in self._bench.suggestions
+            if s.variable.name not in have
+        ]
         rows = [*suggested, *ranked]
         self.table.blockSignals(True)
         self.table.setRowCount(len(rows))
-        for row, (name, separation, words) in enumerate(rows):
+        for row, (name, text, separation, words) in enumerate(rows):
             new = row < len(suggested)
-            items = QTableWidgetItem(f"+ {name}" if new else name), QTableWidgetItem(f"{separation:.0%}")
+            items = QTableWidgetItem(text), QTableWidgetItem(f"{separation:.0%}")
             items[1].setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             for column, item in enumerate(items):
                 item.setData(NAME, name)
-                item.setToolTip(words or name)
+                item.setToolTip(words)
                 item.setForeground(QColor(self._theme.accent if new else self._theme.text))
                 self.table.setItem(row, column, item)
-            if name == self._bench.variable:
+            preview = self._bench.preview
+            if name == (self._bench.variable if preview is None else preview.variable.name):
                 self.table.setCurrentCell(row, 0)
-        if suggested and self.table.currentRow() < 0:
-            self.table.setCurrentCell(0, 0)
         self.table.blockSignals(False)
         self._show_add()
 
@@ -143,9 +154,12 @@ class VariablesPanel(QWidget):
         item = self.table.item(row, 0)
         if item is None or row == old:
             return
-        self._show_add()
-        if self._suggested() is None:
+        suggestion = self._suggested()
+        if suggestion is None:
             self._bench.choose(str(item.data(NAME)))
+        else:
+            self._bench.look_at(suggestion)
+        self._show_add()
 
     def _search(self) -> None:
         if self._bench.searching:
@@ -154,16 +168,39 @@ class VariablesPanel(QWidget):
             self._bench.suggest(Phoneme(self.one.currentData()), self.other.currentData())
 
     def _add(self) -> None:
-        variable = self._suggested()
-        if variable is not None:
-            self.add_asked.emit(variable)
+        suggestion = self._suggested()
+        if suggestion is not None:
+            self.add_asked.emit(suggestion.variable)
 
-    def _suggested(self) -> Variable | None:
+    def _suggested(self) -> Suggestion | None:
+        """Give the suggestion that is chosen; None where it is a variable that there is."""
         item = self.table.item(self.table.currentRow(), 0)
         name = item.data(NAME) if item is not None else ""
-        return next((s.variable for s in self._bench.suggestions if s.variable.name == name), None)
+        have = {r.variable for r in self._bench.ranking}
+        return next((s for s in self._bench.suggestions if s.variable.name == name and name not in have), None)
 
     def _show_add(self) -> None:
-        have = {r.variable for r in self._bench.ranking}
-        variable = self._suggested()
-        self.add.setEnabled(variable is not None and variable.name not in have)
+        self.add.setEnabled(self._suggested() is not None)
+        self._tell()
+
+    def _tell(self) -> None:
+        """Say what the suggestion that is chosen measures, and whether it can act."""
+        suggestion, name = self._suggested(), self._bench.recogniser
+        self.words.setVisible(suggestion is not None)
+        if suggestion is not None:
+            acts = takes_own_variables(name)
+            colour = self._theme.faint if acts else self._theme.bad
+            note = ACTS if acts else f"The recogniser {name} cannot use variables of your own; {NO_ACT}"
+            self.words.setText(f"{_words_of(suggestion)}.<br><span style='color:{colour}'>{note}</span>")
+
+
+def _range_of(variable: Variable) -> str:
+    return f"{variable.low:.0f}–{variable.high:.0f} Hz {variable.kind}"
+
+
+def _words_of(suggestion: Suggestion) -> str:
+    variable = suggestion.variable
+    return (
+        f"{variable.kind} of {variable.low:.0f}–{variable.high:.0f} Hz of the {variable.source} spectrum, "
+        f"separates {suggestion.separation:.0%}"
+    )

@@ -92,7 +92,7 @@ AFTER_THE_FILTERS: dict[str, tuple[tuple[str, str], tuple[str, ...]]] = {
         ("look_ahead", "live_look_ahead"),
     ),
     "intensity": (
-        ("Intensity", "Peak levels at which the intensity is 0 and 1."),
+        ("Intensity", "Peak levels at which the intensity is 0 and 1; in silence it is 0 at any level."),
         ("intensity_low", "intensity_high"),
     ),
 }

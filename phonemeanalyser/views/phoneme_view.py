@@ -42,8 +42,9 @@ class PhonemeView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.setToolTip(
             "The phoneme now, its intensity, how often the phoneme changed in the last three seconds, the measures "
-            "zc (zero crossings), vol (peak level), e (energy), f(g) (fundamental frequency), and what each rule "
-            "said, down to the one that fired"
+            "of its window of 46 ms: zc (zero crossings in it), vol (peak level, full scale 1), e (energy: sum of "
+            "the amplitudes before denoise and normalise), f(g) (fundamental frequency of a voice, 60 to 500 Hz; a "
+            "higher tone has none), and what each rule said, down to the one that fired"
         )
 
     @property

@@ -36,46 +36,86 @@ class LiveCurve(pg.PlotCurveItem):
         return None, None
 
 
+class RangeBox(pg.ViewBox):
+    """A view box in which a drag moves the picture, or draws a range.
+
+    Attributes
+    ----------
+    draw : is given both ends of a range (on the x axis) while it is drawn; None while a drag moves the picture.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.draw: Callable[[float, float], object] | None = None
+
+    def mouseDragEvent(self, event: Any, axis: int | None = None) -> None:
+        """Draw a range, or move the picture."""
+        if self.draw is None or event.button() != Qt.MouseButton.LeftButton:
+            super().mouseDragEvent(event, axis)
+            return
+        event.accept()
+        self.draw(*(self.mapToView(point).x() for point in (event.buttonDownPos(), event.pos())))
+
+
+class ReadOut(QLabel):
+    """Says at a plot's upper right corner what lies under the mouse; hidden while that is nothing."""
+
+    def __init__(self, plot: QWidget, theme: Theme) -> None:
+        super().__init__(plot)
+        self._plot = plot
+        self.setStyleSheet(f"color: {theme.text}; background: {theme.raised}; padding: 2px 5px; border-radius: 3px")
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.tell("")
+
+    def tell(self, text: str) -> None:
+        """Show a text; an empty one hides it."""
+        self.setVisible(bool(text))
+        if text != self.text():
+            self.setText(text)
+            self.adjustSize()
+        self.move(self._plot.width() - self.width() - 14, 8)
+
+
 class Plot(QWidget):
     """A heading with controls at its right, and a plot below it.
 
     Parameters
     ----------
     title : the heading.
+    tip : what is drawn, and of what.
     axes : text and unit of the x and the y axis.
     read_out : says in words what lies at a point of the plot; an empty text for nothing.
     """
 
     def __init__(
-        self, title: str, axes: tuple[tuple[str, str], tuple[str, str]], read_out: Callable[[float, float], str],
-        theme: Theme,
+        self, title: str, tip: str, axes: tuple[tuple[str, str], tuple[str, str]],
+        read_out: Callable[[float, float], str], theme: Theme,
     ) -> None:  # fmt: skip
         super().__init__()
         self.theme = theme
-        self.graphics = pg.PlotWidget()
+        self.graphics = pg.PlotWidget(viewBox=RangeBox())
         self.item: Any = self.graphics.getPlotItem()
         self.header = QHBoxLayout()
         self._read_out = read_out
-        self._cursor_label = QLabel(self.graphics)
+        self._mouse: QPointF | None = None
+        self._cursor_label = ReadOut(self.graphics, theme)
         self._cursor = pg.InfiniteLine(angle=90, pen=pg.mkPen(theme.faint, style=Qt.PenStyle.DashLine))
         self._style(axes)
-        self._lay_out(title)
+        self._lay_out(title, tip)
         self._follow_mouse()
 
-    def set_cursor(self, point: QPointF | None) -> None:
-        """Show the cursor and its read-out at a point of the plot, or hide both."""
+    def refresh_read_out(self) -> None:
+        """Say what lies under the mouse now: it may stand still while the picture moves."""
+        point = None if self._mouse is None else self.item.vb.mapSceneToView(self._mouse)
         self._cursor.setVisible(point is not None)
         if point is not None:
             self._cursor.setPos(point.x())
-        self._cursor_label.setVisible(point is not None)
-        if point is not None:
-            self._cursor_label.setText(self._read_out(point.x(), point.y()))
-            self._cursor_label.adjustSize()
-            self._cursor_label.move(self.graphics.width() - self._cursor_label.width() - 14, 10)
+        self._cursor_label.tell("" if point is None else self._read_out(point.x(), point.y()))
 
     def leaveEvent(self, event: Any) -> None:
         """Hide the cursor when the mouse leaves."""
-        self.set_cursor(None)
+        self._mouse = None
+        self.refresh_read_out()
         super().leaveEvent(event)
 
     def _style(self, axes: tuple[tuple[str, str], tuple[str, str]]) -> None:
@@ -93,15 +133,12 @@ class Plot(QWidget):
         self.item.addItem(self._cursor, ignoreBounds=True)
         self._cursor.setVisible(False)
 
-    def _lay_out(self, title: str) -> None:
-        heading = QLabel(f"<b>{title}</b>")
-        self._cursor_label.setStyleSheet(
-            f"color: {self.theme.text}; background: {self.theme.raised}; padding: 2px 5px; border-radius: 3px"
-        )
-        self._cursor_label.setVisible(False)
+    def _lay_out(self, title: str, tip: str) -> None:
+        self.heading = QLabel(f"<b>{title}</b>")
+        self.heading.setToolTip(tip)
         self.header.setContentsMargins(6, 3, 6, 1)
         self.header.setSpacing(6)
-        self.header.addWidget(heading)
+        self.header.addWidget(self.heading)
         self.header.addStretch(1)
         self._body = QVBoxLayout(self)
         layout = self._body
@@ -116,8 +153,8 @@ class Plot(QWidget):
         )
 
     def _on_mouse(self, event: tuple[QPointF]) -> None:
-        inside = self.item.vb.sceneBoundingRect().contains(event[0])
-        self.set_cursor(self.item.vb.mapSceneToView(event[0]) if inside else None)
+        self._mouse = event[0] if self.item.vb.sceneBoundingRect().contains(event[0]) else None
+        self.refresh_read_out()
 
 
 def switch(text: str, tip: str) -> QToolButton:

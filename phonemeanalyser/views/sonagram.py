@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from engine.phonemes import Phoneme
 from engine.settings import BIN_WIDTH, FRAME_PERIOD
 from phonemeanalyser.lettering import set_size
-from phonemeanalyser.models.history import CAPACITY, MOST_BINS, History
+from phonemeanalyser.models.history import CAPACITY, MOST_BINS, NOWHERE, History
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 
 SPAN = CAPACITY * FRAME_PERIOD
@@ -49,7 +49,7 @@ class SonagramItem(pg.GraphicsObject):
         self._nothing = np.uint32(QColor(theme.base).rgb())
         self._pixels = np.zeros((MOST_BINS, CAPACITY), np.uint32)
         self._image = QImage(self._pixels.data, CAPACITY, MOST_BINS, 4 * CAPACITY, QImage.Format.Format_RGB32)
-        self.n_drawn = 0
+        self.n_drawn = self._n_coloured = 0
         self._colours = colours_of(COLOUR_MAPS[0])
         self._in_decibels = True
         self._low, self._high = -60.0, 0.0
@@ -65,17 +65,17 @@ class SonagramItem(pg.GraphicsObject):
         self._pixels[:] = self._nothing
         self._colour(0, self.n_drawn)
 
-    def forget(self, n: int) -> None:
-        """Have the newest `n` columns coloured anew at the next refresh."""
-        self.n_drawn = max(0, self.n_drawn - n)
+    def forget(self, column: int) -> None:
+        """Have the columns from this one on coloured anew at the next refresh."""
+        self._n_coloured = min(self._n_coloured, column)
 
     def refresh(self) -> None:
         """Colour what is new since the last call."""
-        if self._history.n < self.n_drawn:
-            self.n_drawn = 0
-            self._pixels[:] = self._nothing
-        drawn, self.n_drawn = self.n_drawn, self._history.n
-        self._colour(drawn, self.n_drawn)
+        n = self._history.n
+        first = min(self._n_coloured, n)
+        self._pixels[:, np.arange(max(n, self.n_drawn - CAPACITY), self.n_drawn) % CAPACITY] = self._nothing
+        self.n_drawn = self._n_coloured = n
+        self._colour(first, n)
 
     def boundingRect(self) -> QRectF:
         """One minute by half the sample rate."""
@@ -100,6 +100,7 @@ class SonagramItem(pg.GraphicsObject):
         at = self._history.indices(first, last)
         if len(at):
             self._pixels[:, at] = self._colours[self._levels_of(self._history.spectra[at]).T]
+            self._pixels[:, at[self._history.frames[at] == NOWHERE]] = self._nothing
         self.update()
 
     def _levels_of(self, spectra: NDArray[np.float16]) -> NDArray[np.uint8]:
@@ -113,12 +114,13 @@ class SonagramItem(pg.GraphicsObject):
 class PhonemeLane(pg.GraphicsObject):
     """The recognised phonemes as coloured stretches, named where there is room; as far as the sonagram is drawn."""
 
-    def __init__(self, history: History, sonagram: SonagramItem) -> None:
+    def __init__(self, history: History, sonagram: SonagramItem, theme: Theme) -> None:
         super().__init__()
         self._history = history
         self._sonagram = sonagram
-        self._pixels = np.array([QColor(PHONEME_COLOURS[p]).rgb() for p in Phoneme], np.uint32)
-        self._names = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
+        colours = [*(PHONEME_COLOURS[p] for p in Phoneme), theme.base]  # the last one is that of a gap
+        self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
+        self._names = [*({"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme), ""]
 
     def boundingRect(self) -> QRectF:
         """One minute by one."""

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QSlider
 from engine.settings import BIN_WIDTH, SAMPLE_RATE
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.plot import LiveCurve, Plot, switch
+from phonemeanalyser.views.plot_menu import PlotMenu, table_of
 
 COARSE = 8
 """Bins that share a step of the coarse display."""
@@ -25,8 +26,9 @@ class SpectrumView(Plot):
     The amplitude scale enlarges small amplitudes: at 20 dB, an amplitude of 0.1 fills the height.
     """
 
-    def __init__(self, title: str, theme: Theme) -> None:
-        super().__init__(title, (("frequency", "Hz"), ("amplitude", "")), self._describe, theme)
+    def __init__(self, title: str, tip: str, theme: Theme) -> None:
+        super().__init__(title, tip, (("frequency", "Hz"), ("amplitude", "")), self._describe, theme)
+        self.menu = PlotMenu(self.graphics, title.lower(), lambda _at: table_of(self._columns()), self.reset_zoom)
         self._frequencies: NDArray[np.float64] = np.zeros(0)
         self._amplitudes = np.zeros(0, np.float32)
         self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
@@ -35,19 +37,20 @@ class SpectrumView(Plot):
         self.decibels = switch("dB", "Amplitude axis in dB")
         self.scale = QSlider(Qt.Orientation.Horizontal)
         self._add_controls()
-        self._set_ranges()
+        self.reset_zoom()
 
     def draw(self, amplitudes: NDArray[np.float32]) -> None:
         """Draw a spectrum, shape (n_bins,); bin k lies at k x 21.53 Hz."""
         self._amplitudes = amplitudes
         if len(self._frequencies) != len(amplitudes):
             self._frequencies = np.arange(len(amplitudes), dtype=float) * BIN_WIDTH
-            self._set_ranges()
+            self.reset_zoom()
         x, y = self._frequencies, amplitudes
         if self.coarse.isChecked() and len(y):
             x, y = x[::COARSE], y.reshape(-1, COARSE).max(axis=1)
             x, y = np.repeat(np.append(x, x[-1] + COARSE * BIN_WIDTH), 2)[1:-1], np.repeat(y, 2)
         self._curve.setData(x, self.heights_of(y), skipFiniteCheck=True)
+        self.refresh_read_out()
 
     def clear(self) -> None:
         """Draw nothing."""
@@ -75,17 +78,26 @@ class SpectrumView(Plot):
         self.scale.valueChanged.connect(lambda _value: self._change_scale())
 
     def _change_scale(self) -> None:
-        self._set_ranges()
+        self.reset_zoom()
         self.draw(self._amplitudes)
 
-    def _set_ranges(self) -> None:
+    def reset_zoom(self) -> None:
+        """Show the whole spectrum, as high as the amplitude scale says."""
         highest = self._frequencies[-1] + BIN_WIDTH if len(self._frequencies) else SAMPLE_RATE / 8
         zoom = float(self.scale.value())
         low, high = (FLOOR_DB, -zoom) if self.in_decibels else (0.0, 10 ** (-zoom / 20))
-        self.item.vb.setLimits(xMin=0, xMax=highest, yMin=FLOOR_DB - 5, yMax=5)
+        bottom, top = (FLOOR_DB - 5, 5.0) if self.in_decibels else (0.0, 1.05)
+        self.item.vb.setLimits(xMin=0, xMax=highest, yMin=bottom, yMax=top)
         self.item.setXRange(0, highest, padding=0)
         self.item.setYRange(low, high + (high - low) * 0.03, padding=0)
         self.item.setLabel("left", "level (dB)" if self.in_decibels else "amplitude")
+
+    def _columns(self) -> dict[str, NDArray[np.float64]]:
+        """Give what is drawn as columns, each under its name and unit."""
+        amplitudes = self._amplitudes.astype(float)
+        with np.errstate(divide="ignore"):
+            levels = 20 * np.log10(amplitudes)
+        return {"frequency (Hz)": self._frequencies, "amplitude (linear)": amplitudes, "level (dB)": levels}
 
     def _describe(self, frequency: float, _height: float) -> str:
         k = round(frequency / BIN_WIDTH)

@@ -1,10 +1,13 @@
 """What scrolls: the sonagram, the lane of phonemes under it, and the course of one variable."""
 
+from collections.abc import Sequence
+from math import ceil, floor
 from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QPointF, Qt
+from numpy.typing import NDArray
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import (
     QComboBox,
     QGraphicsItem,
@@ -16,15 +19,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from engine.features.variables import BUILT_IN_NAMES
+from engine.features.variables import BUILT_IN_NAMES, unit_of
 from engine.phonemes import Phoneme
 from engine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
-from phonemeanalyser.models.history import CAPACITY, History
+from phonemeanalyser.models.history import CAPACITY, NOWHERE, History
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.colour_bar import ColourBar
 from phonemeanalyser.views.keys import KeysOfNumbers
-from phonemeanalyser.views.plot import READOUTS_PER_SECOND, LiveCurve, switch
+from phonemeanalyser.views.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, switch
+from phonemeanalyser.views.plot_menu import PlotMenu, table_of
 from phonemeanalyser.views.sonagram import COLOUR_MAPS, SPAN, PhonemeLane, SonagramItem, colours_of
 
 LANE_HEIGHT = 22
@@ -43,7 +47,7 @@ class TimeView(QWidget):
         self._theme = theme
         self._graphics = pg.GraphicsLayoutWidget()
         self.sonagram = SonagramItem(history, theme)
-        self._lane = PhonemeLane(history, self.sonagram)
+        self._lane = PhonemeLane(history, self.sonagram, theme)
         self._course = LiveCurve(pen=pg.mkPen(theme.signal))
         self._limits: list[pg.InfiniteLine] = []
         self._course_range = (0.0, 0.0)
@@ -52,8 +56,10 @@ class TimeView(QWidget):
         self.low, self.high = QSpinBox(), QSpinBox()
         self.colours = QComboBox()
         self.variable = QComboBox()
-        self._extremes = QLabel()
-        self._cursor_label = QLabel(self._graphics)
+        self._extremes, self._measured = QLabel(), QLabel()
+        self._mouse: QPointF | None = None
+        self._cursor_label = ReadOut(self._graphics, theme)
+        self.menu = PlotMenu(self._graphics, "sonagram", self._values_at, self.reset_zoom)
         self._hint = pg.TextItem("", color=theme.faint, anchor=(0.5, 0.5))
         self._colour_bar = ColourBar()
         self._make_plots()
@@ -70,23 +76,33 @@ class TimeView(QWidget):
         """Draw what is new."""
         if self._n_bins != self._history.n_bins:
             self._n_bins = self._history.n_bins
+            self._plots[0].vb.setLimits(yMax=self._n_bins * BIN_WIDTH)
             self._plots[0].setYRange(0, self._n_bins * BIN_WIDTH, padding=0)
         self.sonagram.refresh()
         self._lane.update()
         self._draw_course()
+        self._refresh_read_out()
         self._hint.setVisible(self._history.n == 0)
 
+    def reset_zoom(self) -> None:
+        """Show the newest seconds, and all frequencies that the analysis reaches."""
+        self._plots[0].setXRange(-SECONDS_SHOWN, 0, padding=0)
+        self._plots[0].setYRange(0, self._n_bins * BIN_WIDTH, padding=0)
+
     def refresh_numbers(self) -> None:
-        """Write maximum, mean and minimum of the chosen variable."""
-        extremes = self._history.extremes(self.variable.currentText())
+        """Write maximum, mean and minimum of the chosen variable, and over how long they are taken."""
+        name = self.variable.currentText()
+        extremes = self._history.extremes(name)
         names = ("max", "mid", "min")
         shown = ("–",) * 3 if extremes is None else tuple(f"{value:.4g}" for value in extremes)
         text = "".join(
             f"<span style='color:{self._theme.faint}'>&nbsp; {name}</span> {value}"
             for name, value in zip(names, shown, strict=True)
         )
-        if text != self._extremes.text():
-            self._extremes.setText(text)
+        of = f"of {self._history.n_measured(name) * FRAME_PERIOD:.1f} s"
+        for label, words in ((self._extremes, text), (self._measured, of)):
+            if words != label.text():
+                label.setText(words)
 
     def _make_plots(self) -> None:
         layout = self._graphics.ci
@@ -112,8 +128,7 @@ class TimeView(QWidget):
 
     def _fix_ranges(self) -> None:
         sonagram, lane, course = self._plots
-        sonagram.setYRange(0, SAMPLE_RATE / 8, padding=0)
-        sonagram.vb.setLimits(yMin=0, yMax=SAMPLE_RATE / 2)
+        sonagram.vb.setLimits(yMin=0)
         lane.setYRange(0, 1, padding=0)
         lane.setFixedHeight(LANE_HEIGHT)
         lane.getAxis("left").setStyle(showValues=False, tickLength=0)
@@ -132,8 +147,8 @@ class TimeView(QWidget):
         header.addWidget(QLabel("<b>Sonagram and phonemes</b>"))
         header.addStretch(1)
         for box, value, tip in (
-            (self.low, -60, "Amplitude of the darkest colour"),
-            (self.high, 0, "Amplitude of the brightest colour"),
+            (self.low, -60, "Level of the darkest colour; where brightness is linear, the amplitude of that level"),
+            (self.high, 0, "Level of the brightest colour; where brightness is linear, the amplitude of that level"),
         ):
             box.setRange(-120, 0)
             box.setValue(value)
@@ -151,8 +166,13 @@ class TimeView(QWidget):
         footer.setContentsMargins(6, 1, 6, 3)
         self.variable.setToolTip("The variable whose course and extremes are shown")
         self.variable.setMinimumWidth(150)
-        self._extremes.setToolTip("Largest, mean and smallest value since Clear")
-        row: tuple[QWidget, ...] = (QLabel("<b>Variable</b>"), self.variable, self._extremes)
+        self._extremes.setToolTip(
+            "Largest, mean and smallest value of the variable, over all that was heard since Clear (or since the "
+            "sound was opened), however long ago; what a seek in a pause only shows does not count"
+        )
+        self._measured.setToolTip(self._extremes.toolTip())
+        self._measured.setStyleSheet(f"color: {self._theme.faint}")
+        row: tuple[QWidget, ...] = (QLabel("<b>Variable</b>"), self.variable, self._extremes, self._measured)
         footer.setSpacing(8)
         for widget in row:
             footer.addWidget(widget)
@@ -178,10 +198,7 @@ class TimeView(QWidget):
         self.colours.currentTextChanged.connect(lambda _name: self._choose_colours())
         self.variable.currentTextChanged.connect(lambda _name: self._choose_variable())
         self._preset.changed.connect(self._list_variables)
-        self._cursor_label.setVisible(False)
-        self._cursor_label.setStyleSheet(
-            f"color: {self._theme.text}; background: {self._theme.raised}; padding: 2px 5px; border-radius: 3px"
-        )
+        self._plots[0].vb.sigXRangeChanged.connect(lambda *_range: self._draw_course())  # who pans back sees it too
         scene = self._graphics.scene()
         self._proxy = pg.SignalProxy(scene.sigMouseMoved, rateLimit=READOUTS_PER_SECOND, slot=self._on_mouse)
 
@@ -189,12 +206,11 @@ class TimeView(QWidget):
 
     def _choose_colours(self) -> None:
         colours, in_decibels = colours_of(self.colours.currentText()), self.decibels.isChecked()
-        ends = (float(self.low.value()), float(self.high.value())) if in_decibels else (0.0, 1.0)
-        low, high = min(ends), max(ends)
-        for box in (self.low, self.high):
-            box.setEnabled(in_decibels)
+        low, high = sorted((float(self.low.value()), float(self.high.value())))
+        if not in_decibels:
+            low, high = 10 ** (low / 20), 10 ** (high / 20)
         self.sonagram.set_colours(colours, in_decibels, low, high)
-        form = "{:.0f} dB" if in_decibels else "{:.1f}"
+        form = "{:.0f} dB" if in_decibels else "{:.3g}"
         self._colour_bar.draw(colours, *(form.format(value) for value in (low, (low + high) / 2, high)))
 
     # -- the variable -------------------------------------------------------------------------------------
@@ -239,12 +255,13 @@ class TimeView(QWidget):
             self._course.setData([], [])
             return
         values = self._history.features(at)[name]
-        self._course.setData((np.arange(len(at)) - len(at) + 0.5) * FRAME_PERIOD, values, skipFiniteCheck=True)
-        self._fit_course(name)
+        self._course.setData((np.arange(len(at)) - len(at) + 0.5) * FRAME_PERIOD, values, connect="finite")
+        self._fit_course(name, values)
 
-    def _fit_course(self, name: str) -> None:
-        highest, _, lowest = self._history.extremes(name) or (1.0, 0.0, 0.0)
-        wanted = (min(0.0, lowest), _round_up(highest))
+    def _fit_course(self, name: str, drawn: NDArray[np.float32]) -> None:
+        highest, _, lowest = self._history.extremes(name) or (0.0, 0.0, 0.0)
+        wanted = (float(np.fmin.reduce(drawn, initial=min(0.0, lowest))),
+                  _round_up(float(np.fmax.reduce(drawn, initial=highest))))  # fmt: skip
         if wanted != self._course_range:
             self._course_range = wanted
             self._plots[2].setYRange(*wanted, padding=0.02)
@@ -253,21 +270,27 @@ class TimeView(QWidget):
 
     def leaveEvent(self, event: Any) -> None:
         """Hide the read-out when the mouse leaves."""
-        self._cursor_label.setVisible(False)
+        self._mouse = None
+        self._refresh_read_out()
         super().leaveEvent(event)
 
     def _on_mouse(self, event: tuple[QPointF]) -> None:
-        under = [plot for plot in self._plots if plot.vb.sceneBoundingRect().contains(event[0])]
-        text = self._describe(under[0], under[0].vb.mapSceneToView(event[0])) if under else ""
-        self._cursor_label.setVisible(bool(text))
-        self._cursor_label.setText(text)
-        self._cursor_label.adjustSize()
-        self._cursor_label.move(self._graphics.width() - self._cursor_label.width() - 14, 8)
+        self._mouse = event[0]
+        self._refresh_read_out()
+
+    def _refresh_read_out(self) -> None:
+        """Say what lies under the mouse now: it may stand still while the picture moves."""
+        plot = self._plot_at(self._mouse) if self._mouse is not None else None
+        self._cursor_label.tell("" if plot is None else self._describe(plot, plot.vb.mapSceneToView(self._mouse)))
+
+    def _plot_at(self, point: QPointF) -> Any:
+        """Give the plot at a point of the scene, or None."""
+        return next((plot for plot in self._plots if plot.vb.sceneBoundingRect().contains(point)), None)
 
     def _describe(self, plot: Any, point: QPointF) -> str:
         column = self.sonagram.n_drawn + int(np.floor(point.x() / FRAME_PERIOD))
         at = self._history.indices(column, column + 1)
-        if len(at) == 0:
+        if len(at) == 0 or self._history.frames[at[0]] == NOWHERE:
             return ""
         k = int(at[0])
         phoneme = Phoneme(int(self._history.phonemes[k])).label
@@ -277,7 +300,29 @@ class TimeView(QWidget):
             decibels = f"{20 * np.log10(level):.1f} dB" if level > 0 else "−∞ dB"
             return f"{text}   {point.y():.0f} Hz   {level:.4f}   {decibels}"
         name = self.variable.currentText()
-        return f"{text}   {name} {self._history.features(at)[name][0]:.4g}"
+        values = self._history.features(at)
+        return f"{text}   {name} {values[name][0]:.4g}" if name in values.names else text
+
+    def _values_at(self, at: QPoint) -> str:
+        """Give what is seen as a table: on the sonagram its amplitudes, else the chosen variable."""
+        left, right = self._plots[0].vb.viewRange()[0]
+        n, history = self.sonagram.n_drawn, self._history
+        seen = history.indices(n + floor(left / FRAME_PERIOD), n + ceil(right / FRAME_PERIOD))
+        seen = seen[history.frames[seen] != NOWHERE]
+        columns: dict[str, Sequence[object] | NDArray[Any]] = {
+            "time in the sound (s)": history.frames[seen] * FRAME_PERIOD,
+            "phoneme": [Phoneme(code).label for code in history.phonemes[seen].tolist()],
+            "intensity (0..1)": history.intensities[seen],
+        }
+        name = self.variable.currentText()
+        if self._plot_at(self._graphics.mapToScene(at)) is self._plots[0]:
+            low, high = (round(edge / BIN_WIDTH) for edge in self._plots[0].vb.viewRange()[1])
+            bins = range(max(0, low), min(high + 1, history.n_bins))
+            columns |= {f"amplitude at {k * BIN_WIDTH:.1f} Hz": history.spectra[seen, k] for k in bins}
+        elif name in history.names:
+            unit = unit_of(name, self._preset.preset.variables)
+            columns[f"{name} ({unit})"] = history.features(seen)[name]
+        return table_of(columns)
 
 
 def _round_up(value: float) -> float:

@@ -10,12 +10,21 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QApplication, QMessageBox, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QApplication,
+    QMenu,
+    QMessageBox,
+    QToolButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from engine.settings import BIN_WIDTH, SAMPLE_RATE
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.views.plot_menu import PlotMenu
 from tests.conftest import ROOT
 
 CARDS = ROOT / "tests" / "data" / "cards.flac"
@@ -110,6 +119,18 @@ def hover(graphics: pg.GraphicsView, plot: Any, x: float, y: float) -> None:
 def place(graphics: pg.GraphicsView, plot: Any, x: float, y: float) -> QPoint:
     """Give the pixel at which a point of a plot is drawn."""
     return graphics.mapFromScene(plot.vb.mapViewToScene(QPointF(x, y)))
+
+
+def copied(menu: PlotMenu, at: QPoint) -> list[list[str]]:
+    """Copy the values that a plot's menu offers at a point, and give their cells; the first row is the header."""
+    menu.at = at
+    choose(menu, "Copy Values")
+    return [line.split("\t") for line in QApplication.clipboard().text().splitlines()]
+
+
+def choose(menu: QMenu, entry: str) -> None:
+    """Choose an entry of a menu."""
+    next(action for action in menu.actions() if action.text() == entry).trigger()
 
 
 class TimeEyes:

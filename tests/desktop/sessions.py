@@ -3,6 +3,7 @@
 from pytestqt.qtbot import QtBot
 
 from engine.settings import HOP, SAMPLE_RATE
+from phonemeanalyser.models.history import NOWHERE
 from phonemeanalyser.models.session import Session
 from tests.desktop.conftest import SPEECH
 
@@ -11,7 +12,9 @@ DURATION = len(SPEECH) / SAMPLE_RATE
 
 
 def frames(session: Session) -> list[int]:
-    return session.history.frames[session.history.indices(0, session.history.n)].tolist()
+    """Give the frames in the history, without the gaps."""
+    found = session.history.frames[session.history.indices(0, session.history.n)]
+    return found[found != NOWHERE].tolist()
 
 
 def settled(session: Session, qtbot: QtBot) -> None:

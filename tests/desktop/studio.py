@@ -19,6 +19,7 @@ from engine.live.listener import Listener
 from engine.presets.files import THESIS_PRESET
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.models.history import NOWHERE
 from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
 from tests.desktop.hands import press
@@ -109,7 +110,8 @@ class Booth:
     def frames(self) -> list[int]:
         """The numbers of all frames that were gathered."""
         history = self.desktop.session.history
-        return history.frames[history.indices(0, history.n)].tolist() if history.n else []
+        found = history.frames[history.indices(0, history.n)]
+        return found[found != NOWHERE].tolist()
 
     def until(self, true: Callable[[], object], giving: HandDrivenMicrophone | None = None) -> None:
         """Wait, with the window alive, until something is so; a microphone may give silence meanwhile."""

@@ -1,5 +1,6 @@
 """The averaged spectrum, and the curves beside it."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from engine.analyser import Analysis, analyses_of
+from engine.analyser import Analyser, Analysis, analyses_of
 from engine.curves import load_curve
 from engine.errors import CurveError
 from engine.presets.preset import Preset
@@ -34,15 +35,15 @@ def averages(qapp: QApplication) -> AveragesModel:
 def test_it_averages_what_it_is_given(averages: AveragesModel) -> None:
     (whole,) = found(VOWEL)[:1]
     assert averages.n_frames == 30
-    assert averages.current("now", "mine").n_frames == 30
+    assert averages.current("now").n_frames == 30
     assert len(averages.current().amplitudes) == 256
     assert np.isfinite(averages.current().amplitudes).all()
     assert averages.current().amplitudes.max() <= whole.spectra.max()
 
 
 def test_clearing_begins_anew_and_leaves_the_curves(averages: AveragesModel, tmp_path: Path) -> None:
-    averages.save(tmp_path / "a.csv", "front")
-    averages.clear()
+    averages.save(tmp_path / "a.csv")
+    averages.begin("Clear", "sound")
     assert averages.n_frames == 0
     assert [curve.name for curve in averages.curves] == ["a"]
     assert np.isnan(averages.distances()).tolist() == [True]
@@ -50,7 +51,7 @@ def test_clearing_begins_anew_and_leaves_the_curves(averages: AveragesModel, tmp
 
 def test_what_is_saved_is_kept_and_can_be_loaded(averages: AveragesModel, tmp_path: Path, qtbot: QtBot) -> None:
     with qtbot.waitSignal(averages.curves_changed):
-        averages.save(tmp_path / "speaker a.csv", SETTINGS.front_end())
+        averages.save(tmp_path / "speaker a.csv")
     (kept,) = averages.curves
     read = load_curve(tmp_path / "speaker a.csv")
     assert (read.name, read.front_end, read.n_frames) == ("speaker a", "quantise 4 plain", 30)
@@ -61,14 +62,36 @@ def test_what_is_saved_is_kept_and_can_be_loaded(averages: AveragesModel, tmp_pa
     assert averages.distances() == pytest.approx([0, 0], abs=1e-4)
 
 
+def test_a_change_of_the_filters_begins_a_new_mean_and_the_header_says_so(
+    averages: AveragesModel, tmp_path: Path
+) -> None:
+    averages.begin("Play", "voice.wav")
+    analyser = Analyser(Preset(settings=SETTINGS))
+    averages.add(analyser.push(VOWEL))
+    assert averages.since == "Play at 0.00 s of voice.wav"
+    n_before = averages.n_frames
+    analyser.use(Preset(settings=replace(SETTINGS, statistics=False)))
+    averages.add(analyser.push(VOWEL[:4410]))
+    assert averages.n_frames == n_before + 10  # what does not shape a spectrum begins nothing
+    louder = replace(SETTINGS, filters=frozenset({Filter.QUANTISE, Filter.HIGH_PASS}), high_pass_end=300)
+    analyser.use(Preset(settings=louder))
+    averages.add(analyser.finish())
+    averages.save(tmp_path / "a.csv")
+    read = load_curve(tmp_path / "a.csv")
+    assert read.front_end == "quantise 4 plain, high_pass 100-300 Hz"
+    assert read.since.startswith("change of the filters at 0.3")
+    assert read.since.endswith(" s of voice.wav")
+    assert read.n_frames < 10
+
+
 def test_distances_tell_sounds_apart(averages: AveragesModel, tmp_path: Path) -> None:
-    averages.save(tmp_path / "a.csv", "front")
+    averages.save(tmp_path / "a.csv")
     for sound, name in ((noise(0.3), "noise"), (tone(1000, 0.3), "tone")):
-        averages.clear()
+        averages.begin("Clear", "sound")
         for analysis in found(sound):
             averages.add(analysis)
-        averages.save(tmp_path / f"{name}.csv", "front")
-    averages.clear()
+        averages.save(tmp_path / f"{name}.csv")
+    averages.begin("Clear", "sound")
     for analysis in found(VOWEL * np.float32(0.25)):
         averages.add(analysis)
     same, other, third = averages.distances()
@@ -77,7 +100,7 @@ def test_distances_tell_sounds_apart(averages: AveragesModel, tmp_path: Path) ->
 
 
 def test_a_curve_of_another_front_end_can_be_compared(averages: AveragesModel, tmp_path: Path) -> None:
-    averages.save(tmp_path / "coarse.csv", "front")
+    averages.save(tmp_path / "coarse.csv")
     for analysis in found(VOWEL, AnalysisSettings(filters=frozenset())):
         averages.add(analysis)
     assert len(averages.current().amplitudes) == 1024
@@ -86,20 +109,20 @@ def test_a_curve_of_another_front_end_can_be_compared(averages: AveragesModel, t
 
 def test_a_curve_can_be_taken_away(averages: AveragesModel, tmp_path: Path, qtbot: QtBot) -> None:
     for name in "abc":
-        averages.save(tmp_path / f"{name}.csv", "front")
+        averages.save(tmp_path / f"{name}.csv")
     with qtbot.waitSignal(averages.curves_changed):
         averages.remove(1)
     assert [curve.name for curve in averages.curves] == ["a", "c"]
 
 
 def test_a_file_that_is_no_curve_leaves_everything(averages: AveragesModel, tmp_path: Path) -> None:
-    averages.save(tmp_path / "a.csv", "front")
+    averages.save(tmp_path / "a.csv")
     (tmp_path / "bad.csv").write_text("start_s,end_s\n")
     changes: list[None] = []
     averages.curves_changed.connect(lambda: changes.append(None))
     with pytest.raises(CurveError, match=r"^bad\.csv: "):
         averages.load(tmp_path / "bad.csv")
     with pytest.raises(CurveError, match=r"^b\.csv: cannot be written"):
-        averages.save(tmp_path / "nowhere" / "b.csv", "front")
+        averages.save(tmp_path / "nowhere" / "b.csv")
     assert [curve.name for curve in averages.curves] == ["a"]
     assert not changes

@@ -16,11 +16,13 @@ from engine.features.variables import Kind
 from engine.phonemes import Phoneme
 from engine.presets.files import FACTORY, load_preset
 from engine.recognition.rules import Condition, Rule
+from phonemeanalyser import dialogs
 from phonemeanalyser.views.calibration_bench import BenchView
 from phonemeanalyser.views.calibration_confusion import SAID, TAKEN
 from phonemeanalyser.views.calibration_mapping import MappingDialog
 from tests.desktop.calibrating import CONTROL, Calibrator, corpus
-from tests.desktop.hands import LEFT, click, press
+from tests.desktop.hands import LEFT, click, copied, press
+from tests.desktop.hands import choose as choose_entry
 from tests.desktop.studio import Booth, choose
 from tests.microphones import HandDrivenMicrophone
 
@@ -177,7 +179,7 @@ def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrato
     loaded.until(lambda: loaded.model.bench.suggestions)
     loaded.settle()
     best = loaded.model.bench.suggestions[0].variable
-    assert variables.table.item(0, 0).text() == f"+ {best.name}"
+    assert variables.table.item(0, 0).text() == f"+ {best.low:.0f}–{best.high:.0f} Hz {best.kind}"
     table = variables.table
     QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
     click(variables.add)
@@ -187,6 +189,67 @@ def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrato
     assert best.name in {r.variable for r in loaded.model.bench.ranking}
     press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
     assert preset.preset.variables == ()
+
+
+def test_a_suggestion_shows_its_range_and_its_distribution_before_it_is_added(loaded: Calibrator):
+    bench, variables, spread = loaded.model.bench, bench_of(loaded).variables, bench_of(loaded).spread
+    choose(variables.one, "i")
+    choose(variables.other, "u")
+    click(variables.search)
+    loaded.until(lambda: bench.suggestions)
+    loaded.settle()
+    best = bench.suggestions[0]
+    assert bench.shown is best.distribution
+    assert f"{best.variable.kind} of {best.variable.low:.0f}–{best.variable.high:.0f} Hz" in variables.words.text()
+    assert spread.lines == []
+    assert spread.x_of(0) < spread.x_of(best.threshold) < spread.width()
+    rows = copied(spread.menu, QPoint(9, 9))
+    assert rows[0][2] == f"minimum of {best.variable.name} (amplitude)"
+    sounds = {row[0]: float(row[4]) for row in rows[1:]}  # medians
+    assert min(sounds["i"], sounds["u"]) < best.threshold < max(sounds["i"], sounds["u"])
+    table = variables.table
+    row = next(k for k in range(table.rowCount()) if table.item(k, 0).text() == "m_p2")
+    table.setCurrentCell(row, 0)
+    loaded.settle()
+    assert bench.shown is bench.distribution
+    assert not variables.words.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("preset", "can"), [("thesis.toml", False), ("templates.toml", False), ("extended.toml", True)]
+)
+def test_a_suggestion_says_where_the_recogniser_cannot_use_it(loaded: Calibrator, preset: str, can: bool):
+    loaded.booth.desktop.preset.load(FACTORY / preset)
+    loaded.settle()
+    variables = bench_of(loaded).variables
+    choose(variables.one, "i")
+    choose(variables.other, "u")
+    click(variables.search)
+    loaded.until(lambda: loaded.model.bench.suggestions)
+    loaded.settle()
+    assert variables.words.isVisible()
+    recogniser = loaded.booth.desktop.preset.preset.recogniser
+    assert (f"The recogniser {recogniser} cannot use variables of your own" in variables.words.text()) is not can
+
+
+# -- the plots' menus ---------------------------------------------------------------------------------
+
+
+def test_matrix_and_lanes_are_copied_as_tables_and_saved_as_pictures(loaded: Calibrator, monkeypatch, tmp_path):
+    bench = bench_of(loaded)
+    rows = copied(bench.confusion.menu, QPoint(9, 9))
+    assert rows[0][:2] == ["said", "recognised as silence (frames of 10 ms)"]
+    assert sum(int(cell) for row in rows[1:] for cell in row[1:]) == bench.confusion.counts.sum()
+    rows = copied(bench.lanes.menu, QPoint(9, 9))
+    assert rows[0] == ["recording", "time (s)", "said", "recognised"]
+    assert len(rows) > 50
+    monkeypatch.setattr(
+        dialogs.QFileDialog, "getSaveFileName", lambda *a, **_k: (str(tmp_path / Path(a[2]).name), "")
+    )
+    for plot in (bench.spread, bench.confusion, bench.lanes):
+        choose_entry(plot.menu, "Save Picture…")
+    saved = sorted(path.name for path in tmp_path.glob("*.png"))
+    assert saved == ["confusion matrix.png", "distribution.png", "said and recognised.png"]
 
 
 # -- the matrix ---------------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ from engine.features.measure import Features
 from engine.features.variables import Variable
 from engine.presets.preset import Preset
 from engine.settings import BIN_WIDTH, AnalysisSettings, Filter
-from phonemeanalyser.models.history import CAPACITY, MOST_BINS, History, shown_spectra
+from phonemeanalyser.models.history import CAPACITY, GAP, MOST_BINS, NOWHERE, History, shown_spectra
 from tests.sounds import tone
 
 NAMES = ("one", "two")
@@ -103,7 +103,7 @@ def test_a_new_variable_leaves_the_others_as_they_are() -> None:
     assert history.names == ("one", "two", "new")
     indices = history.indices(0, 60)
     np.testing.assert_array_equal(history.features(indices)["two"], 100 + np.arange(60))
-    np.testing.assert_array_equal(history.features(indices)["new"], [0] * 50 + list(range(250, 260)))
+    np.testing.assert_array_equal(history.features(indices)["new"], [np.nan] * 50 + list(range(250, 260)))
     assert history.extremes("one") == (59, pytest.approx(29.5), 0)
     assert history.extremes("new") == (259, pytest.approx(254.5), 250)
 
@@ -159,10 +159,57 @@ def test_the_newest_run_ends_where_the_place_in_the_file_jumps() -> None:
     assert History().newest_run(100) == (0, 0)
 
 
-def test_columns_that_are_taken_back_and_appended_anew_leave_the_older_ones_alone() -> None:
+def test_columns_that_are_written_anew_leave_the_others_and_the_stretch_of_the_extremes_as_they_are() -> None:
     history = filled(CAPACITY + 300)
     before = history.frames[history.indices(300, history.n)].copy()
-    history.take_back(100)
-    history.append(block(CAPACITY + 200, 100))
+    history.rewrite(CAPACITY + 200, block(CAPACITY + 200, 100))
     assert history.n == CAPACITY + 300
     np.testing.assert_array_equal(history.frames[history.indices(300, history.n)], before)
+    mean = np.mean(np.arange(CAPACITY + 300) % 97)
+    assert history.extremes("one") == (96, pytest.approx(mean), 0)
+    assert history.n_measured("one") == CAPACITY + 300
+    risen = replace(block(0, 10), features=Features(NAMES, np.full((10, 2), 1000, np.float32)))
+    history.rewrite(CAPACITY + 290, replace(risen, start=CAPACITY + 290))
+    highest, _, lowest = history.extremes("one") or (0, 0, 0)
+    assert (highest, lowest, history.n_measured("one")) == (1000, 0, CAPACITY + 300)
+    assert history.extremes("two")[2] == 100
+
+
+def test_a_gap_lies_where_the_sound_does_not_go_on() -> None:
+    history = filled(50)
+    history.append(block(50, 10))
+    history.append(block(0, 10))  # as a loop does
+    history.append(block(10, 10))
+    history.append(block(700, 10))  # as a seek does
+    found = history.frames[history.indices(0, history.n)].tolist()
+    gap = [NOWHERE] * GAP
+    assert found == [*range(60), *gap, *range(20), *gap, *range(700, 710)]
+    values = history.features(history.indices(0, history.n))["one"]
+    assert np.flatnonzero(np.isnan(values)).tolist() == [*range(60, 60 + GAP), *range(80 + GAP, 80 + 2 * GAP)]
+    assert history.n_measured("one") == 90
+    assert history.newest_run(100) == (700, 710)
+
+
+def test_what_nobody_heard_counts_for_nothing_and_gives_way() -> None:
+    history = filled(50)
+    before = history.extremes("one")
+    for first, n in ((2000, 96), (300, 40), (1000, 20)):
+        assert history.take_back_unheard() == 50
+        assert history.newest is None
+        history.append(block(first, n), heard=False)
+        assert history.n == 50 + GAP + n
+        assert history.extremes("one") == before
+    history.append(block(1020, 5))
+    assert history.n_measured("one") == 55
+    assert history.frames[history.indices(0, history.n)].tolist()[-25:] == list(range(1000, 1025))
+    for k in range(7):
+        history.append(block(1025 + 1000 * k, 1000))
+    assert history.n_measured("one") == 7055
+
+
+def test_without_the_gap_the_phoneme_would_not_change_there() -> None:
+    history = History()
+    steady = [replace(block(first, 50), phonemes=np.full(50, 3, np.uint8)) for first in (0, 500)]
+    for part in steady:
+        history.append(part)
+    assert history.changes_per_s(3) == 0

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import soundfile
 from pytestqt.qtbot import QtBot
 
 from engine.features.variables import Variable
@@ -14,6 +15,7 @@ from phonemeanalyser.models.session import Session
 from tests.bad_files import BAD_FILES, HOSTILE
 from tests.desktop.sessions import DURATION, N_FRAMES, frames, settled
 from tests.outputs import Outputs
+from tests.sounds import tone
 
 
 def test_without_a_file_nothing_happens(session: Session, model: PresetModel, tmp_path: Path) -> None:
@@ -169,7 +171,7 @@ def test_a_change_while_nothing_plays_shows_in_what_was_heard_last(
     session.rewritten.connect(rewritten.append)
     for name in ("silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1"):
         model.tune(name, 1e6)
-    assert rewritten == [50] * 4
+    assert rewritten == [0] * 4
     assert session.history.n == 50
     np.testing.assert_array_equal(session.history.frames[:50], frames_before)
     assert not session.history.phonemes[:50].any()
@@ -194,6 +196,37 @@ def test_a_place_sought_while_nothing_plays_shows_the_seconds_before_it(session:
     session.seek(0.2)
     assert frames(session) == list(range(20))
     assert session.averages.n_frames == 0
+
+
+def test_what_was_heard_stays_before_a_place_that_is_sought(session: Session, sound: Path) -> None:
+    session.open(sound)
+    session.follow(0.4)
+    before = {name: session.history.extremes(name) for name in session.history.names}
+    phonemes = session.history.phonemes[:40].copy()
+    for seconds, first in ((0.7, 0), (0.2, 0), (0.0, 0)):
+        session.seek(seconds)
+        assert frames(session) == [*range(40), *range(first, round(100 * seconds))]
+        np.testing.assert_array_equal(session.history.phonemes[:40], phonemes)
+        assert {name: session.history.extremes(name) for name in session.history.names} == before
+
+
+def test_the_extremes_are_those_since_clear_though_the_preset_changes_in_a_pause(
+    session: Session, model: PresetModel, tmp_path: Path
+) -> None:
+    loud_first = np.concatenate((tone(1000, 1.0, 0.8), tone(1000, 12.0, 0.1)))
+    soundfile.write(tmp_path / "long.wav", loud_first, SAMPLE_RATE, subtype="FLOAT")
+    session.open(tmp_path / "long.wav")
+    session.follow(13.0)
+    before = session.history.extremes("volume")
+    assert before is not None
+    assert before[0] == pytest.approx(0.8, abs=0.01)
+    model.tune("silence_energy", 0.5)
+    assert session.history.extremes("volume") == pytest.approx(before)
+    model.set_setting("high_pass_end", 400.0)
+    assert session.history.extremes("volume") == pytest.approx(before)
+    assert session.history.n_measured("volume") == session.history.n
+    session.clear()
+    assert session.history.extremes("volume") is None
 
 
 def test_the_sound_card_is_let_go_before_the_next_file_takes_it(

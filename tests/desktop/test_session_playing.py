@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 from engine.audio.output import ClockOutput
 from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
+from phonemeanalyser.models.history import GAP
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
 from tests.desktop.sessions import DURATION, N_FRAMES, frames, settled
@@ -116,10 +117,15 @@ def test_the_average_begins_anew_with_the_sound_and_goes_on_after_a_pause(
     n = session.averages.n_frames
     play(0.2)
     assert session.averages.n_frames > n
+    assert session.averages.since == "Play at 0.00 s of speech.wav"
     session.stop()
     settled(session, qtbot)
     play(0.1)
     assert session.averages.n_frames <= 10
+    session.clear()
+    assert session.averages.since == ""
+    play(0.1)
+    assert session.averages.since.startswith("Clear at 0.1")
 
 
 def test_a_loop_goes_round(session: Session, sound: Path, play: Callable[[float], None], outputs: Outputs) -> None:
@@ -127,7 +133,7 @@ def test_a_loop_goes_round(session: Session, sound: Path, play: Callable[[float]
     session.set_loop(True)
     outputs.last.ahead = SAMPLE_RATE // 4
     session.play()
-    while session.history.n < N_FRAMES + 40:
+    while session.history.n < N_FRAMES + GAP + 40:
         outputs.last.move(400)
         session.tick()
     assert frames(session)[: N_FRAMES + 40] == [*range(N_FRAMES), *range(40)]

@@ -68,7 +68,7 @@ def test_a_dropped_preset_is_loaded(desktop, window, tmp_path):
 
 def test_a_dropped_curve_lies_beside_the_averaged_spectrum(desktop, qtbot, tmp_path):
     window = followed(desktop, qtbot, seconds=1.0)
-    desktop.session.averages.save(tmp_path / "voice.csv", "front end")
+    desktop.session.averages.save(tmp_path / "voice.csv")
     desktop.session.averages.remove(0)
     assert drop(window, tmp_path / "voice.csv")
     assert [curve.name for curve in desktop.session.averages.curves] == ["voice"]

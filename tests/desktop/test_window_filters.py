@@ -105,10 +105,10 @@ def test_every_switch_changes_preset_and_spectra_and_back(desktop, window, speec
     assert desktop.preset.preset == before
 
 
-def test_the_statistics_switch_changes_phonemes_only(desktop, window, speech):
+def test_the_statistics_switch_changes_phonemes_and_the_intensities_of_silence_only(desktop, window, speech):
     before = desktop.preset.preset
     click(window.filters.switches["statistics"])
-    assert differences(speech, before, desktop.preset.preset) == {"phonemes"}
+    assert differences(speech, before, desktop.preset.preset) == {"phonemes", "intensities"}
     click(window.filters.switches["statistics"])
     assert desktop.preset.preset == before
 

@@ -63,7 +63,7 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
 
 def test_another_theme_keeps_loaded_curves(desktop, qtbot, tmp_path):
     followed(desktop, qtbot, seconds=1.0)
-    desktop.session.averages.save(tmp_path / "voice.csv", "front end")
+    desktop.session.averages.save(tmp_path / "voice.csv")
     desktop.set_theme("dark")
     assert len(desktop.window.analysis.averaged.item.curves) == 2
     assert [label.text() for label in desktop.window.analysis.averaged._names] == ["voice Δ 0.0 dB"]

@@ -60,6 +60,17 @@ def test_key_button_and_menu_record(booth: Booth, mic: HandDrivenMicrophone, way
     assert abs((datetime.now() - begun).total_seconds()) < 100
 
 
+def test_the_averaged_spectrum_begins_anew_with_a_recording(booth: Booth, mic: HandDrivenMicrophone):
+    averages = booth.desktop.session.averages
+    booth.hear(mic, known(0, 30))
+    assert (averages.n_frames, averages.since) == (len(booth.frames), "Play at 0.00 s of microphone")
+    n_before = len(booth.frames)
+    booth.record()
+    booth.hear(mic, known(30, 20))
+    assert averages.n_frames == len(booth.frames) - n_before
+    assert averages.since == f"Record at {n_before / 100:.2f} s of microphone"
+
+
 def test_r_makes_room_for_the_microphone_whatever_was_in_use(open_booth: Open, mic: HandDrivenMicrophone):
     booth = open_booth(mic)
     press(booth.window, Qt.Key.Key_Space)

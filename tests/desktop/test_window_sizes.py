@@ -86,7 +86,7 @@ def test_the_window_fits_on_a_small_screen_even_with_a_banner_and_curves(desktop
     window = followed(desktop, qtbot, seconds=1.0)
     window.dialogs.open_sound(tmp_path / "there is no such file.wav")
     for k in range(3):
-        desktop.session.averages.save(tmp_path / f"speaker {k}.csv", "front end")
+        desktop.session.averages.save(tmp_path / f"speaker {k}.csv")
     click(window.analysis.averaged.measure)
     window.drawing.refresh_all()
     qtbot.wait(50)

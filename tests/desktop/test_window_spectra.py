@@ -1,16 +1,20 @@
 """The live and the averaged spectrum and the waveform: what their controls and their cursor do."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QToolButton
 
 from engine.curves import load_curve
 from engine.settings import BIN_WIDTH, Filter
 from phonemeanalyser import dialogs
-from tests.desktop.hands import ON_BIN, button, click, followed, hover, press, shown, wav
+from phonemeanalyser.views.plot_menu import PlotMenu
+from tests.desktop.hands import LEFT, ON_BIN, button, choose, click, copied, followed, hover, press, shown, wav
 from tests.sounds import noise, tone
 
 SECONDS = 1.0
@@ -142,6 +146,119 @@ def test_other_settings_change_the_axis(desktop, window):
     x, _ = curve(window.analysis.spectrum)
     assert len(x) == 1024
     assert window.analysis.spectrum.item.viewRange()[0][1] == pytest.approx(22050, abs=30)
+
+
+def test_under_a_still_mouse_the_read_out_follows_the_picture(window, qtbot):
+    for view, x in ((window.analysis.spectrum, ON_BIN), (window.analysis.averaged, ON_BIN)):
+        hover(view.graphics, view.item, x, 0.3)
+        qtbot.waitUntil(view._cursor_label.isVisible, timeout=30_000)
+        before = view._cursor_label.text()
+        view.draw(np.full(256, 0.25, np.float32))
+        assert view._cursor_label.text() != before
+        assert "0.2500   -12.0 dB" in view._cursor_label.text()
+    waveform = window.analysis.waveform
+    hover(waveform.graphics, waveform.item, 20, 0)
+    qtbot.waitUntil(waveform._cursor_label.isVisible, timeout=30_000)
+    waveform.draw(np.full(512, -0.125, np.float32))
+    assert waveform._cursor_label.text().endswith("ms   -0.1250")
+
+
+# -- the menu of the plots ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["spectrum", "averaged", "waveform", "time_view"])
+def test_a_right_click_opens_the_menu(window, monkeypatch, name):
+    view = getattr(window.analysis, name)
+    opened = []
+    monkeypatch.setattr(PlotMenu, "popup", lambda menu, _at: opened.append([a.text() for a in menu.actions()]))
+    viewport = view.menu.parent().viewport()
+    at = viewport.rect().center()
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, viewport.mapToGlobal(at))
+    QApplication.sendEvent(viewport, event)
+    assert opened == [["Reset Zoom", "Copy Values", "Copy Picture", "Save Picture…"]]
+
+
+@pytest.mark.parametrize("name", ["spectrum", "averaged", "waveform"])
+@pytest.mark.parametrize("by_mouse", [True, False])
+def test_a_zoom_is_taken_back(window, name, by_mouse):
+    view = getattr(window.analysis, name)
+    whole = np.array(view.item.viewRange())
+    view.item.vb.scaleBy((0.3, 0.3))
+    assert not np.allclose(view.item.viewRange(), whole)
+    if by_mouse:
+        QTest.mouseDClick(view.graphics.viewport(), LEFT)
+    else:
+        choose(view.menu, "Reset Zoom")
+    assert np.allclose(view.item.viewRange(), whole)
+
+
+def test_a_spectrum_s_values_are_a_table_with_units(view):
+    rows = copied(view.menu, QPoint(9, 9))
+    assert rows[0] == ["frequency (Hz)", "amplitude (linear)", "level (dB)"]
+    assert len(rows) == 1 + 256
+    hertz, amplitude, level = map(float, rows[1 + 46])
+    assert hertz == pytest.approx(ON_BIN, abs=0.01)
+    assert amplitude == pytest.approx(0.5, abs=0.03)
+    assert level == pytest.approx(20 * np.log10(amplitude), abs=0.01)
+
+
+def test_curves_stand_beside_the_mean_in_its_table(desktop, window, monkeypatch, tmp_path):
+    choose_save(window, monkeypatch, tmp_path / "tone")
+    desktop.preset.set_setting("quantise", 1)
+    desktop.session.follow(0.3)
+    window.drawing.refresh_all()
+    rows = copied(window.analysis.averaged.menu, QPoint(9, 9))
+    assert rows[0][3:] == ["1 tone, amplitude (linear)"]
+    assert len(rows) == 1 + 1024
+    assert float(rows[1 + 46][3]) == pytest.approx(0.5, abs=0.03)
+    assert rows[-1][3] == ""
+
+
+def test_the_waveform_s_values_are_a_table_with_units(window):
+    rows = copied(window.analysis.waveform.menu, QPoint(9, 9))
+    assert rows[0] == ["time in the window (ms)", "amplitude (full scale 1)"]
+    assert len(rows) == 1 + 512
+    assert max(float(row[1]) for row in rows[1:]) == pytest.approx(0.5, abs=0.01)
+
+
+def test_the_picture_is_copied_and_saved(window, monkeypatch, tmp_path):
+    asked = []
+
+    def answer(_parent, _title, suggested, _filter):
+        asked.append(Path(suggested).name)
+        return str(tmp_path / "mine"), ""
+
+    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", answer)
+    for name in ("spectrum", "averaged", "waveform", "time_view"):
+        menu = getattr(window.analysis, name).menu
+        choose(menu, "Copy Picture")
+        copy = QApplication.clipboard().image()
+        assert (copy.width(), copy.height()) == (menu.parent().width(), menu.parent().height())
+        choose(menu, "Save Picture…")
+    assert asked == ["spectrum.png", "averaged spectrum.png", "waveform.png", "sonagram.png"]
+    assert sorted(path.name for path in tmp_path.glob("mine*")) == [
+        "mine (2).png", "mine (3).png", "mine (4).png", "mine.png",
+    ]  # fmt: skip
+    saved = QImage(str(tmp_path / "mine (4).png"))
+    assert saved.size() == window.analysis.time_view.menu.parent().size()
+    assert not window.banner.isVisible()
+
+
+def test_a_picture_that_cannot_be_saved_is_said(window, monkeypatch, tmp_path):
+    monkeypatch.setattr(
+        dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: (str(tmp_path / "nowhere" / "a.png"), "")
+    )
+    choose(window.analysis.spectrum.menu, "Save Picture…")
+    assert window.banner.label.text().startswith("a.png: cannot be written (")
+
+
+def test_the_mean_says_of_how_much_it_is_since_when(desktop, window):
+    view = window.analysis.averaged
+    assert view._since.text() == "mean of 0.8 s since Opening"
+    assert "80 frames since Opening at 0.00 s of sound.wav; quantise 4 plain" in view.heading.toolTip()
+    press(window, Qt.Key.Key_C)
+    assert view._since.text() == ""
+    assert "frames" not in view.heading.toolTip()
 
 
 # -- curves -------------------------------------------------------------------------------------------

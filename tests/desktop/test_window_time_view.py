@@ -7,6 +7,7 @@ import pyqtgraph as pg
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from engine.analyser import analyses_of
@@ -18,7 +19,19 @@ from phonemeanalyser.models.history import CAPACITY
 from phonemeanalyser.theme import PHONEME_COLOURS
 from phonemeanalyser.views.colour_bar import ColourBar
 from phonemeanalyser.views.sonagram import COLOUR_MAPS, colours_of
-from tests.desktop.hands import ON_BIN, TimeEyes, click, followed, hover, press, shown, type_number, wav
+from tests.desktop.hands import (
+    ON_BIN,
+    TimeEyes,
+    click,
+    copied,
+    followed,
+    hover,
+    place,
+    press,
+    shown,
+    type_number,
+    wav,
+)
 from tests.sounds import tone
 
 GREY = "grey"
@@ -47,6 +60,17 @@ def test_a_tone_is_a_bright_line_at_its_frequency_for_as_long_as_it_was_heard(wi
     nothing = QColor(window.theme.base)
     assert eyes.colour(eyes.sonagram, -2.5, ON_BIN) == nothing
     assert eyes.colour(eyes.sonagram, -1.0, ON_BIN) != nothing
+
+
+def test_the_range_acts_where_brightness_is_linear_too(close):
+    click(close.analysis.time_view.decibels)
+    lightness = []
+    for low, high in ((-60, 0), (-60, -6), (-60, -14), (-26, -14), (-20, 0)):
+        type_number(close.analysis.time_view.low, str(low))
+        type_number(close.analysis.time_view.high, str(high))
+        eyes = TimeEyes(close)
+        lightness.append(eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness())
+    assert lightness == pytest.approx([25, 51, 127, 85, 0], abs=6)
 
 
 @pytest.mark.parametrize(("in_decibels", "lightness"), [(True, 255 * 40 / 60), (False, 25.5)])
@@ -94,7 +118,7 @@ def test_the_colour_bar_names_the_range(window):
     window.analysis.time_view.low.setValue(-80)
     assert bar._labels == ("0 dB", "-40 dB", "-80 dB")
     click(window.analysis.time_view.decibels)
-    assert bar._labels == ("1.0", "0.5", "0.0")
+    assert bar._labels == ("1", "0.5", "0.0001")
 
 
 def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbot):
@@ -169,6 +193,65 @@ def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
     assert float(label.text().split(" s")[0]) == pytest.approx(1.5, abs=0.025)
 
 
+def test_under_a_still_mouse_the_read_out_follows_the_moving_picture(desktop, window, qtbot):
+    eyes = TimeEyes(window)
+    hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
+    label = window.analysis.time_view._cursor_label
+    qtbot.waitUntil(label.isVisible, timeout=30_000)
+    assert float(label.text().split(" s")[0]) == pytest.approx(1.0, abs=0.025)
+    findings, session = desktop.session.findings, desktop.session
+    findings.follow(session.path, session.channel, 96)
+    window.drawing.refresh_all()
+    assert label.text() == ""  # it lies in the gap before what begins anew
+    findings.follow(session.path, session.channel, 30)
+    window.drawing.refresh_all()
+    assert float(label.text().split(" s")[0]) == pytest.approx(0.36, abs=0.025)
+
+
+# -- zooming and what the menu does -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("step", "highest"), [(4, 5512.5), (2, 11_025), (1, 22_050)])
+def test_the_zoom_ends_where_the_analysis_ends(desktop, window, step, highest):
+    desktop.preset.set_setting("quantise", step)
+    window.drawing.refresh_all()
+    sonagram = TimeEyes(window).sonagram
+    sonagram.setYRange(-500, 30_000, padding=0)
+    assert sonagram.viewRange()[1] == pytest.approx([0, highest])
+
+
+def test_a_double_click_shows_the_whole_again(window):
+    eyes = TimeEyes(window)
+    eyes.sonagram.setYRange(900, 1100, padding=0)
+    eyes.sonagram.setXRange(-1, -0.5, padding=0)
+    QTest.mouseDClick(
+        eyes.graphics.viewport(), Qt.MouseButton.LeftButton, pos=place(eyes.graphics, eyes.sonagram, -0.7, ON_BIN)
+    )
+    assert eyes.sonagram.viewRange()[1] == pytest.approx([0, 5512.5])
+    assert eyes.sonagram.viewRange()[0] == pytest.approx([-6, 0])
+
+
+def test_the_sonagram_s_values_are_a_table_of_what_is_seen(desktop, window):
+    eyes = TimeEyes(window)
+    eyes.sonagram.setYRange(950, 1030, padding=0)
+    eyes.sonagram.setXRange(-1, -0.5, padding=0)
+    rows = copied(window.analysis.time_view.menu, place(eyes.graphics, eyes.sonagram, -0.7, ON_BIN))
+    assert rows[0][:3] == ["time in the sound (s)", "phoneme", "intensity (0..1)"]
+    assert f"amplitude at {ON_BIN:.1f} Hz" in rows[0]
+    assert [float(row[0]) for row in rows[1:]] == pytest.approx(np.arange(100, 150) / 100)
+    column = rows[0].index(f"amplitude at {ON_BIN:.1f} Hz")
+    assert [float(row[column]) for row in rows[1:]] == pytest.approx([0.1] * 50, abs=0.01)
+
+
+def test_the_course_s_values_are_a_table_with_its_unit(window):
+    window.analysis.time_view.variable.setCurrentText("zero_crossings")
+    eyes = TimeEyes(window)
+    rows = copied(window.analysis.time_view.menu, place(eyes.graphics, eyes.course, -0.7, 10))
+    assert rows[0] == ["time in the sound (s)", "phoneme", "intensity (0..1)", "zero_crossings (per window)"]
+    assert len(rows) == 1 + 200
+    assert float(rows[100][3]) == pytest.approx(2 * ON_BIN * 2048 / 44_100, abs=1)
+
+
 # -- phonemes and variables ---------------------------------------------------------------------------
 
 
@@ -209,6 +292,38 @@ def test_the_course_is_the_variable_over_time(desktop, qtbot):
         assert x[-1] == pytest.approx(-FRAME_PERIOD / 2)
         assert TimeEyes(window).course.viewRange()[1][1] >= y.max()
         assert TimeEyes(window).course.getAxis("left").labelText == name.replace("_", " ")
+
+
+def test_in_a_pause_the_course_is_drawn_anew_where_one_pans_and_when_the_preset_changes(desktop, qtbot, tmp_path):
+    window = followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, 20, 0.5)), 20.0)
+    window.drawing.timer.stop()
+    history, sonagram = desktop.session.history, TimeEyes(window).sonagram
+    course = next(i for i in TimeEyes(window).course.items if isinstance(i, pg.PlotCurveItem))
+    sonagram.setXRange(-18, -12, padding=0)
+    x, y = course.getData()
+    assert x[0] < -17.9
+    assert np.array_equal(y, history.features(history.indices(history.n - len(y), history.n))["energy"])
+    before = y[-500:].copy()
+    desktop.preset.set_setting("high_pass_end", 2000.0)
+    _, y = course.getData()
+    assert len(y) > 1790
+    assert np.array_equal(y, history.features(history.indices(history.n - len(y), history.n))["energy"])
+    assert (y[-500:] < 0.9 * before).all()
+    window.analysis.time_view.variable.setCurrentText("volume")
+    assert course.getData()[1] == pytest.approx(0.5, abs=0.01)
+
+
+def test_a_gap_is_empty_in_sonagram_lane_and_course(desktop, qtbot, tmp_path):
+    window = followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, 3, 0.5)), 2.0)
+    desktop.session.seek(1.0)
+    window.drawing.refresh_all()
+    eyes, nothing = TimeEyes(window), QColor(window.theme.base)
+    for seconds, empty in ((-0.5, False), (-1.05, True), (-2.0, False), (-3.05, False), (-3.2, True)):
+        for plot, y in ((eyes.sonagram, ON_BIN), (eyes.lane, 0.95)):
+            assert (eyes.colour(plot, seconds, y) == nothing) is empty, seconds
+    course = next(i for i in eyes.course.items if isinstance(i, pg.PlotCurveItem))
+    x, y = course.getData()
+    assert x[np.isnan(y)] == pytest.approx(-1 - np.arange(9.5, 0, -1) / 100)
 
 
 def test_the_thresholds_of_the_chosen_variable_are_lines(desktop, qtbot):

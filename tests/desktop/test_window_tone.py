@@ -87,7 +87,7 @@ def test_white_noise_is_flat_and_pink_noise_falls(desktop, window, heard):
     for kind in ("white noise", "pink noise"):
         choose(window.transport.tone.kind, kind)
         heard()
-        desktop.session.averages.clear()
+        desktop.session.averages.begin("Clear", "sound")
         heard(60)
         mean = desktop.session.averages.current().amplitudes
         low, high = (np.mean(mean[round(at / BIN_WIDTH) : round(2 * at / BIN_WIDTH)]) for at in (300, 1200))

@@ -112,6 +112,20 @@ def test_cancel_adds_nothing(desktop, window, monkeypatch):
     assert not window.banner.isVisible()
 
 
+@pytest.mark.parametrize(("start", "end"), [(3000, 4500), (1200, 2500), (4000, 300)])
+def test_a_drag_anywhere_in_the_plot_draws_the_range(window, monkeypatch, start, end):
+    offered = will_answer(monkeypatch, "my_hiss", accepted=False)
+    view = window.analysis.averaged
+    seen = view.item.viewRange()
+    click(view.measure)
+    pull(view, start, end)
+    click(view.measure)
+    assert offered == [pytest.approx(sorted((start, end)), abs=60)]
+    assert view.item.viewRange() == seen
+    pull(view, start, end)
+    assert view.region.getRegion() == pytest.approx(sorted((start, end)), abs=60)  # the drag draws no more
+
+
 def test_the_key_v_marks_too(desktop, window, monkeypatch):
     will_answer(monkeypatch, "my_hiss")
     press(window, Qt.Key.Key_V)

@@ -174,6 +174,17 @@ def test_silence_is_recognised_as_silence():
     assert analysed([silence(0.3)], THESIS)["intensities"].max() == 0
 
 
+@pytest.mark.parametrize("statistics", [True, False])
+def test_what_is_silence_has_no_intensity_however_loud_it_is(statistics: bool):
+    deaf = Thresholds(silence_zero_crossings=300, silence_energy=1e6, silence_max_energy=1e6, silence_szsch1=1e6)
+    preset = Preset(settings=AnalysisSettings(statistics=statistics), thresholds=deaf)
+    found = analysed([np.concatenate((tone(441, 0.3, 0.5), noise(0.3, 0.5)))], preset)
+    quiet = found["phonemes"] == Phoneme.SILENCE
+    assert 20 < np.count_nonzero(quiet) < 40
+    assert not found["intensities"][quiet].any()
+    assert (found["intensities"][~quiet] > 0.5).all()
+
+
 def test_intensity_rises_from_the_low_level_to_the_high_one():
     levels = (10 ** (np.array([-90, -45, -25.5, -6, 0]) / 20)).astype(np.float32)
     np.testing.assert_allclose(intensities_of(levels, -45, -6), [0, 0, 0.5, 1, 1], atol=1e-5)

@@ -13,7 +13,7 @@ from engine.analyser import analyses_of
 from engine.curves import Curve, SpectrumAverage, distance_of, load_curve, save_curve
 from engine.errors import CurveError
 from engine.presets.preset import Preset
-from engine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter
+from engine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.sounds import Sound, noise, tone, vowel
 
 COARSE = AnalysisSettings(filters=frozenset({Filter.QUANTISE}), quantise=4, decimation=Decimation.ANTI_ALIASED)
@@ -287,3 +287,32 @@ def test_an_old_curve_stays_until_the_new_one_is_complete(tmp_path: Path, monkey
         save_curve(curve_of(SPEECH, COARSE, "new"), path)
     assert load_curve(path).name == "old"
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_curve_says_since_when_it_was_averaged(tmp_path: Path) -> None:
+    average = SpectrumAverage()
+    average.add(spectra([1, 2]))
+    save_curve(average.curve("a", "bare", "Record at 0.00 s of microphone"), tmp_path / "a.csv")
+    assert load_curve(tmp_path / "a.csv").since == "Record at 0.00 s of microphone"
+    save_curve(average.curve("a", "bare"), tmp_path / "old.csv")
+    assert load_curve(tmp_path / "old.csv").since == ""
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"high_pass_end": 151.0}, "high_pass 100-151 Hz"),
+        ({"window_function": WindowFunction.HANN}, "window hann"),
+        ({"time_smooth": 0.5}, "time_smooth 0.5"),
+        ({"denoise_threshold": 1e-4}, "denoise 0.0001"),
+        ({"mel_bands": 24}, "mel 24 bands"),
+        ({"pre_emphasis": 0.9}, "pre_emphasis 0.9"),
+    ],
+)
+def test_a_front_end_is_described_with_all_that_shapes_a_spectrum(change: dict[str, object], words: str) -> None:
+    everything = AnalysisSettings(filters=frozenset(Filter))
+    changed = replace(everything, **change)
+    assert words in changed.front_end().split(", ")
+    assert changed.front_end() != everything.front_end()
+    without = frozenset(f for f in Filter if words.split(maxsplit=1)[0] not in f.value)
+    assert words not in replace(changed, filters=without).front_end()

@@ -127,7 +127,7 @@ def test_a_variable_over_the_mel_spectrum_covers_the_bands_of_its_range():
 
 
 def test_energy_is_measured_before_denoising_and_normalising():
-    settings = AnalysisSettings(denoise_threshold=1.0)
+    settings = AnalysisSettings().with_numbers(denoise_threshold=1.0)
     features = analysed(tone(100 * BIN_WIDTH, 0.2, 0.5), settings=settings).features
     np.testing.assert_allclose(features["max_energy"][3:-3], 0.5, rtol=1e-3)
     np.testing.assert_allclose(features["energy"][3:-3], 0.5, rtol=0.05)

@@ -9,7 +9,7 @@ import soundfile
 
 from engine.dsp.framing import Framer
 from engine.dsp.pitch import fundamental_of
-from engine.settings import FRAME_PERIOD, SAMPLE_RATE
+from engine.settings import FRAME_PERIOD, SAMPLE_RATE, WINDOW
 from tests.sounds import Sound, noise, silence, tone, vowel
 
 FREQUENCIES = (70, 75, 80, 97.3, 120, 150, 180, 220, 261.6, 300, 350, 400, 440, 480)
@@ -88,9 +88,31 @@ def test_what_is_hardly_there_has_no_fundamental():
     assert not fundamental_in(tone(200, 0.2, 0.0005)).any()
 
 
-def test_a_tone_beyond_the_range_of_voices_is_not_called_itself():
-    found = fundamental_in(tone(1000, 0.2, 0.5))
-    assert found.max() <= 510
+def sine_windows(frequency: float, loudness: float) -> Sound:
+    """Give windows of a sine at twelve phases."""
+    phases = np.arange(12)[:, np.newaxis] * (2 * np.pi / 12)
+    return (loudness * np.sin(2 * np.pi * frequency * np.arange(WINDOW) / SAMPLE_RATE + phases)).astype(np.float32)
+
+
+def each_alone(windows: Sound) -> Sound:
+    return np.concatenate([fundamental_of(window[np.newaxis]) for window in windows])
+
+
+@pytest.mark.parametrize("loudness", [0.05, 1.0])
+def test_a_tone_beyond_the_range_of_voices_is_no_voice_at_any_phase(loudness: float):
+    frequencies = [505, 517, 550, 600, 700, 750, 909, 1000, 1001, 1250, 1750, 1999, 2010, 2500, 3000, 4256, 5000]
+    voiced = [f for f in frequencies if each_alone(sine_windows(f, loudness)).any()]
+    assert voiced == []
+
+
+@pytest.mark.parametrize("frequency", [60, 61, 65, 490, 495, 499, 500])
+def test_a_tone_at_the_ends_of_the_range_has_its_own_frequency_at_any_phase(frequency: float):
+    np.testing.assert_allclose(each_alone(sine_windows(frequency, 0.5)), frequency, rtol=0.005)
+
+
+@pytest.mark.parametrize("frequency", [20, 30, 40, 50, 57])
+def test_a_hum_below_the_range_of_voices_is_no_voice(frequency: float):
+    assert not each_alone(sine_windows(frequency, 0.5)).any()
 
 
 @pytest.mark.parametrize("frequency", [100, 220])

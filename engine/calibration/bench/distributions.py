@@ -96,7 +96,12 @@ def distribution_of(
     CorpusError : the variable was not measured.
     """
     certain = workbench.labels.certain
-    values, phonemes = workbench.values(variable, sensitivities)[certain], workbench.labels.phonemes[certain]
+    values = workbench.values(variable, sensitivities)
+    return distribution_in(variable, values[certain], workbench.labels.phonemes[certain])
+
+
+def distribution_in(variable: str, values: NDArray[np.float32], phonemes: Codes) -> Distribution:
+    """Give the distribution of a variable over frames: its values, and what is said; both (n_frames,)."""
     logarithmic = variable not in NO_AMPLITUDES and _spans_decades(values)
     edges = _edges_over(values, logarithmic=logarithmic)
     present = [p for p in Phoneme if np.any(phonemes == p)]

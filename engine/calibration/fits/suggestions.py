@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.calibration.bench.distributions import Distribution, distribution_in
 from engine.calibration.bench.separation import best_threshold, separation_of
 from engine.calibration.bench.workbench import Workbench
 from engine.calibration.fits.spectrum_sample import SpectrumSample, sampled_spectra
@@ -43,11 +44,13 @@ class Suggestion:
     variable : the variable, whose name is still free.
     separation : how well it parts what was asked for, 0.5..1.
     threshold : where it parts them best.
+    distribution : how it is spread over each phoneme, in the frames that were looked at.
     """
 
     variable: Variable
     separation: float
     threshold: float
+    distribution: Distribution
 
 
 @dataclass(frozen=True)
@@ -112,7 +115,9 @@ def suggestions_from(
         name = _free_name(best, preset, [s.variable for s in suggestions], one, other)
         own, others = (best.measured(side) for side in sides[best.source])
         variable = Variable(name, *_hertz(best), best.kind, best.source)
-        suggestions.append(Suggestion(variable, best.separation, float(f"{best_threshold(own, others):.4g}")))
+        threshold = float(f"{best_threshold(own, others):.4g}")
+        spread = distribution_in(name, best.measured(sample.spectra[best.source]), sample.phonemes)
+        suggestions.append(Suggestion(variable, best.separation, threshold, spread))
     return tuple(suggestions)
 
 

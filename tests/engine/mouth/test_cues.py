@@ -102,6 +102,11 @@ def test_intensities_are_means_over_time() -> None:
     assert cue.intensity == pytest.approx((0.305 * 0.9 + 0.105 * 0.5) / 0.41)
 
 
+def test_a_silence_that_swallowed_a_flicker_has_no_intensity() -> None:
+    (cue,) = cues_of([Run(0, 0.3, SILENCE, 0.0), Run(0.3, 0.31, A, 0.9), Run(0.31, 0.41, SILENCE, 0.0)], TABLE)
+    assert (cue.phoneme, cue.intensity) == (SILENCE, 0)
+
+
 phonemes = st.sampled_from(list(Phoneme))
 speech = st.lists(st.tuples(phonemes, st.integers(1, 40).map(lambda n: 10 * n)), min_size=1, max_size=60)
 

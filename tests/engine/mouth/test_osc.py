@@ -101,6 +101,15 @@ def test_a_mouth_that_is_asked_to_open_is_shut_at_the_end(receiver: Receiver) ->
     assert receiver.of("/phoneme")[-1][0] == "silence"
 
 
+def test_silence_that_is_asked_for_has_no_intensity(receiver: Receiver) -> None:
+    with mouth_to(receiver) as mouth, speaking(mouth, Phoneme.A, 0.7):
+        wait_for(lambda: ("a", pytest.approx(0.7)) in receiver.of("/phoneme"), "what is heard")
+        n = len(receiver.of("/phoneme"))
+        mouth.ask({Phoneme.SILENCE: 1.0})
+        wait_for(lambda: "silence" in dict(receiver.of("/phoneme")[n:]), "what is asked for")
+    assert {loud for name, loud in receiver.of("/phoneme") if name == "silence"} == {0.0}
+
+
 def test_weights_are_applied_after_all_of_them_were_sent(receiver: Receiver) -> None:
     with mouth_to(receiver):
         wait_for(lambda: len(receiver.of("/VMC/Ext/Blend/Apply")) >= 3, "three pictures")

@@ -1,0 +1,78 @@
+"""The context menu of every plot: back to the whole, its values as a table, and its picture."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QPixmap
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QMenu, QWidget
+
+Reset = Callable[[], object]
+
+
+class PlotMenu(QMenu):
+    """Opens where a plot is right-clicked; a double click resets the zoom, where there is one.
+
+    Parameters
+    ----------
+    plot : what is drawn on.
+    name : what its picture is called.
+    values : gives, as tab-separated text, what lies where the menu was opened (a point of the plot, pixels).
+    reset : shows the whole again.
+
+    Attributes
+    ----------
+    at : where it was opened, a point of the plot.
+
+    Signals
+    -------
+    save_asked : the user wants to save this picture, of this name.
+    """
+
+    save_asked = Signal(QPixmap, str)
+
+    def __init__(
+        self, plot: QWidget, name: str, values: Callable[[QPoint], str], reset: Reset | None = None
+    ) -> None:  # fmt: skip
+        super().__init__(plot)
+        self._plot, self._name = plot, name
+        self._values, self._reset = values, reset
+        self.at = QPoint()
+        if reset is not None:
+            self.addAction("Reset Zoom", reset)
+            surface = plot.viewport() if isinstance(plot, QAbstractScrollArea) else plot
+            surface.installEventFilter(self)
+        self.addAction("Copy Values", self._copy_values)
+        self.addAction("Copy Picture", lambda: QApplication.clipboard().setPixmap(plot.grab()))
+        self.addAction("Save Picture…", lambda: self.save_asked.emit(plot.grab(), name))
+        plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        plot.customContextMenuRequested.connect(self.open_at)
+
+    def open_at(self, at: QPoint) -> None:
+        """Open at a point of the plot."""
+        self.at = at
+        self.popup(self._plot.mapToGlobal(at))
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        """Reset the zoom at a double click."""
+        if not (isinstance(event, QMouseEvent) and event.type() == QEvent.Type.MouseButtonDblClick):
+            return False
+        if event.button() == Qt.MouseButton.LeftButton and self._reset is not None:
+            self._reset()
+        return True
+
+    def _copy_values(self) -> None:
+        QApplication.clipboard().setText(self._values(self.at))
+
+
+def table_of(columns: Mapping[str, Sequence[object] | np.ndarray]) -> str:
+    """Write columns of equal length, each under its name and unit, as tab-separated text; NaN is an empty cell."""
+    rows = zip(*columns.values(), strict=True)
+    lines = ["\t".join(columns), *("\t".join(map(_cell, row)) for row in rows)]
+    return "\n".join(lines) + "\n"
+
+
+def _cell(value: object) -> str:
+    if not isinstance(value, (float, np.floating)):
+        return str(value)
+    return "" if np.isnan(value) else f"{value:.6g}"
