@@ -36,6 +36,7 @@ _INTENSITY = ("intensity_low", "intensity_high")
 _AHEAD = ("look_ahead", "live_look_ahead")
 _PLAIN = (
     "format", "name", "recogniser", *_AHEAD, "model", "notes", "variables", "rules", "successors", "templates",
+    "sensitivities",
 )  # fmt: skip
 _TABLES = ("front_end", "phoneme_data", "statistics", "intensity")
 _VARIABLE = ("name", "low", "high", "kind", "source")
@@ -48,7 +49,7 @@ _TYPES: dict[str, type] = {
     **dict.fromkeys(_CHOICES, str),
     **dict.fromkeys(("variables", "filters", "rules", "conditions"), list),
     **dict.fromkeys(("quantise", "mel_bands"), int),
-    **dict.fromkeys(("successors", "templates"), dict),
+    **dict.fromkeys(("successors", "templates", "sensitivities"), dict),
     "statistics": bool,
 }
 PHONEME_NAMES = {p.label: p for p in Phoneme}
@@ -73,6 +74,7 @@ def preset_to_toml(preset: Preset, model: str = "") -> str:
         "statistics": {name: getattr(settings, name) for name in _STATISTICS},
         "intensity": {name: getattr(settings, name) for name in _INTENSITY},
         "successors": {p.label: q.label for p, q in preset.successors.items()},
+        **({"sensitivities": _table_of_sensitivities(preset)} if preset.sensitivities else {}),
         "variables": [_document_of(variable) for variable in preset.variables],
         "rules": [
             {"phoneme": rule.phoneme.label, "conditions": [str(c) for c in rule.conditions]} for rule in preset.rules
@@ -122,6 +124,7 @@ def _preset_of(document: dict[str, Any], folder: Path) -> Preset:
         model=_model_of(texts["model"], folder) if texts.get("model") else None,
         rules=tuple(_rule_of(entry) for entry in texts.get("rules", [])),
         templates=templates_of_table(texts["templates"]) if "templates" in texts else None,
+        sensitivities=_sensitivities_of(texts.get("sensitivities", {})),
         successors=_successors_of(texts.get("successors", {})),
         notes=texts.get("notes", ""),
     )
@@ -203,6 +206,17 @@ def _condition_of(text: Any) -> Condition:
             f"a condition of a rule is a variable, < or >, and a number, such as m_a1 < 3.5; found {_shown(text)}"
         )
     return Condition(found[1], found[2], limit=limit)
+
+
+def _table_of_sensitivities(preset: Preset) -> dict[str, float]:
+    return {p.label: float(preset.sensitivities[p]) for p in Phoneme if p in preset.sensitivities}
+
+
+def _sensitivities_of(table: dict[str, Any]) -> dict[Phoneme, float]:
+    for name in table:
+        if name not in PHONEME_NAMES:
+            raise PresetError(f"[sensitivities] knows no phoneme {name!r:.60}; known are {', '.join(PHONEME_NAMES)}")
+    return {PHONEME_NAMES[name]: float(value) for name, value in _checked(table).items()}
 
 
 def _successors_of(table: dict[str, Any]) -> dict[Phoneme, Phoneme]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
+from types import MappingProxyType
 
 from engine.errors import PresetError
 from engine.features.variables import BUILT_IN_NAMES, Variable, check_user_variables
@@ -10,6 +11,7 @@ from engine.recognition.model import Model
 from engine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, Thresholds
 from engine.recognition.recogniser import Tuning, check_recogniser
 from engine.recognition.rules import Rule
+from engine.recognition.scores import check_sensitivities
 from engine.recognition.statistics import SUCCESSORS
 from engine.recognition.templates import Templates
 from engine.settings import BIN_WIDTH, AnalysisSettings
@@ -31,6 +33,7 @@ class Preset:
     rules : what the recogniser "rules" asks, in this order; each condition compares a variable with a number.
     model : what the recogniser "learned" knows.
     templates : what the recogniser "templates" compares with.
+    sensitivities : by phoneme, log-odds in nats that "learned" and "templates" add to those of the phoneme, -10..10.
     successors : what replaces an unidentified frame after each phoneme.
     notes : free text.
 
@@ -48,12 +51,14 @@ class Preset:
     rules: tuple[Rule, ...] = ()
     model: Model | None = None
     templates: Templates | None = None
+    sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: MappingProxyType({}))
     successors: Mapping[Phoneme, Phoneme] = field(default_factory=lambda: SUCCESSORS)
     notes: str = ""
 
     def __post_init__(self) -> None:
         check_user_variables(self.variables)
         check_recogniser(self.recogniser)
+        check_sensitivities(self.sensitivities)
         if self.recogniser == "rules" and not self.rules:
             raise PresetError(
                 'the recogniser "rules" asks rules of the preset\'s own, and it has none; add them under [[rules]], '
@@ -64,7 +69,8 @@ class Preset:
     @property
     def tuning(self) -> Tuning:
         """What the recogniser is made from."""
-        return Tuning(self.thresholds, self.rules, self.model, self.templates, self.settings.look_ahead)
+        look_ahead = self.settings.look_ahead
+        return Tuning(self.thresholds, self.rules, self.model, self.templates, look_ahead, self.sensitivities)
 
     @property
     def phoneme_data(self) -> PhonemeData:

@@ -1,14 +1,18 @@
 """The learned recogniser: a network that was trained on many speakers, and may be adapted to one."""
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 import numpy as np
 from numpy.typing import NDArray
 
 from engine.dsp.log_mel import N_BANDS, log_mels_of, silence_of
 from engine.features.measure import Features
+from engine.phonemes import Phoneme
 from engine.recognition.model import Model
 from engine.recognition.network import Network
 from engine.recognition.recognition import Recognition
-from engine.recognition.scores import SCORES, shortfalls_of_scores, trace_of_scores
+from engine.recognition.scores import SCORES, Sensitivity, shortfalls_of_scores, trace_of_scores
 from engine.recognition.trace import Trace
 from engine.recognition.tracts import TractJudge
 from engine.settings import FRAME_PERIOD
@@ -26,17 +30,21 @@ class LearnedRecogniser:
     ----------
     model : what it knows.
     look_ahead : seconds that it may wait for what comes after a frame; rounded down to what the model has.
+    sensitivities : log-odds that are added to those of phonemes, nats.
     """
 
     scores = SCORES
     used_thresholds: frozenset[str] = frozenset()
 
-    def __init__(self, model: Model, look_ahead: float) -> None:
+    def __init__(
+        self, model: Model, look_ahead: float, sensitivities: Mapping[Phoneme, float] = MappingProxyType({})
+    ) -> None:
         self.look_ahead = min(int(look_ahead / FRAME_PERIOD + 1e-6), len(model.heads) - 1)
         self._head = model.heads[self.look_ahead]
         self._warps = model.warps
         self._network = Network(model.layers, silence_of(len(model.warps)))
         self._judge = TractJudge(len(model.warps))
+        self._sensitivity = Sensitivity(sensitivities)
         self._n_early = self.look_ahead
 
     def recognise(self, features: Features) -> Recognition:
@@ -49,7 +57,7 @@ class LearnedRecogniser:
             found, self._n_early = found[n_early:], self._n_early - n_early
         if not len(found):
             return NOTHING
-        scores = self._judge.mix(self._shares_of(found))
+        scores = self._sensitivity.apply(self._judge.mix(self._shares_of(found)))
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
 
     def _shares_of(self, found: Block) -> Block:

@@ -1,7 +1,8 @@
 """What a recogniser is, and which ones there are."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Protocol
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 from engine.errors import PresetError, RecogniserError
 from engine.features.measure import Features
+from engine.phonemes import Phoneme
 from engine.recognition.learned import LearnedRecogniser
 from engine.recognition.model import Model
 from engine.recognition.phoneme_data import Thresholds
@@ -30,6 +32,7 @@ class Tuning:
     model : what the learned recogniser knows.
     templates : what the recogniser by templates compares with.
     look_ahead : seconds after a frame that it may wait for.
+    sensitivities : log-odds that the learned one and templates add to those of phonemes, nats.
     """
 
     thresholds: Thresholds = field(default_factory=Thresholds)
@@ -37,6 +40,7 @@ class Tuning:
     model: Model | None = None
     templates: Templates | None = None
     look_ahead: float = 0.0
+    sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: MappingProxyType({}))
 
 
 class Recogniser(Protocol):
@@ -75,9 +79,9 @@ class Recogniser(Protocol):
 
 RECOGNISERS: dict[str, Callable[[Tuning], Recogniser]] = {
     "thesis": lambda tuning: ThesisRules(tuning.thresholds),
-    "learned": lambda tuning: LearnedRecogniser(_model_of(tuning), tuning.look_ahead),
+    "learned": lambda tuning: LearnedRecogniser(_model_of(tuning), tuning.look_ahead, tuning.sensitivities),
     "rules": lambda tuning: RuleRecogniser(tuning.rules, tuning.thresholds),
-    "templates": lambda tuning: TemplateRecogniser(_templates_of(tuning)),
+    "templates": lambda tuning: TemplateRecogniser(_templates_of(tuning), tuning.sensitivities),
 }
 """The recognisers that come with the program; no other package can take their names."""
 HEARERS = frozenset({"learned", "templates"})

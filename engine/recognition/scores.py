@@ -3,18 +3,64 @@
 They become columns of the features, one for each phoneme, and all that such a recogniser says is read from them.
 """
 
+import math
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.errors import SettingsError
 from engine.features.measure import Features
 from engine.features.variables import SCORES
 from engine.phonemes import Phoneme
 from engine.recognition.trace import Comparison, Trace
 
-__all__ = ["SCORES", "scores_in", "shortfalls_of_scores", "trace_of_scores"]
+__all__ = ["SCORES", "Sensitivity", "check_sensitivities", "scores_in", "shortfalls_of_scores", "trace_of_scores"]
+
+Block = NDArray[np.float32]
 
 N_NEAREST = 5
 """How many phonemes a trace compares."""
+MOST_LOG_ODDS = 10.0
+"""A sensitivity lies within ± this: e to the tenth is 22 000 to one."""
+
+
+class Sensitivity:
+    """Makes some phonemes likelier than they were measured to be.
+
+    A sensitivity is added to the log-odds (natural logarithm) of its phoneme, as a prior is in Bayes' rule: each +1
+    makes the phoneme e times likelier beside any other one.
+
+    Parameters
+    ----------
+    sensitivities : by phoneme, log-odds in nats; those that are not named have 0.
+    """
+
+    def __init__(self, sensitivities: Mapping[Phoneme, float]) -> None:
+        self._factors = np.exp([sensitivities.get(p, 0.0) for p in Phoneme]).astype(np.float32)
+        self._acts = bool((self._factors != 1).any())
+
+    def apply(self, scores: Block) -> Block:
+        """Return the probabilities, shape (n_frames, n_phonemes), with the sensitivities; each frame adds up to 1."""
+        if not self._acts:
+            return scores
+        weighed = scores * self._factors
+        weighed /= np.add.reduce(weighed, axis=1, keepdims=True)
+        return weighed
+
+
+def check_sensitivities(sensitivities: Mapping[Phoneme, float]) -> None:
+    """Refuse sensitivities beyond ±`MOST_LOG_ODDS`.
+
+    Raises
+    ------
+    SettingsError : names the phoneme, the limit and what came.
+    """
+    for phoneme, value in sensitivities.items():
+        if not (math.isfinite(value) and abs(value) <= MOST_LOG_ODDS):
+            raise SettingsError(
+                f"the sensitivity for {phoneme.label} must lie within ±{MOST_LOG_ODDS:g}, got {value:g}"
+            )
 
 
 def scores_in(features: Features) -> NDArray[np.float32] | None:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,7 @@ from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.recognition.phoneme_data import LARGEST
 from engine.recognition.recognition import Recognition
-from engine.recognition.scores import SCORES, shortfalls_of_scores, trace_of_scores
+from engine.recognition.scores import SCORES, Sensitivity, shortfalls_of_scores, trace_of_scores
 from engine.recognition.trace import Trace
 
 WITHOUT = (Phoneme.SILENCE, Phoneme.UNIDENTIFIED)
@@ -68,13 +69,15 @@ class TemplateRecogniser:
     Parameters
     ----------
     templates : what it compares with.
+    sensitivities : log-odds that are added to those of phonemes, nats.
     """
 
     look_ahead = 0
     scores = SCORES
     used_thresholds: frozenset[str] = frozenset()
 
-    def __init__(self, templates: Templates) -> None:
+    def __init__(self, templates: Templates, sensitivities: Mapping[Phoneme, float] = MappingProxyType({})) -> None:
+        self._sensitivity = Sensitivity(sensitivities)
         self._silence_below = templates.silence_below
         self._phonemes = list(templates.means)
         self._scale = (1 / np.array(templates.spread)).astype(np.float32)
@@ -87,6 +90,7 @@ class TemplateRecogniser:
         loud = 1 / (1 + np.exp(np.clip((self._silence_below - levels_of(log_mels)) / RAMP, -60, 60)))
         scores[:, self._phonemes] = self._likenesses(cepstra_of(log_mels)) * loud[:, np.newaxis]
         scores[:, Phoneme.SILENCE] = 1 - loud
+        scores = self._sensitivity.apply(scores)
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
 
     def shortfalls(self, features: Features) -> Block | None:

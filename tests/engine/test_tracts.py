@@ -76,7 +76,7 @@ def test_a_voice_that_lies_higher_is_recognised_with_a_shorter_tract():
 def test_the_bands_of_several_warps_lie_side_by_side():
     windows = noise(3 * WINDOW / 44_100, 0.1, seed=3).reshape(3, WINDOW)
     heard = log_mels_of(windows, (0.8, 1.0)).reshape(3, 2, N_BANDS)
-    np.testing.assert_array_equal(heard[:, 1], log_mels_of(windows))
+    np.testing.assert_allclose(heard[:, 1], log_mels_of(windows), atol=1e-5)
     alone = np.log10(mel_powers_of(windows, bank_of(0.8)) + 1e-11)
     np.testing.assert_allclose(heard[:, 0], alone, atol=1e-5)
 

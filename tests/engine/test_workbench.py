@@ -107,13 +107,14 @@ def test_new_limits_of_own_rules_say_what_the_analyser_says(own_bench, utterance
 
 
 @pytest.mark.parametrize("look_ahead", [0.0, 0.03])
-def test_a_learned_recogniser_is_heard_once_and_its_statistics_change_at_once(utterances, look_ahead):
+def test_a_learned_recogniser_is_heard_once_and_what_tunes_it_acts_at_once(utterances, look_ahead):
     preset = replace(
         THESIS, recogniser="learned", model=tiny_model(), settings=replace(THESIS.settings, look_ahead=look_ahead)
     )
     bench = Workbench(utterances, preset)
-    for hold, hysteresis in ((0.0, 0.0), (0.05, 0.0), (0.03, 0.3)):
-        changed = replace(preset, settings=replace(preset.settings, minimum_hold=hold, hysteresis=hysteresis))
+    for hold, hysteresis, sensitivities in ((0.0, 0.0, {}), (0.05, 0.0, {A: 1.5}), (0.03, 0.3, {A: -4.0, O: 2.0})):
+        settings = replace(preset.settings, minimum_hold=hold, hysteresis=hysteresis)
+        changed = replace(preset, settings=settings, sensitivities=sensitivities)
         assert not bench.needs_measuring(changed)
         assert bench.answers(changed).tolist() == plainly(utterances, changed)
     assert bench.needs_measuring(replace(preset, model=tiny_model(2)))

@@ -1,14 +1,13 @@
 """Labelled recordings as measured variables: what thresholds, rules and the statistics need, without the sound."""
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.analyser import BLOCK, Analyser, Analysis
+from engine.analyser import BLOCK, analyses_of
 from engine.audio.files import SoundReader
 from engine.calibration.heed import Heed, go_on, tell
 from engine.calibration.scores.scoring import Codes
@@ -16,8 +15,9 @@ from engine.features.variables import BUILT_IN_NAMES
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
 from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.recogniser import RECOGNISERS, Recogniser, recogniser_of
+from engine.recognition.recogniser import RECOGNISERS, recogniser_of
 from engine.recognition.rules import RuleRecogniser
+from engine.recognition.scores import scores_in
 from engine.settings import FRAME_PERIOD, HOP, AnalysisSettings
 
 AFTER_MEASURING = (
@@ -37,13 +37,13 @@ class Measurement:
     values : float32, shape (n_variables, n_frames): the variables, those of the preset after the built-in ones.
     n_heard : frames that lie in the sound; what comes after them counts as silence.
     recognised : uint8, shape (n_frames,): what the recogniser said, before the statistics.
-    shortfalls : float32, shape (n_phonemes, n_frames): what the recogniser said of hysteresis, or None.
+    scores : float32, shape (n_phonemes, n_frames): the probabilities before the sensitivities, or None.
     """
 
     values: NDArray[np.float32]
     n_heard: int
     recognised: Codes
-    shortfalls: NDArray[np.float32] | None
+    scores: NDArray[np.float32] | None
 
     @property
     def n_frames(self) -> int:
@@ -63,8 +63,8 @@ def front_end_of(preset: Preset) -> object:
 
 
 def knowledge_of(preset: Preset) -> object:
-    """Give all on which the answers of a recogniser without rules depend."""
-    tuning = replace(preset.tuning, rules=())
+    """Give all on which the answers of a recogniser without rules depend, but for the sensitivities."""
+    tuning = replace(preset.tuning, rules=(), sensitivities={})
     if preset.recogniser in RECOGNISERS:
         tuning = replace(tuning, thresholds=Thresholds())
     return preset.recogniser, tuning
@@ -95,9 +95,10 @@ def measure(path: Path, preset: Preset, n_frames: int, heed: Heed = go_on) -> Me
     n_names = len(names_of(preset))
     values = np.zeros((n_names, n_frames), np.float32)
     recognised = np.zeros(n_frames, np.uint8)
-    shortfalls = None
+    scores = None
+    preset = replace(preset, settings=replace(preset.settings, statistics=False), sensitivities={})
     with SoundReader(path) as reader:
-        for analysis, recogniser in _analyses(reader, preset):
+        for analysis in analyses_of(reader.blocks(BLOCK * HOP), preset):
             tell(heed, min(1.0, (analysis.start + len(analysis)) / max(1, n_frames)))
             span = slice(analysis.start, min(analysis.start + len(analysis), n_frames))
             wanted = analysis.part(slice(max(0, span.stop - span.start)))
@@ -105,20 +106,15 @@ def measure(path: Path, preset: Preset, n_frames: int, heed: Heed = go_on) -> Me
                 continue
             values[:, span] = wanted.features.values[:, :n_names].T
             recognised[span] = wanted.recognised
-            if (told := _shortfalls_of(recogniser, wanted)) is not None:
-                shortfalls = np.zeros((len(Phoneme), n_frames), np.float32) if shortfalls is None else shortfalls
-                shortfalls[:, span] = told.T
+            if (told := scores_in(wanted.features)) is not None:
+                scores = _silent_scores(n_frames) if scores is None else scores
+                scores[:, span] = told.T
         n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
-    return Measurement(values, min(n_heard, n_frames), recognised, shortfalls)
+    return Measurement(values, min(n_heard, n_frames), recognised, scores)
 
 
-def _analyses(reader: SoundReader, preset: Preset) -> Iterator[tuple[Analysis, Recogniser]]:
-    analyser = Analyser(replace(preset, settings=replace(preset.settings, statistics=False)))
-    for block in reader.blocks(BLOCK * HOP):
-        yield analyser.push(block), analyser.recogniser
-    yield analyser.finish(), analyser.recogniser
-
-
-def _shortfalls_of(recogniser: Recogniser, analysis: Analysis) -> NDArray[np.float32] | None:
-    """Ask for shortfalls while the frames are at hand; rules are asked later, with the limits that they have then."""
-    return None if isinstance(recogniser, RuleRecogniser) else recogniser.shortfalls(analysis.features)
+def _silent_scores(n_frames: int) -> NDArray[np.float32]:
+    """Return what is likely where there is no sound: silence, as surely as can be."""
+    scores = np.zeros((len(Phoneme), n_frames), np.float32)
+    scores[Phoneme.SILENCE] = 1
+    return scores

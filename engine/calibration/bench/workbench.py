@@ -1,8 +1,8 @@
 """The workbench: labelled recordings, measured once, that answer at once when a threshold changes.
 
-It holds no sound, only what was measured, so an hour takes some 30 MB. What a new threshold, rule, successor, hold or
-hysteresis changes is worked out in milliseconds; another front end or another variable means measuring anew, which
-takes seconds and is the caller's to do in the background::
+It holds no sound, only what was measured, so an hour takes some 30 MB. What a new threshold, rule, sensitivity,
+successor, hold or hysteresis changes is worked out in milliseconds; another front end or another variable means
+measuring anew, which takes seconds and is the caller's to do in the background::
 
     workbench = Workbench(utterances, preset, heed=progress)    # in the background
     confusion = workbench.confusion(edited)                     # at once, while a threshold is dragged
@@ -30,6 +30,7 @@ from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
 from engine.recognition.rules import RuleRecogniser
+from engine.recognition.scores import Sensitivity
 
 _Stamp = tuple[Path, int, int, int]
 """A sound file as it was measured: path, time of its last change, size, frames."""
@@ -117,8 +118,8 @@ class Workbench:
     def needs_measuring(self, preset: Preset) -> bool:
         """Say whether a preset measures differently, so that a new workbench must be made for it.
 
-        Thresholds, rules, successors, minimum hold and hysteresis need none. Another front end or other variables do,
-        and a recogniser that works without rules, if this is not what the recordings were measured with.
+        Thresholds, rules, sensitivities, successors, minimum hold and hysteresis need none. Another front end or
+        other variables do, and a recogniser that works without rules, if the recordings were not measured with it.
         """
         return self._measures_otherwise(preset, rules_in(preset))
 
@@ -141,9 +142,10 @@ class Workbench:
         rules, settings = rules_in(preset), preset.settings
         if self._measures_otherwise(preset, rules):
             raise CorpusError("the recordings were measured with another front end; have them measured anew")
-        codes = self._heard if rules is None else self._sheet.recognised(rules)
+        scores = None if rules is not None else self._scores_with(preset)
+        codes = self._recognised(rules, scores)
         if settings.statistics:
-            stays = self._may_stay(rules, settings.hysteresis) if settings.hysteresis > 0 else None
+            stays = self._may_stay(rules, scores, settings.hysteresis) if settings.hysteresis > 0 else None
             codes = codes if stays is None else self._calmer.steadied(codes, stays)
             codes = self._calmer.held(self._calmer.filled(codes, preset.successors), settings.minimum_hold)
         if len(self._beyond):
@@ -154,10 +156,21 @@ class Workbench:
     def _measures_otherwise(self, preset: Preset, rules: RuleRecogniser | None) -> bool:
         return front_end_of(preset) != self._front_end or (rules is None and knowledge_of(preset) != self._knowledge)
 
-    def _may_stay(self, rules: RuleRecogniser | None, hysteresis: float) -> NDArray[np.bool_] | None:
+    def _scores_with(self, preset: Preset) -> NDArray[np.float32] | None:
+        """Return the probabilities with the preset's sensitivities, shape (n_phonemes, n_frames), or None."""
+        return None if self._scores is None else Sensitivity(preset.sensitivities).apply(self._scores.T).T
+
+    def _recognised(self, rules: RuleRecogniser | None, scores: NDArray[np.float32] | None) -> Codes:
+        if rules is not None:
+            return self._sheet.recognised(rules)
+        return self._heard if scores is None else scores.argmax(axis=0).astype(np.uint8)
+
+    def _may_stay(
+        self, rules: RuleRecogniser | None, scores: NDArray[np.float32] | None, hysteresis: float
+    ) -> NDArray[np.bool_] | None:
         if rules is not None:
             return self._sheet.may_stay(rules, hysteresis)
-        return None if self._shortfalls is None else np.asarray(self._shortfalls <= hysteresis)
+        return None if scores is None else np.asarray(scores.max(axis=0) - scores <= hysteresis)
 
     def _measure(self, preset: Preset, known: "Workbench | None", heed: Heed) -> Iterator[Measurement]:
         """Measure what is not known yet; the stamps are of the files as they were before."""
@@ -180,8 +193,8 @@ class Workbench:
         for m, first, end in zip(measurements, self._edges[:-1], self._edges[1:], strict=True):
             self._values[:, first:end] = m.values
         self._heard = _joined([m.recognised for m in measurements])
-        told = [m.shortfalls for m in measurements if m.shortfalls is not None]
-        self._shortfalls = np.concatenate(told, axis=1) if told and len(told) == len(measurements) else None
+        told = [m.scores for m in measurements if m.scores is not None]
+        self._scores = np.concatenate(told, axis=1) if told and len(told) == len(measurements) else None
         beyond = [
             np.arange(first + m.n_heard, end, dtype=np.intp)
             for m, first, end in zip(measurements, self._edges[:-1], self._edges[1:], strict=True)
@@ -200,7 +213,7 @@ class Workbench:
         return {
             stamp: Measurement(
                 self._values[:, span], n_heard, self._heard[span],
-                None if self._shortfalls is None else self._shortfalls[:, span],
+                None if self._scores is None else self._scores[:, span],
             )
             for stamp, span, n_heard in zip(self._stamps, spans, self._n_heard, strict=True)
         }  # fmt: skip
