@@ -9,13 +9,11 @@ count.
 
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.analyser import BLOCK, analyses_of
-from engine.audio.files import SoundReader
+from engine.analyser import analyses_of
 from engine.calibration.labels.label import CORE, Label
 from engine.calibration.sentences import Sentence, Sound
 from engine.calibration.takes.take import TRIMMED
@@ -39,19 +37,23 @@ LEAST_FITTING = 0.4
 Likely = NDArray[np.float32]
 
 
-def aligned(path: Path, sentence: Sentence) -> tuple[Label, ...]:
+def aligned(samples: NDArray[np.float32], sentence: Sentence) -> tuple[Label, ...]:
     """Label a recording of a sentence by its known text.
 
     Where sounds meet, and around silence, labels have the certainty ``trimmed``: nobody knows the place so well.
 
+    Parameters
+    ----------
+    samples : float32, shape (n,), 44.1 kHz, ±1.
+    sentence : what was read.
+
     Raises
     ------
-    AudioError : the sound cannot be read.
     TakeError : it is too short for the sentence, or something else was read.
     """
-    with SoundReader(path) as reader:
-        likely, duration = _likelihoods(reader.blocks(BLOCK * HOP)), reader.duration
-    return labels_of(likely[: round(duration / FRAME_PERIOD)], sentence)
+    found = [scores_in(analysis.features) for analysis in analyses_of([samples], _judge())]
+    likely = np.concatenate([scores for scores in found if scores is not None])
+    return labels_of(likely[: len(samples) // HOP], sentence)
 
 
 def labels_of(likely: Likely, sentence: Sentence) -> tuple[Label, ...]:
@@ -82,12 +84,6 @@ def _around(one: Sound, other: Sound) -> float:
     if len(classes) == 1:
         return 0.0
     return AROUND_SILENCE if Phoneme.SILENCE in classes else AROUND
-
-
-def _likelihoods(blocks: Iterable[NDArray[np.float32]]) -> Likely:
-    """Give how likely the shipped model finds each phoneme, shape (n_frames, n_phonemes)."""
-    found = [scores_in(analysis.features) for analysis in analyses_of(blocks, _judge())]
-    return np.concatenate([scores for scores in found if scores is not None])
 
 
 @lru_cache(maxsize=1)

@@ -53,8 +53,9 @@ def test_the_room_is_silence_afterwards_and_a_voice_is_not(name, decimation):
     voice = vowel((750, 1250), 1.0) + noise(1.0, 0.003, seed=3)
     assert np.mean(Analyser(fitted).push(voice).phonemes[5:] == Phoneme.SILENCE) == 0
     sure = room.sureness(fitted, voice)
-    assert sure.room_silent > 0.95
-    assert sure.speech_silent == 0
+    assert sure.room_silent.value > 0.95
+    assert sure.room_silent.low < sure.room_silent.value <= sure.room_silent.high
+    assert sure.speech_silent.value == 0
     assert room.sureness(fitted).speech_silent is None
 
 
@@ -62,7 +63,7 @@ def test_without_denoising_the_room_is_silence_too():
     settings = replace(THESIS.settings, filters=THESIS.settings.filters - {Filter.DENOISE})
     preset = replace(THESIS, settings=settings)
     room = measure_room(noise(2.0, ROOM), preset)
-    assert room.sureness(room.thresholds(preset)).room_silent > 0.95
+    assert room.sureness(room.thresholds(preset)).room_silent.value > 0.95
 
 
 def test_only_the_thresholds_of_silence_change():
@@ -96,7 +97,7 @@ def test_a_measurement_gives_the_same_each_time():
 def test_a_room_that_hums_keeps_the_usual_limit_of_zero_crossings():
     room = measure_room(tone(50, 2.0, 0.003), THESIS)
     assert room.bounds["silence_zero_crossings"].value == 220
-    assert room.sureness(room.thresholds(THESIS)).room_silent > 0.98
+    assert room.sureness(room.thresholds(THESIS)).room_silent.value > 0.98
 
 
 def test_a_microphone_that_delivers_nothing_is_told_and_still_gives_silence():
@@ -104,7 +105,7 @@ def test_a_microphone_that_delivers_nothing_is_told_and_still_gives_silence():
     assert "delivers nothing" in room.notes[0]
     assert room.level == 0
     assert all(bound.value > 0 for bound in room.bounds.values())
-    assert room.sureness(room.thresholds(THESIS)).room_silent == 1
+    assert room.sureness(room.thresholds(THESIS)).room_silent.value == 1
 
 
 def test_a_cough_in_the_silence_is_told():

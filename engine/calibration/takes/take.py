@@ -71,8 +71,8 @@ class Take:
                 f"{self.name}: what counts of a take must lie in its {self.duration:g} s, got "
                 f"{self.start:g}..{self.end:g} s; choose a stretch of the sound"
             )
-        times = [time for pause in self.pauses for time in pause]
-        if times != sorted(times) or not all(0 <= time <= self.duration for time in times):
+        paused = [time for pause in self.pauses for time in pause]
+        if paused != sorted(paused) or not all(0 <= time <= self.duration for time in paused):
             raise TakeError(f"{self.name}: pauses must follow one another in the sound, got {self.pauses!r:.60}")
         parts = PurePosixPath(self.sound).parts
         if len(parts) < 2 or parts[0] not in {TAKES, DELETED} or ".." in parts or re.search(r"[\\:\0]", self.sound):
