@@ -39,7 +39,7 @@ BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
 
 Block = NDArray[np.float32]
-WAYS = (1.0, 0.5)
+WAYS = (1.0, 0.5, 0.25)
 """Shares of the way from the model to what it learned, the boldest first."""
 
 
@@ -74,7 +74,7 @@ class _Said:
 
 
 def adapt(model: Model, lessons: Sequence[Lesson]) -> tuple[Model, ...]:
-    """Adapt a model to the labelled recordings or takes of one voice: the whole way, and half of it (`WAYS`).
+    """Adapt a model to the labelled recordings or takes of one voice: all of the way to it, and parts of it (`WAYS`).
 
     Raises
     ------

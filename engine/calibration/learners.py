@@ -18,7 +18,11 @@ from engine.calibration.scores.corpus import Utterance
 from engine.errors import CorpusError, PresetError
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
+from engine.recognition.scores import MOST_LOG_ODDS
 from engine.recognition.templates import Templates, rounded_templates
+
+GIVEN_TO_SILENCE = 0.5
+"""By how much silence becomes likelier in the second of each pair of adapted presets, nats."""
 
 Takes = Sequence[Utterance]
 Quiet = Callable[[Preset], Preset]
@@ -57,15 +61,22 @@ def _thresholds(preset: Preset, takes: Takes, quiet: Quiet, heed: Heed) -> tuple
 
 
 def _model(preset: Preset, takes: Takes, quiet: Quiet, heed: Heed) -> tuple[Preset, ...]:
-    """Adapt the model to the voice: the whole way, half of it, or not at all."""
+    """Adapt the model to the voice, further or less far, each with silence as it is and a little likelier; or not."""
     assert preset.model is not None
     lessons: list[Lesson] = []
     for k, utterance in enumerate(takes):
         tell(heed, 0.5 * k / len(takes))
         lessons.append(lesson_of_recording(utterance))
     tell(heed, 0.5)
-    models = (*adapt(preset.model, lessons), preset.model)
-    return tuple(quiet(replace(preset, model=model)) for model in models)
+    presets = [quiet(replace(preset, model=model)) for model in adapt(preset.model, lessons)]
+    return (*(found for adapted in presets for found in (adapted, _with_more_silence(adapted))), quiet(preset))
+
+
+def _with_more_silence(preset: Preset) -> Preset:
+    """Give back to silence what it loses where all phonemes count alike in learning."""
+    now = preset.sensitivities.get(Phoneme.SILENCE, 0.0)
+    given = min(now + GIVEN_TO_SILENCE, MOST_LOG_ODDS)
+    return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: given})
 
 
 def _templates(preset: Preset, takes: Takes, quiet: Quiet, heed: Heed) -> tuple[Preset, ...]:

@@ -41,6 +41,8 @@ CORRELATED = WINDOW // HOP + 1
 """Frames whose windows overlap: they are drawn together, since they say nearly the same."""
 DISTURBED = 12.0
 """Where the loudest 10 ms lie this much above the usual ones, the room was not silent, dB."""
+LOUDEST = -30.0
+"""What is as loud as this all the time is no silence, dB below full scale (RMS)."""
 SILENT = 1e-6
 """Where all samples stay below this amplitude, a microphone delivers nothing (24 bits reach 1.2e-7)."""
 
@@ -242,6 +244,9 @@ def _notes(samples: Sound) -> list[str]:
     powers = np.mean((parts - samples.mean(dtype=np.float64)) ** 2, axis=1)
     if np.abs(samples).max() < SILENT:
         return ["The microphone delivers nothing at all; check that it is on, else the thresholds mean nothing."]
+    usual = 10 * np.log10(max(float(np.median(powers)), SILENT**2))
+    if usual > LOUDEST:
+        return [f"The room was as loud as a voice ({usual:.0f} dB); keep quiet and measure it again."]
     above = 10 * np.log10(powers.max() / max(float(np.median(powers)), SILENT**2))
     if above > DISTURBED:
         return [f"Something was heard that lies {above:.0f} dB above the room; keep quiet and measure it again."]

@@ -24,7 +24,7 @@ SHARE = 0.99
 MARGIN_LOG_ODDS = 1.1
 """By how much silence is likelier in the room than anything else: three to one, in nats."""
 MARGIN_LEVEL = 3.0
-"""By how much the level of silence lies above the room, dB."""
+"""By how much the level of silence lies above the room, and below speech, dB."""
 HIGHEST_LEVEL = -10.0
 """No room is so loud that what reaches this level is silence, dB."""
 LEAST_LIKELY = 1e-7
@@ -50,7 +50,7 @@ def silence_level_for(room: Sound, now: float, speech: Sound | None = None) -> f
     """Give the level below which templates take a frame for silence, dB; at least what it is `now`."""
     found = float(np.quantile(_levels_in(room), SHARE)) + MARGIN_LEVEL
     if speech is not None and len(speech):
-        found = min(found, float(np.quantile(_levels_in(speech), 1 - SHARE)))
+        found = min(found, float(np.quantile(_levels_in(speech), 1 - SHARE)) - MARGIN_LEVEL)
     return round(min(max(now, found), HIGHEST_LEVEL), 1)
 
 
