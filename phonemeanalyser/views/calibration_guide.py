@@ -162,6 +162,7 @@ class GuideView(QWidget):
         """Lay the head beside the figures, with what it says below it."""
         beside, below, sides = QVBoxLayout(), QHBoxLayout(), QHBoxLayout()
         for button in (self.hear_old, self.hear_new):
+            button.setCheckable(True)
             button.setMinimumHeight(28)
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             below.addWidget(button)
@@ -190,14 +191,14 @@ class GuideView(QWidget):
             (
                 self.hear_old,
                 "▶ old preset",
-                "Hear the sentence, and see how the old preset moves the head",
-                lambda: self._calibration.hear(new=False),
+                "Hear the sentence, and see the head with the old preset",
+                self._hear_old,
             ),
             (
                 self.hear_new,
                 "▶ new preset",
-                "Hear the sentence, and see how the new preset moves the head",
-                lambda: self._calibration.hear(new=True),
+                "Hear the sentence, and see the head with the new preset",
+                self._hear_new,
             ),
         ):
             button.setText(text)
@@ -207,6 +208,18 @@ class GuideView(QWidget):
         for key, button in (("Backspace", self.back), ("Right", self.skip), ("Return", self.accept)):
             QShortcut(QKeySequence(key), self).activated.connect(lambda button=button: _click(button))
         guide.changed.connect(self._show)
+
+    def _hear_old(self) -> None:
+        self._hear(new=False)
+
+    def _hear_new(self) -> None:
+        self._hear(new=True)
+
+    def _hear(self, *, new: bool) -> None:
+        """Play the sentence; the button of what is heard stays down."""
+        self._calibration.hear(new=new)
+        self.hear_old.setChecked(not new)
+        self.hear_new.setChecked(new)
 
     def _save(self) -> None:
         self._calibration.guide.accept()
@@ -236,6 +249,8 @@ class GuideView(QWidget):
         self.ring.setVisible(not self.figures.isVisibleTo(self))
         for seen in (self.head, self.hear_old, self.hear_new):
             seen.setVisible(gains and guide.spoken is not None)
+        for button in (self.hear_old, self.hear_new):
+            button.setChecked(False)
         if done and guide.outcome is not None:
             self.figures.show_scores((guide.outcome.before, guide.outcome.after))
         self.steps.update()
