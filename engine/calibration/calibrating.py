@@ -132,7 +132,7 @@ class _Course:
     def tried_on(self, takes: Takes, held_back: Takes, heed: Heed) -> tuple[Ways, _Trial]:
         """Learn from all takes, and try that on other speech."""
         learned = self._learned(takes, part_of(heed, 0.0, 0.9))
-        return lambda: learned, self._tried([learned], [held_back])
+        return lambda: learned, self._tried([learned], [held_back], held_back)
 
     def tried_in_turn(self, takes: Takes, heed: Heed) -> tuple[Ways, _Trial]:
         """Learn without each quarter of the takes in turn, and try that on the quarter."""
@@ -141,13 +141,14 @@ class _Course:
             share = 0.9 / (N_PARTS + 1)
             learned.append(self._learned(taught, part_of(heed, k * share, (k + 1) * share)))
             kept.append(quarter)
-        return lambda: self._learned(takes, part_of(heed, 0.8, 1.0)), self._tried(learned, kept)
+        return lambda: self._learned(takes, part_of(heed, 0.8, 1.0)), self._tried(learned, kept, takes)
 
     def _learned(self, takes: Takes, heed: Heed) -> tuple[Preset, ...]:
         return self._learner(self._preset, takes, lambda preset: _quietened(preset, takes, self._room), heed)
 
-    def _tried(self, learned: Sequence[tuple[Preset, ...]], kept: Sequence[Takes]) -> _Trial:
-        before, first_price = scores_on((self._preset, part) for part in kept), ""
+    def _tried(self, learned: Sequence[tuple[Preset, ...]], kept: Sequence[Takes], judged: Takes) -> _Trial:
+        """Try what was learned on what was kept from it; together these are what is judged by."""
+        before, first_price = scores_on([(self._preset, judged)]), ""
         for way, presets in enumerate(zip(*learned, strict=True)):
             after = scores_on(zip(presets, kept, strict=True))
             price = price_of(before, after) if after.ten_f1 > before.ten_f1 else ""
