@@ -133,7 +133,7 @@ class Analyser:
         self._recogniser = recogniser_of(preset.recogniser, preset.tuning)
         self._statistics = _statistics_of(preset)
         self._waiting = _Waiting()
-        self._ready: list[Analysis] = []
+        self._unasked = False
         self._next = start
 
     @property
@@ -182,9 +182,10 @@ class Analyser:
         return self._join([last, self._recognise(silence)])
 
     def _analyse(self, frames: Block) -> Analysis:
-        if 0 < len(frames) <= BLOCK and not self._ready:
+        if 0 < len(frames) <= BLOCK and not self._unasked:
             return self._recognise(self._path.push(frames))
-        ready, self._ready = self._ready, []
+        waiting, self._unasked = self._waiting.clear() if self._unasked else None, False
+        ready = [] if waiting is None else [self._recognise(waiting)]
         pushed = [self._path.push(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
         return self._join([*ready, *(self._recognise(block) for block in pushed)])
 
@@ -230,11 +231,9 @@ class Analyser:
         self._path.smoother.last = last
 
     def _change_recogniser(self, recogniser: Recogniser) -> None:
-        """Ask the new one about the frames about which the old one had not said anything yet."""
+        """Have the new one asked, with the next frames, about those of which the old one has not said anything."""
         self._recogniser = recogniser
-        waiting = self._waiting.clear()
-        if waiting is not None:
-            self._ready.append(self._recognise(waiting))
+        self._unasked = True
 
     def _join(self, blocks: list[Analysis]) -> Analysis:
         if not blocks:

@@ -1,6 +1,7 @@
-"""The heads of a window: that of the page, once it is there, and that of the dock."""
+"""The heads of a window: those of the pages, once they are there, and that of the dock."""
 
 from phonemeanalyser.models.talking import Talking
+from phonemeanalyser.views.calibration_page import CalibrationPage
 from phonemeanalyser.views.head_view import HeadView
 from phonemeanalyser.views.page_switch import LatePage
 from phonemeanalyser.views.talk_page import TalkPage
@@ -9,14 +10,20 @@ from phonemeanalyser.views.talk_page import TalkPage
 class Heads:
     """Moves the heads that are seen."""
 
-    def __init__(self, talking: Talking, page: LatePage[TalkPage], docked: HeadView) -> None:
+    def __init__(
+        self, talking: Talking, page: LatePage[TalkPage], calibrating: LatePage[CalibrationPage],
+        docked: HeadView,
+    ) -> None:  # fmt: skip
         self._talking = talking
         self._page = page
+        self._calibrating = calibrating
         self._docked = docked
 
     def move(self, *, frozen: bool) -> None:
         """Have the head say what is heard, where it is seen."""
-        seen = [view for view in (self._page.made, self._docked) if view is not None and view.isVisible()]
+        made = self._calibrating.made
+        heads = (self._page.made, made.guide.head if made is not None else None, self._docked)
+        seen = [view for view in heads if view is not None and view.isVisible()]
         self._talking.watch(bool(seen) and not frozen)
         self._talking.tick()
         for view in seen:
@@ -33,4 +40,6 @@ class Heads:
         """Give everything back to the graphics driver."""
         if self._page.made is not None:
             self._page.made.head.let_go()
+        if self._calibrating.made is not None:
+            self._calibrating.made.guide.head.let_go()
         self._docked.let_go()

@@ -103,9 +103,11 @@ class MainWindow(QMainWindow):
         make = PageMaker(self, theme, self.dialogs, self.calibration_dialogs, self.talking_dialogs)
         self.pages = PageStack()
         self.pages.addWidget(self.analysis)
-        self._late_calibration = LatePage(self.pages, partial(make.calibration_page, self._calibration))
+        self._late_calibration = LatePage(
+            self.pages, partial(make.calibration_page, self._calibration, self._talking)
+        )
         self._late_talk = LatePage(self.pages, partial(make.talk_page, self._talking))
-        self._heads = Heads(self._talking, self._late_talk, self.head)
+        self._heads = Heads(self._talking, self._late_talk, self._late_calibration, self.head)
         self.drawing = Drawing(
             self, session, self._calibration, self.pages, self.analysis, self._late_calibration, self._heads,
             self.phoneme, self.thresholds, self.transport, self.status,
@@ -152,7 +154,8 @@ class MainWindow(QMainWindow):
         self.menus.add_edit_of_page(self._calibration.edits.undo, self._calibration.edits.redo)
         add("&Play", *commands.play_commands(session))
         measure = Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency)
-        add("&Record", *commands.record_commands(session, dialogs), measure)
+        room = Command("Measure the Room (2 s of Quiet)", "", self._calibration.measure_room)
+        add("&Record", *commands.record_commands(session, dialogs), measure, room)
         freeze = Command("Freeze Views", "F", self.set_frozen, checkable=True)
         mark = Command("New Variable…", "V", self.analysis.averaged.measure.toggle)
         add("&Analysis", freeze, *commands.analysis_commands(session, preset, dialogs), mark)

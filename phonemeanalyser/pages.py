@@ -31,11 +31,12 @@ class PageMaker:
         self._calibration_dialogs = calibration
         self._talking_dialogs = talking
 
-    def calibration_page(self, calibration: Calibration) -> CalibrationPage:
+    def calibration_page(self, calibration: Calibration, talking: Talking) -> CalibrationPage:
         """Make the page of the calibration."""
-        page, dialogs = CalibrationPage(calibration, self._theme), self._calibration_dialogs
+        page, dialogs = CalibrationPage(calibration, talking, self._theme), self._calibration_dialogs
         page.takes.project_asked.connect(dialogs.ask_project)
         page.takes.import_asked.connect(dialogs.ask_recordings)
+        page.guide.save_asked.connect(self._dialogs.save_as)
         page.workbench.rival.file_asked.connect(lambda: self._ask_rival(page))
         page.workbench.picture_asked.connect(self._dialogs.ask_save_picture)
         page.workbench.variables.add_asked.connect(self._dialogs.add_variable)

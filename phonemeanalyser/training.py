@@ -1,4 +1,4 @@
-"""``phonemeanalyser train``: from labelled speech to a model and its card."""
+"""``phonemeanalyser train``: from labelled speech to a preset, its model and its card."""
 
 import argparse
 import sys
@@ -11,7 +11,7 @@ from engine.calibration.learning.card import card_of
 from engine.calibration.learning.teaching import Taught, teach
 from engine.calibration.learning.training import Course
 from engine.errors import ModelError
-from engine.recognition.model import save_model
+from engine.presets.files import DEFAULT_PRESET, load_preset, save_preset
 from phonemeanalyser.arguments import add_channel
 from phonemeanalyser.writing import write_whole
 
@@ -30,11 +30,13 @@ def train(words: list[str]) -> int:
 
         taught = teach(options.corpora, course, options.variations, options.folds, told, options.channel)
     model = replace(taught.model, about=_about(options.out.stem, taught, course))
-    save_model(model, options.out)
-    card = options.out.with_suffix(".md")
+    preset, card = options.out.with_suffix(".toml"), options.out.with_suffix(".md")
+    notes = f"Trained by phonemeanalyser train; {card.name} tells on what, and how well it does."
+    shipped = load_preset(DEFAULT_PRESET)
+    save_preset(replace(shipped, name=preset.stem, model=model, notes=notes, sensitivities={}), preset)
     text = card_of(options.out.stem, taught, course, options.variations)
     write_whole(card, lambda file: print(text, file=file, end=""))
-    print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}")
+    print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}; {preset} uses it")
     if taught.everyone is not None:
         e = taught.everyone
         print(f"speakers left out: macro F1 {e.ten_f1:.3f}, mouth shapes {e.mouth_acc:.3f}, vowels {e.vowel5:.3f}")
@@ -49,7 +51,8 @@ def _about(name: str, taught: Taught, course: Course) -> dict[str, object]:
 def _options(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="phonemeanalyser train",
-        description="Train the learned recogniser on folders of labelled speech; writes the model and its card.",
+        description="Train the learned recogniser on folders of labelled speech; writes the model, a preset that "
+        "uses it (the same name, .toml) and its card (.md).",
     )
     parser.add_argument("corpora", type=Path, nargs="+", metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="MODEL", help="the model's file, .npz")

@@ -3,8 +3,8 @@
 The last layers and the heads of the network move a few steps towards the voice (as in Y. Miao and F. Metze, "On
 Speaker Adaptation of Long Short-Term Memory Recurrent Neural Networks", Interspeech 2015). Anchors hold them:
 stretches of other voices that must be named as before (D. Yu et al., "KL-divergence regularized deep neural network
-adaptation", ICASSP 2013). Each quarter of every recording is recognised by what the other quarters taught, with the
-whole way that the model went, and with half of it. The better way is gone; none, where neither makes labels likelier.
+adaptation", ICASSP 2013). How far along that way a model should go, if at all, is judged by
+`engine.calibration.calibrating` on what was held back.
 """
 
 from collections.abc import Sequence
@@ -32,60 +32,24 @@ SMOOTHING = 0.05
 """Share of the certainty that is spread over all phonemes: labels lie a little beside the truth."""
 LEAST_FRAMES = 3
 """A phoneme of which fewer frames are given is not touched."""
-LEAST_GAIN = 0.002
-"""By how much likelier the labels must be that are held back."""
 OWN = (1.0,)
 """The vocal tract that a model listens with which knows it."""
-LEAST_LIKELY = 1e-4
-"""One frame that is quite wrong does not outweigh hundreds."""
 LEAST_SECONDS = 2.0
 BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
 
 Block = NDArray[np.float32]
-N_PARTS = 4
-"""Parts of each recording, each of which is held back once: so it is tried with nearly all that there is to learn."""
-WAYS = (0.5, 1.0)
-"""Shares of the way from the model to what it learned, of which the best is taken."""
-
-
-@dataclass(frozen=True)
-class Adaptation:
-    """A model that knows a voice.
-
-    Attributes
-    ----------
-    model : the adapted one; the same as before where nothing helped.
-    before, after : how likely the labels were where they were held back, 0..1, the geometric mean of all frames; all
-        phonemes that are in the labels count alike, and no others compete.
-    """
-
-    model: Model
-    before: float
-    after: float
-
-    @property
-    def gains(self) -> bool:
-        """Whether anything helped."""
-        return self.after > self.before
+WAYS = (1.0, 0.5, 0.25)
+"""Shares of the way from the model to what it learned, the boldest first."""
 
 
 @dataclass(frozen=True)
 class _Heard:
-    """What the layers that move hear in a recording, its labels, what each frame counts, and which part it is in."""
+    """What the layers that move hear in a recording, its labels, and what each frame counts."""
 
     hidden: Block
     phonemes: NDArray[np.uint8]
     counted: Block
-    parts: NDArray[np.int_]
-
-    def without(self, part: int) -> "_Heard":
-        """Give the same with one part held back."""
-        return replace(self, counted=self.counted * (self.parts != part))
-
-    def only(self, part: int) -> "_Heard":
-        """Give the same with all other parts held back."""
-        return replace(self, counted=self.counted * (self.parts == part))
 
 
 @dataclass(frozen=True)
@@ -109,8 +73,8 @@ class _Said:
         return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32))
 
 
-def adapt(model: Model, lessons: Sequence[Lesson]) -> Adaptation:
-    """Adapt a model to the labelled recordings or takes of one voice.
+def adapt(model: Model, lessons: Sequence[Lesson]) -> tuple[Model, ...]:
+    """Adapt a model to the labelled recordings or takes of one voice: all of the way to it, and parts of it (`WAYS`).
 
     Raises
     ------
@@ -125,16 +89,8 @@ def adapt(model: Model, lessons: Sequence[Lesson]) -> Adaptation:
         )
     said = _Said.of(heard)
     anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
-    parts = range(N_PARTS)
-    taught = [_moved(model, [h.without(part) for h in heard], said, anchors) for part in parts]
-    held_back = [[h.only(part) for h in heard] for part in parts]
-    before = _likelihood([(model, held_back[part]) for part in parts], said)
-    likely = [_likelihood([(_between(model, taught[p], way), held_back[p]) for p in parts], said) for way in WAYS]
-    after, way = max(zip(likely, WAYS, strict=True))
-    if after < before + LEAST_GAIN:
-        return Adaptation(model, before, before)
-    moved = _between(model, _moved(model, heard, said, anchors), way)
-    return Adaptation(replace(moved, warps=OWN), before, after)
+    moved = _moved(model, heard, said, anchors)
+    return tuple(replace(_between(model, moved, way), warps=OWN) for way in WAYS)
 
 
 def _moved(model: Model, heard: Sequence[_Heard], said: _Said, anchors: Sequence[Stretch]) -> Model:
@@ -179,28 +135,11 @@ def _drawn(stretches: Sequence[Stretch], generator: np.random.Generator) -> list
     return drawn
 
 
-def _likelihood(cases: Sequence[tuple[Model, Sequence[_Heard]]], said: _Said) -> float:
-    """Give how likely models find the labels of what was held back, the geometric mean of all frames."""
-    total = count = 0.0
-    for model, heard in cases:
-        n_ahead = len(model.heads) - 1
-        for h in heard:
-            shares = _shares_of(_through_last_layers(model, h.hidden)[n_ahead:], model.heads[-1], said.competing)
-            counted = h.counted * said.worth[h.phonemes]
-            likely = np.maximum(shares[np.arange(len(shares)), h.phonemes], LEAST_LIKELY)
-            total += float(counted @ np.log(likely))
-            count += float(counted.sum())
-    return float(np.exp(total / max(count, 1e-9)))
-
-
 def _heard(model: Model, lesson: Lesson) -> _Heard:
     """Run the first layers over a lesson, and as many frames of silence after it as the model looks ahead."""
     after = silence_of(len(model.heads) - 1)
     hidden = _first_layers(model).push(np.concatenate((lesson.log_powers.astype(np.float32), after)))
-    certain = np.flatnonzero(lesson.certainties > 0)
-    firsts = [part[0] for part in np.array_split(certain, N_PARTS)[1:] if len(part)]
-    parts = np.searchsorted(firsts, np.arange(len(lesson)), side="right")
-    return _Heard(hidden, lesson.phonemes, lesson.certainties.astype(np.float32), parts)
+    return _Heard(hidden, lesson.phonemes, lesson.certainties.astype(np.float32))
 
 
 def _stretches_of(heard: Sequence[_Heard], said: _Said, n_heads: int) -> list[Stretch]:

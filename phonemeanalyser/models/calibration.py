@@ -9,6 +9,7 @@ from phonemeanalyser.models.calibration_bench import BenchModel
 from phonemeanalyser.models.calibration_fit import FitModel, RivalModel
 from phonemeanalyser.models.calibration_guide import Guide
 from phonemeanalyser.models.calibration_recordings import RecordingsModel
+from phonemeanalyser.models.calibration_room import RoomModel
 from phonemeanalyser.models.calibration_takes import TakesModel
 from phonemeanalyser.models.calibration_undo import UndoOrder
 from phonemeanalyser.models.catch import Catch
@@ -47,16 +48,18 @@ class Calibration(QObject):
         self.fit = FitModel(preset, self.bench)
         self.rival = RivalModel(preset, self.bench)
         self.guide = Guide(session, preset, self.takes)
+        self.room = RoomModel(session, preset, self.takes)
         self.edits = UndoOrder(self.takes, preset.undo_stack)
         self.phoneme: Phoneme | None = None
         self.stretch: tuple[float, float] | None = None
         self._from: float | None = None
         self._until: tuple[Path, float] | None = None
+        self.room.told.connect(self.told)
         for model in (self.takes, self.recordings):
             model.changed.connect(self._load_bench)
             model.told.connect(self.told)
             model.failed.connect(self.failed)
-        for worker in (self.bench, self.fit, self.rival, self.guide):
+        for worker in (self.bench, self.fit, self.rival, self.guide, self.room):
             worker.failed.connect(self.failed)
         session.opened.connect(self._forget_stretch)
 
@@ -70,7 +73,7 @@ class Calibration(QObject):
     def press(self, phoneme: Phoneme) -> None:
         """Hold a phoneme: what is heard, or played, until `release` becomes a take of it."""
         session = self.session
-        if self.phoneme is not None or self.guide.running:
+        if self.phoneme is not None or self.guide.running or self.room.listening:
             return
         if session.source is Source.FILE and session.path is not None and (session.playing or self.stretch):
             if self.stretch is not None and not session.playing:
@@ -106,8 +109,15 @@ class Calibration(QObject):
     def begin_guide(self) -> None:
         """Lead through all sounds, at the microphone."""
         if self.phoneme is None:
+            self.room.cancel()
             self.listen()
             self.guide.begin()
+
+    def measure_room(self) -> None:
+        """Hear two seconds of the room, with nobody speaking, and have the preset take it for silence."""
+        if self.phoneme is None and not self.guide.running and not self.room.listening:
+            self.listen()
+            self.room.begin()
 
     def listen(self) -> None:
         """Have the microphone listen, whatever was in hand."""
@@ -139,6 +149,13 @@ class Calibration(QObject):
         if take is not None:
             self.play(self.takes.path_of(take), take.start, take.end, around=0.0)
 
+    def hear(self, *, new: bool) -> None:
+        """Play the sentence of the guide as the preset that it found hears it, or as the old one does."""
+        outcome, spoken = self.guide.outcome, self.guide.spoken
+        if outcome is not None and spoken is not None:
+            self.preset.try_out(outcome.preset if new else outcome.start)
+            self.play(spoken.path, 0.0, spoken.labels[-1].end)
+
     def play(self, path: Path, start: float, end: float, *, around: float = AROUND) -> None:
         """Play a stretch of a file, in seconds."""
         session = self.session
@@ -156,6 +173,7 @@ class Calibration(QObject):
         self.bench.see()
         self.fit.see()
         self.rival.see()
+        self.room.tick()
         if self.guide.running:
             self.guide.tick()
         if self.phoneme is not None and self._from is None and self.catch.full:
@@ -171,7 +189,7 @@ class Calibration(QObject):
 
     def close(self) -> None:
         """Wait until all takes are on the disk, and end all other work."""
-        for worker in (self.guide, self.fit, self.rival, self.bench):
+        for worker in (self.guide, self.room, self.fit, self.rival, self.bench):
             worker.close()
         self.recordings.close()
         self.takes.close()

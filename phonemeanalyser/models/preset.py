@@ -99,6 +99,7 @@ class PresetModel(QObject):
         self._left: dict[str, Preset] = {}
         self._groups: tuple[ControlGroup, ...] = ()
         self._kept_groups: tuple[ControlGroup, ...] = ()
+        self._tried: Preset | None = None
         self._made: tuple[object, Recogniser] = self._make(self.preset)
 
     @property
@@ -123,9 +124,10 @@ class PresetModel(QObject):
     @property
     def in_force(self) -> Preset:
         """The preset that the analysis uses: all filters off while bypassed."""
+        preset = self._tried or self.preset
         if not self.bypassed:
-            return self.preset
-        return replace(self.preset, settings=replace(self.preset.settings, filters=frozenset()))
+            return preset
+        return replace(preset, settings=replace(preset.settings, filters=frozenset()))
 
     @property
     def has_unsaved_changes(self) -> bool:
@@ -170,6 +172,12 @@ class PresetModel(QObject):
         """Switch all filters off at once, or back to what they were."""
         self.bypassed = bypassed
         self.changed.emit()
+
+    def try_out(self, preset: Preset | None) -> None:
+        """Analyse with another preset for a while, without changing the one in use; None ends that."""
+        if preset is not self._tried:
+            self._tried = preset
+            self.changed.emit()
 
     def edit(self, preset: Preset, what: str) -> None:
         """Change the preset; `what` names the change in the Edit menu, and equal names in a row become one.

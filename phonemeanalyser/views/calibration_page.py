@@ -3,6 +3,7 @@
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QWidget
 
 from phonemeanalyser.models.calibration import Calibration
+from phonemeanalyser.models.talking import Talking
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_bench import BenchView
 from phonemeanalyser.views.calibration_guide import GuideView
@@ -19,14 +20,14 @@ class CalibrationPage(QWidget):
     keys : to be installed as an event filter of the window.
     """
 
-    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+    def __init__(self, calibration: Calibration, talking: Talking, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme
         self.takes = TakesPanel(calibration, theme)
         self.keys = HeldKeys(calibration, self)
         self.right = PageStack()
-        self.guide = GuideView(calibration, theme)
+        self.guide = GuideView(calibration, talking, theme)
         self.workbench = BenchView(calibration, theme)
         self._lay_out()
         self.takes.guide_asked.connect(calibration.begin_guide)
@@ -43,6 +44,7 @@ class CalibrationPage(QWidget):
         running = self._calibration.guide.running
         self.right.setCurrentWidget(self.guide if running else self.workbench)
         self.takes.guide.setEnabled(not running)
+        self.takes.room.setEnabled(not running)
         self.takes.record.setEnabled(not running)
 
     def _lay_out(self) -> None:

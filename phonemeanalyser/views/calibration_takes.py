@@ -39,7 +39,7 @@ class TakesPanel(QWidget):
         self.project, self.recordings = ElidedLabel(), ElidedLabel()
         self.open, self.add, self.clear = QToolButton(), QToolButton(), QToolButton()
         self.speaker = QLineEdit(calibration.takes.speaker)
-        self.guide = QToolButton()
+        self.guide, self.room = QToolButton(), QToolButton()
         self.record = RecordPanel(calibration, theme)
         self.list = TakesList(calibration.takes, theme)
         self.wave = TakeWave(calibration.takes, theme)
@@ -58,6 +58,7 @@ class TakesPanel(QWidget):
             (self.add, "load", "Load labelled recordings: TextGrid, Audacity's labels, CSV"),
             (self.clear, "✕", "Forget the labelled recordings; their files stay"),
             (self.guide, "Guided calibration…", "Be led through silence and all sounds in under a minute (G)"),
+            (self.room, "room", "Measure the room: two seconds of quiet set silence and denoising of any recogniser"),
             (self.play, "play", "Play what counts of the take (Return, or a double click)"),
             (self.exclude, "exclude", "Let the take count for nothing for now, or count again (X)"),
             (self.delete, "delete", "Delete the take (Delete); Ctrl+Z brings it back"),
@@ -79,7 +80,8 @@ class TakesPanel(QWidget):
             ("Write Labels for Audacity (txt)", lambda: write(".txt", "Audacity")),
         )
         self.guide.setSizePolicy(self.record.sizePolicy())
-        self.guide.setMinimumHeight(28)
+        for button in (self.guide, self.room):
+            button.setMinimumHeight(28)
         self.guide.setStyleSheet(
             f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
             " border-radius: 4px; font-weight: bold }"
@@ -107,7 +109,7 @@ class TakesPanel(QWidget):
         for row in (
             (QLabel("<b>Takes</b>"), self.project, self.open),
             (QLabel("Speaker"), self.speaker),
-            (self.guide,),
+            (self.guide, self.room),
             (self.record,),
             (self.list,),
             (self.wave,),
@@ -125,6 +127,8 @@ class TakesPanel(QWidget):
         takes = self._calibration.takes
         self.clear.clicked.connect(self._calibration.recordings.clear)
         self.guide.clicked.connect(self.guide_asked)
+        self.room.clicked.connect(lambda _checked=False: self._calibration.measure_room())
+        self._calibration.room.changed.connect(self._show_room)
         QShortcut(QKeySequence("G"), self).activated.connect(self.guide.click)
         self.speaker.textEdited.connect(self._name_speaker)
         self.speaker.returnPressed.connect(self.list.setFocus)
@@ -175,6 +179,9 @@ class TakesPanel(QWidget):
         self.recordings.setText(text)
         self.recordings.setToolTip("\n".join(map(str, recordings.sources)) or "Labelled recordings beside the takes")
         self.clear.setEnabled(n > 0)
+
+    def _show_room(self) -> None:
+        self.room.setText("keep quiet …" if self._calibration.room.listening else "room")
 
     def _show_take(self) -> None:
         takes = self._calibration.takes

@@ -5,9 +5,9 @@ import time
 import numpy as np
 
 from engine.analyser import Analyser
-from engine.calibration.adaptation import adapt
+from engine.calibration.calibrating import calibrate
 from engine.calibration.labels.files import read_labels
-from engine.calibration.learning.lessons import lesson_of
+from engine.calibration.scores.corpus import Utterance
 from engine.features.measure import Features
 from engine.presets.files import DEFAULT_PRESET, load_preset
 from engine.presets.preset import Preset
@@ -68,10 +68,8 @@ def _whole_file(preset: Preset) -> Figure:
 
 
 def _adapting(preset: Preset) -> Figure:
-    assert preset.model is not None
-    labels = read_labels(CARDS.with_suffix(".csv"))
-    lesson = lesson_of(speech(labels[-1].end), labels)
+    said = Utterance(CARDS, read_labels(CARDS.with_suffix(".csv")), "cards", "takes")
     began = time.perf_counter()
-    adapt(preset.model, [lesson] * COPIES)
+    calibrate(preset, [said] * COPIES)
     seconds = [time.perf_counter() - began]
     return Figure("adapting to 10 s of takes", shown(seconds), "5 s", seconds[0] / ADAPTED_WITHIN, limit=1.0)

@@ -1,13 +1,17 @@
 """``phonemeanalyser train`` and ``adapt``: what they write, say and refuse."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+import soundfile
 
+from engine.analyser import Analyser, analyses_of
+from engine.audio.files import SoundReader
 from engine.calibration.labels.label import Label
 from engine.phonemes import Phoneme
-from engine.presets.files import DEFAULT_PRESET, THESIS_PRESET, load_preset
+from engine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from engine.recognition.model import load_model
 from engine.settings import SAMPLE_RATE
 from phonemeanalyser.cli import main
@@ -16,6 +20,11 @@ from tests.sounds import noise, vowel
 from tests.tables import refused
 
 FORMANTS = {Phoneme.A: (750, 1250, 2500), Phoneme.I: (300, 2200, 3000), Phoneme.U: (310, 800, 2300)}
+
+
+def samples_of(path: Path) -> np.ndarray:
+    with SoundReader(path) as reader:
+        return np.concatenate(list(reader.blocks(1 << 16)))
 
 
 def speak(folder: Path, name: str, f0: float, seconds: float = 0.5, tract: float = 1.0) -> None:
@@ -56,6 +65,7 @@ def test_a_voice_is_adapted_to_and_the_preset_written_with_its_model(takes, tmp_
     assert main(["adapt", str(takes), "-o", str(out)]) == 0
     said = capsys.readouterr().out
     assert said.startswith(f"{out}: 4 recordings, 8 s; ")
+    assert "quarters held back in turn" in said
     preset = load_preset(out)
     assert preset.name == "voice"
     assert preset.recogniser == "learned"
@@ -63,12 +73,33 @@ def test_a_voice_is_adapted_to_and_the_preset_written_with_its_model(takes, tmp_
     assert (tmp_path / "voice.npz").is_file()
 
 
+@pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])
+def test_a_room_alone_is_silence_afterwards_whatever_recognises(tmp_path, capsys, name):
+    sound = noise(3.0, 0.02, seed=4)
+    soundfile.write(tmp_path / "room.wav", sound, SAMPLE_RATE, subtype="FLOAT")
+    out, factory = tmp_path / "here.toml", FACTORY / f"{name}.toml"
+    assert main(["adapt", "--room", str(tmp_path / "room.wav"), "--preset", str(factory), "-o", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith(f"{out}: a room of -34 dB, heard for 3.0 s; ")
+    assert "of the room is called silence" in said
+    preset = load_preset(out)
+    assert preset.settings.denoise_threshold > 0.0001
+    another = Analyser(preset).push(noise(2.0, 0.02, seed=5)).recognised
+    assert np.mean(another == Phoneme.SILENCE) > 0.95
+
+
+def test_who_names_neither_takes_nor_a_room_is_told_so(capsys):
+    with pytest.raises(SystemExit):
+        main(["adapt", "-o", "x.toml"])
+    assert "give a FOLDER of takes, or --room" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
         (["takes", "-o", "x.txt"], "x.txt: an adapted preset's file ends in .toml; name it so"),
         (["nowhere", "-o", "x.toml"], "nowhere: no labelled sound was found here; put a "),
-        (["takes", "-o", "x.toml", "--preset", str(THESIS_PRESET)], "thesis.toml: it has no learned model, so there"),
+        (["-o", "x.toml", "--room", "takes/take0.wav"], "take0.wav: The room was as loud as a voice (-1"),
     ],
 )
 def test_what_cannot_be_adapted_is_refused_in_one_sentence(takes, tmp_path, monkeypatch, capsys, arguments, words):
@@ -86,6 +117,15 @@ def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, c
     assert model.about["seed"] == 5
     assert model.about["speakers"] == 2
     assert len(model.heads) == 6
+    preset, sound = load_preset(tmp_path / "mine.toml"), next(corpus.glob("*.wav"))
+    assert (preset.name, preset.model) == ("mine", model)
+    found = np.concatenate([a.recognised for a in analyses_of([samples_of(sound)], preset)])
+    shipped = replace(load_preset(DEFAULT_PRESET), model=model)
+    assert np.array_equal(found, np.concatenate([a.recognised for a in analyses_of([samples_of(sound)], shipped)]))
+    assert (
+        main(["analyse", str(sound), "-o", str(tmp_path / "told.csv"), "--preset", str(tmp_path / "mine.toml")]) == 0
+    )
+    assert (tmp_path / "told.csv").read_text().startswith("start_s,end_s,phoneme,intensity")
     card = out.with_suffix(".md").read_text()
     for told in ("# mine", "Seed 5, 1 epochs", "| human_test/ann | en | 1.9 | CC0 | made up |", "| all | 3.7 |"):
         assert told in card

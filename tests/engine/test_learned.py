@@ -155,6 +155,18 @@ def test_another_model_goes_on_with_the_frames_that_still_waited(model):
     assert codes[47] == Phoneme.O  # had to wait, and so was named by the other one
 
 
+def test_who_changes_the_recogniser_twice_at_once_gets_every_frame_once(model):
+    analyser = Analyser(preset_of(model))
+    first = analyser.push(SOUND[: SAMPLE_RATE // 2])
+    analyser.use(Preset())
+    analyser.use(preset_of(model))
+    rest = [analyser.push(SOUND[SAMPLE_RATE // 2 :]), analyser.finish()]
+    assert rest[0].start == len(first)
+    codes = codes_of([first, *rest])
+    assert len(codes) == -(-len(SOUND) // HOP)
+    assert codes[35] == codes[47] == Phoneme.A
+
+
 def test_a_filter_switched_while_frames_wait_loses_none(model):
     analyser = Analyser(preset_of(model))
     first = analyser.push(SOUND[: SAMPLE_RATE // 2])

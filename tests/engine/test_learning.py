@@ -180,34 +180,26 @@ def test_a_voice_with_other_formants_is_learned_from_ten_seconds(model):
     trained, voices = model
     trained = replace(trained, anchors=anchors_of(voices, 1), warps=(0.8, 1.0, 1.2))
     strange = [said([Phoneme.A, Phoneme.U, Phoneme.I] * 2, 300, 1.5) for _ in range(4)]
-    outcome = adapt(trained, strange)
-    assert outcome.gains
-    assert outcome.after > outcome.before + 0.05
+    whole, _, mild = adapt(trained, strange)
     other = Voice("same", ((said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5),),))
-    assert outcome.model.warps == (1.0,)  # it knows the speaker's vocal tract
-    assert accuracy_of(outcome.model, [other]) > accuracy_of(trained, [other]) + 0.05
-    assert accuracy_of(outcome.model, voices) > 0.8  # the anchors keep what was learned before
+    assert whole.warps == mild.warps == (1.0,)  # they know the speaker's vocal tract
+    assert accuracy_of(whole, [other]) > accuracy_of(trained, [other]) + 0.05
+    for adapted in (whole, mild):
+        assert accuracy_of(adapted, voices) > 0.8  # the anchors keep what was learned before
 
 
 def test_takes_teach_even_where_each_sound_was_said_once(model):
     trained, voices = model
     trained = replace(trained, anchors=anchors_of(voices, 1))
     takes = [said([phoneme] * 4, 300, 1.5) for phoneme in (Phoneme.A, Phoneme.U, Phoneme.I)]
-    assert adapt(trained, takes).gains
-
-
-def test_nothing_changes_where_nothing_helps(model):
-    trained, voices = model
-    mine = [recording[0] for recording in voices[0].recordings]
-    outcome = adapt(trained, mine)
-    assert outcome.gains or outcome.model == trained
-    assert outcome.after >= outcome.before
+    other = Voice("same", ((said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5),),))
+    assert accuracy_of(adapt(trained, takes)[0], [other]) > accuracy_of(trained, [other])
 
 
 def test_a_phoneme_that_was_not_said_stays_as_likely_as_it_was(model):
     trained, _ = model
-    outcome = adapt(trained, [said([Phoneme.A, Phoneme.U] * 3, 300, 1.5) for _ in range(4)])
-    for head, moved in zip(trained.heads, outcome.model.heads, strict=True):
+    whole, *_ = adapt(trained, [said([Phoneme.A, Phoneme.U] * 3, 300, 1.5) for _ in range(4)])
+    for head, moved in zip(trained.heads, whole.heads, strict=True):
         np.testing.assert_allclose(moved.weights[:, Phoneme.I], head.weights[:, Phoneme.I], atol=1e-3)
 
 

@@ -77,6 +77,17 @@ def test_all_bursts_of_a_p_belong_together():
     assert (report.start, report.end) == pytest.approx((0.2, 0.2 + 3 * 0.33 + 0.03), abs=0.02)
 
 
+def test_between_the_puffs_of_a_p_there_is_silence():
+    puffs = np.tile(np.concatenate((noise(0.05, 0.3), silence(0.25))), 4)
+    report = check_take(in_a_room(silence(0.3), puffs), ROOM, Phoneme.P)
+    assert len(report.pauses) == 3
+    for k, (start, end) in enumerate(report.pauses):
+        assert start == pytest.approx(0.3 + 0.3 * k + 0.05, abs=0.031)
+        assert end == pytest.approx(0.3 + 0.3 * (k + 1), abs=0.021)
+    assert check_take(in_a_room(silence(0.3), puffs), ROOM, Phoneme.SZ).pauses == ()
+    assert report.within(1.0, 2.0).pauses[0][0] == pytest.approx(1.0 + report.pauses[0][0])
+
+
 def test_clipping_is_told_with_its_share():
     loud = np.clip(3 * tone(100, 1.0), -1, 1)
     report = check_take(loud, 0, Phoneme.A)

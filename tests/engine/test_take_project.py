@@ -177,6 +177,37 @@ def test_a_project_is_found_again_as_it_was_left(project):
         assert again.takes[1].speaker == "Bob: Ä/ö?"
 
 
+def test_the_pauses_of_a_p_are_labelled_and_found_again(project):
+    puffs = np.tile(np.concatenate((noise(0.05, 0.3), silence(0.25))), 4) + noise(1.2, 0.001, seed=3)
+    take = project.add(puffs, "Ada", Phoneme.P, report=check_take(puffs, 0.001, Phoneme.P))
+    said = [label.phoneme for label in take.to_labels() if label.certainty == "core"]
+    assert said == [Phoneme.P, *[Phoneme.SILENCE, Phoneme.P] * 3]
+    trimmed = project.trim(take, 0.1, 0.5)  # in the midst of two pauses
+    said = [label.phoneme for label in trimmed.to_labels() if label.certainty == "core"]
+    assert said == [Phoneme.SILENCE, Phoneme.P, Phoneme.SILENCE]
+    project.trim(trimmed, take.start, take.end)
+    project.close()
+    with TakeProject(project.folder) as again:
+        assert again.takes == (take,)
+    (project.folder / "takes.json").unlink()
+    with TakeProject(project.folder) as again:
+        found, expected = again.takes[0].to_labels(), take.to_labels()
+        assert [x.phoneme for x in found] == [x.phoneme for x in expected]
+        assert [x.end for x in found] == pytest.approx([x.end for x in expected])
+
+
+def test_a_list_of_takes_without_pauses_is_still_read(project):
+    take = project.add(SOUND, "Ada", Phoneme.A)
+    project.close()
+    path = project.folder / "takes.json"
+    document = json.loads(path.read_text())
+    del document["takes"][0]["pauses"]
+    path.write_text(json.dumps(document))
+    with TakeProject(project.folder) as again:
+        assert again.takes == (take,)
+        assert again.notes == ()
+
+
 @pytest.mark.parametrize(
     ("speaker", "folder"),
     [

@@ -221,6 +221,8 @@ def test_takes_come_back_without_the_list(tmp_path, lost):
         ("end", 99.0),
         ("sound", "../../x/a-1.flac"),
         ("speaker", None),
+        ("pauses", [[0.3, 0.1]]),
+        ("pauses", [["0.1", 0.3]]),
     ],
 )
 def test_one_damaged_entry_does_not_cost_the_others(tmp_path, field, value):

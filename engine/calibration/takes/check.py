@@ -36,6 +36,12 @@ LOUDEST_SILENCE = 10.0
 
 LONGEST_GAP = 0.15
 """Pauses that do not end a sound, seconds."""
+SOFTEST_PUFF = 20.0
+"""What lies this much below the loudest 10 ms is no part of a puff of the lips, dB."""
+BEFORE_PUFF, AFTER_PUFF = 0.01, 0.02
+"""What belongs to a puff besides, seconds: its first movement, and its dying away."""
+LEAST_PAUSE = 0.03
+"""A pause between two puffs lasts at least this, seconds."""
 ATTACK = 0.05
 """What a sound needs to begin, and to end, seconds; it is not steady there."""
 STEADY_WITHIN = 6.0
@@ -71,6 +77,7 @@ class TakeReport:
     noise : of the room, in the same; -inf where it is not known.
     snr : how far the sound lies above the room, dB; inf where the room is not known.
     clipped : share of samples at full scale, 0..1.
+    pauses : between the puffs of a p that is said several times, (start, end) in seconds: silence.
     """
 
     faults: Mapping[Fault, str]
@@ -82,6 +89,7 @@ class TakeReport:
     noise: float
     snr: float
     clipped: float
+    pauses: tuple[tuple[float, float], ...] = ()
 
     @property
     def good(self) -> bool:
@@ -91,7 +99,8 @@ class TakeReport:
     def within(self, start: float, duration: float) -> "TakeReport":
         """Give the report of this take, as a part of a longer sound in which something is heard throughout."""
         first, last = (self.start, self.end) if self.start < self.end else (0.0, duration)
-        return replace(self, onset=0.0, offset=math.inf, start=start + first, end=start + last)
+        pauses = tuple((start + a, start + b) for a, b in self.pauses)
+        return replace(self, onset=0.0, offset=math.inf, start=start + first, end=start + last, pauses=pauses)
 
 
 def check_take(samples: Sound, noise: float, phoneme: Phoneme) -> TakeReport:
@@ -120,6 +129,7 @@ def check_take(samples: Sound, noise: float, phoneme: Phoneme) -> TakeReport:
         noise=_decibels(noise) if noise > 0 else -np.inf,
         snr=_decibels(clean**0.5 / noise) if noise > 0 else np.inf,
         clipped=float(np.mean(np.abs(samples) >= FULL)) if len(samples) else 0.0,
+        pauses=_pauses_in(levels, heard) if phoneme is Phoneme.P else (),
     )
     loudest = float(levels.max(initial=0.0))
     found = _faults_of_silence(report, loudest) if is_silence else _faults_of_sound(report, loudest, phoneme)
@@ -204,6 +214,14 @@ def _heard_in(levels: Levels, noise: float, *, bridged: bool) -> slice:
     parts = np.split(frames, np.flatnonzero(np.diff(frames) > longest_gap) + 1)
     longest = max(parts, key=lambda part: int(part[-1] - part[0]))
     return slice(int(longest[0]), int(longest[-1]) + 1)
+
+
+def _pauses_in(levels: Levels, heard: slice) -> tuple[tuple[float, float], ...]:
+    """Give the pauses between puffs, seconds: what is left when every puff has what belongs to it."""
+    loud = np.flatnonzero(levels[heard] > levels[heard].max(initial=0.0) * _ratio(-SOFTEST_PUFF)) + heard.start
+    before, after, least = (round(t / FRAME_PERIOD) for t in (BEFORE_PUFF, AFTER_PUFF, LEAST_PAUSE))
+    gaps = zip((loud[:-1] + 1 + after).tolist(), (loud[1:] - before).tolist(), strict=True)
+    return tuple((first * FRAME_PERIOD, end * FRAME_PERIOD) for first, end in gaps if end - first >= least)
 
 
 def _steady_in(levels: Levels, heard: slice) -> slice:

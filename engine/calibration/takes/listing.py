@@ -201,12 +201,14 @@ def _take_from(path: Path, sound: str, number: int, row: dict[str, str] | None, 
         return None
     assert named is not None
     start, end, onset, offset = 0.0, duration, 0.0, duration
+    pauses: tuple[tuple[float, float], ...] = ()
     with suppress(CorpusError):
         labels = read_labels(path.with_suffix(".csv"), duration=duration)
         core = [label for label in labels if label.certainty == CORE]
         start, end = core[0].start, min(core[-1].end, duration)
         heard = [label for label in labels if label.certainty == CORE or label.phoneme.label == "unidentified"]
         onset, offset = heard[0].start, min(heard[-1].end, duration)
+        pauses = tuple((x.start, x.end) for x in core[1:-1] if x.phoneme is not named[0]) if named else ()
     return Take(
         number=number,
         sound=sound,
@@ -221,6 +223,7 @@ def _take_from(path: Path, sound: str, number: int, row: dict[str, str] | None, 
         time=row.get("time", ""),
         excluded=excluded and not sound.startswith(DELETED),
         deleted=sound.startswith(DELETED),
+        pauses=pauses,
     )
 
 

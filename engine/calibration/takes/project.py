@@ -125,6 +125,7 @@ class TakeProject:
             offset=offset,
             device=device,
             time=(time or datetime.now()).astimezone().isoformat(timespec="seconds"),
+            pauses=tuple((min(a, end), min(b, end)) for a, b in report.pauses) if report is not None else (),
         )
         self._disk.add(take, samples, rate)
         away = self._disk.place_for(number, by, phoneme, deleted=True)

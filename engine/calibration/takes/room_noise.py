@@ -1,4 +1,8 @@
-"""What a room sounds like while nobody speaks, and the thresholds that tell it from speech."""
+"""What a room sounds like while nobody speaks, and what tells it from speech, whatever recognises.
+
+The denoise threshold is set for every recogniser. Silence is told by the thresholds of the thesis rules; a preset
+with rules of its own gets one before them; the learned recogniser and templates get what `room_silence` finds.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -7,13 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.analyser import Analyser
+from engine.calibration.takes.room_silence import sensitivity_for, silence_level_for
 from engine.errors import TakeError
 from engine.features.measure import Features
 from engine.phonemes import Phoneme
 from engine.presets.preset import Preset
 from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.rules import RULES
-from engine.settings import FRAME_PERIOD, HOP, LIMITS, SAMPLE_RATE, WINDOW
+from engine.recognition.rules import Condition, Rule
+from engine.settings import FRAME_PERIOD, HOP, LIMITS, SAMPLE_RATE, WINDOW, Filter
 
 Sound = NDArray[np.float32]
 Values = NDArray[np.float64]
@@ -29,15 +34,17 @@ LEAST_AMPLITUDE = 1e-5
 SPREAD = 3.0
 """How many standard deviations of resampling lie on each side of a value: with steady white noise, what a long
 measurement gives lies between in at least eight of ten cases of two seconds."""
+CONFIDENT = 1.96
+"""Standard deviations that hold 95 %."""
 N_RESAMPLES = 400
 CORRELATED = WINDOW // HOP + 1
 """Frames whose windows overlap: they are drawn together, since they say nearly the same."""
 DISTURBED = 12.0
 """Where the loudest 10 ms lie this much above the usual ones, the room was not silent, dB."""
+LOUDEST = -30.0
+"""What is as loud as this all the time is no silence, dB below full scale (RMS)."""
 SILENT = 1e-6
 """Where all samples stay below this amplitude, a microphone delivers nothing (24 bits reach 1.2e-7)."""
-
-SILENCE_RULE = next(rule for rule in RULES if rule.phoneme is Phoneme.SILENCE)
 
 MEASURED = {
     "denoise_threshold": "max_energy",
@@ -59,16 +66,21 @@ class Bound:
 
 @dataclass(frozen=True)
 class Sureness:
-    """How well the new thresholds tell the room from speech.
+    """How well a preset tells the room from speech; bounds are of a confidence of 95 %.
 
     Attributes
     ----------
-    room_silent : share of the room's frames that the rules call silence, 0..1.
-    speech_silent : share of the speech's frames that they call silence, 0..1; None where there was no speech.
+    room_silent : share of the room's frames that are called silence, 0..1.
+    speech_silent : share of the speech's frames that are; None where there was no speech.
     """
 
-    room_silent: float
-    speech_silent: float | None
+    room_silent: Bound
+    speech_silent: Bound | None
+
+    def __str__(self) -> str:
+        speech = self.speech_silent
+        lost = "" if speech is None else f", and {_in_words(speech)} of the speech in the takes"
+        return f"{_in_words(self.room_silent)} of the room is called silence{lost}"
 
 
 @dataclass(frozen=True)
@@ -90,29 +102,61 @@ class RoomNoise:
     notes: tuple[str, ...]
     samples: Sound = field(repr=False, compare=False)
 
-    def thresholds(self, preset: Preset) -> Preset:
-        """Give the preset with the thresholds that the room sets, otherwise the same.
+    def __str__(self) -> str:
+        return f"{20 * np.log10(max(self.level, SILENT)):.0f} dB, heard for {self.seconds:.1f} s"
 
-        Where the preset denoises too weakly to clear the room's spectra, `silence_szsch1` rises to what is left
-        in them: no frame would be silence otherwise.
+    def thresholds(self, preset: Preset, speech: Sound | None = None) -> Preset:
+        """Give the preset that takes the room for silence, otherwise the same.
+
+        Parameters
+        ----------
+        preset : with the front end that the room was measured with.
+        speech : takes of speech without pauses, one after the other, float32, shape (n,), 44.1 kHz; the learned
+            recogniser and templates go no further than it bears.
         """
-        values = {name: bound.value for name, bound in self.bounds.items()}
-        settings = replace(preset.settings, denoise_threshold=values.pop("denoise_threshold"))
-        preset = replace(preset, settings=settings, thresholds=replace(preset.thresholds, **values))
-        left = MARGIN * float(np.quantile(_features_of(self.samples, preset)["m_szsch1"], SHARE))
-        highest = max(preset.thresholds.silence_szsch1, left)
-        return replace(preset, thresholds=replace(preset.thresholds, silence_szsch1=highest))
+        settings = replace(preset.settings, denoise_threshold=self.bounds["denoise_threshold"].value)
+        if preset.recogniser == "rules":
+            return replace(preset, settings=settings, rules=self._rules_of(preset))
+        settings = replace(settings, filters=settings.filters | {Filter.DENOISE})
+        preset = self._with_thresholds(replace(preset, settings=settings))
+        if preset.recogniser == "learned":
+            louder = sensitivity_for(self.samples, preset, speech)
+            return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: louder})
+        if preset.recogniser == "templates" and preset.templates is not None:
+            level = silence_level_for(self.samples, preset.templates.silence_below, speech)
+            return replace(preset, templates=replace(preset.templates, silence_below=level))
+        return preset
 
     def sureness(self, preset: Preset, speech: Sound | None = None) -> Sureness:
-        """Say how well a preset's silence rule tells the room from speech.
+        """Say how well a preset tells the room from speech.
 
         Parameters
         ----------
         preset : as from `thresholds`.
-        speech : takes of speech without pauses, one after the other, float32, shape (n,), 44.1 kHz.
+        speech : as there.
         """
-        of_speech = None if speech is None else _share_silent(speech, preset)
+        of_speech = None if speech is None or len(speech) < WINDOW else _share_silent(speech, preset)
         return Sureness(_share_silent(self.samples, preset), of_speech)
+
+    def _with_thresholds(self, preset: Preset) -> Preset:
+        """Set the silence of the thesis rules.
+
+        Where the preset denoises too weakly to clear the room's spectra, `silence_szsch1` rises to what is left
+        in them: no frame would be silence otherwise.
+        """
+        values = {name: bound.value for name, bound in self.bounds.items() if name != "denoise_threshold"}
+        preset = replace(preset, thresholds=replace(preset.thresholds, **values))
+        left = MARGIN * float(np.quantile(_features_of(self.samples, preset)["m_szsch1"], SHARE))
+        highest = max(preset.thresholds.silence_szsch1, left)
+        return replace(preset, thresholds=replace(preset.thresholds, silence_szsch1=highest))
+
+    def _rules_of(self, preset: Preset) -> tuple[Rule, ...]:
+        """Ask for the room before all other rules; what asked for another room before makes room for it."""
+        limits = {MEASURED[name]: bound.value for name, bound in self.bounds.items() if name in MEASURED}
+        conditions = tuple(Condition(variable, "<", limit=limit) for variable, limit in limits.items())
+        names = [c.variable for c in conditions]
+        known = preset.rules and [c.variable for c in preset.rules[0].conditions] == names
+        return (Rule(Phoneme.SILENCE, conditions), *(preset.rules[1:] if known else preset.rules))
 
 
 def measure_room(samples: Sound, preset: Preset) -> RoomNoise:
@@ -176,10 +220,21 @@ def _features_of(samples: Sound, preset: Preset) -> Features:
     return Analyser(replace(preset, recogniser="thesis")).push(samples).features
 
 
-def _share_silent(samples: Sound, preset: Preset) -> float:
-    features = _features_of(samples, preset)
-    below = [features[c.variable] < getattr(preset.thresholds, c.threshold) for c in SILENCE_RULE.conditions]
-    return float(np.mean(np.all(below, axis=0))) if len(features.values) else float("nan")
+def _share_silent(samples: Sound, preset: Preset) -> Bound:
+    """Give the share of frames that are recognised as silence, with Wilson's bounds (1927).
+
+    Frames whose windows overlap say nearly the same, so they count as one observation.
+    """
+    found = Analyser(preset, phonemes_only=True).push(samples).recognised
+    share = float(np.mean(found == Phoneme.SILENCE)) if len(found) else float("nan")
+    n = max(1.0, len(found) / CORRELATED)
+    middle = (share + CONFIDENT**2 / (2 * n)) / (1 + CONFIDENT**2 / n)
+    doubt = CONFIDENT / (1 + CONFIDENT**2 / n) * (share * (1 - share) / n + CONFIDENT**2 / (4 * n**2)) ** 0.5
+    return Bound(share, max(0.0, middle - doubt), min(1.0, middle + doubt))
+
+
+def _in_words(share: Bound) -> str:
+    return f"{share.value:.0%} ({share.low:.0%}..{share.high:.0%})"
 
 
 def _notes(samples: Sound) -> list[str]:
@@ -189,6 +244,9 @@ def _notes(samples: Sound) -> list[str]:
     powers = np.mean((parts - samples.mean(dtype=np.float64)) ** 2, axis=1)
     if np.abs(samples).max() < SILENT:
         return ["The microphone delivers nothing at all; check that it is on, else the thresholds mean nothing."]
+    usual = 10 * np.log10(max(float(np.median(powers)), SILENT**2))
+    if usual > LOUDEST:
+        return [f"The room was as loud as a voice ({usual:.0f} dB); keep quiet and measure it again."]
     above = 10 * np.log10(powers.max() / max(float(np.median(powers)), SILENT**2))
     if above > DISTURBED:
         return [f"Something was heard that lies {above:.0f} dB above the room; keep quiet and measure it again."]

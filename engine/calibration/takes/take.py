@@ -41,6 +41,7 @@ class Take:
     time : when it was recorded, in ISO 8601.
     excluded : whether it counts for nothing, for now.
     deleted : whether it lies among what was deleted.
+    pauses : where nothing is said between its start and its end, (start, end) in seconds, in order.
 
     Raises
     ------
@@ -60,6 +61,7 @@ class Take:
     time: str = ""
     excluded: bool = False
     deleted: bool = False
+    pauses: tuple[tuple[float, float], ...] = ()
 
     def __post_init__(self) -> None:
         times = (self.duration, self.start, self.end, self.onset, self.offset)
@@ -69,6 +71,9 @@ class Take:
                 f"{self.name}: what counts of a take must lie in its {self.duration:g} s, got "
                 f"{self.start:g}..{self.end:g} s; choose a stretch of the sound"
             )
+        paused = [time for pause in self.pauses for time in pause]
+        if paused != sorted(paused) or not all(0 <= time <= self.duration for time in paused):
+            raise TakeError(f"{self.name}: pauses must follow one another in the sound, got {self.pauses!r:.60}")
         parts = PurePosixPath(self.sound).parts
         if len(parts) < 2 or parts[0] not in {TAKES, DELETED} or ".." in parts or re.search(r"[\\:\0]", self.sound):
             raise TakeError(
@@ -86,15 +91,17 @@ class Take:
         return str(PurePosixPath(self.sound).with_suffix(".csv"))
 
     def to_labels(self) -> tuple[Label, ...]:
-        """Give the labels of the whole sound.
+        """Give the labels of the whole sound; pauses in it are silence.
 
         What lies outside the stretch that counts is not certain: where nothing is heard it is silence, elsewhere
         it is unidentified, which no figure over the ten classes counts.
         """
         room, other, own = (Phoneme.SILENCE, TRIMMED), (Phoneme.UNIDENTIFIED, TRIMMED), (self.phoneme, CORE)
         onset, offset = min(self.onset, self.start), max(self.offset, self.end)
-        borders = (0.0, onset, self.start, self.end, offset, self.duration)
-        stretches = zip(borders, borders[1:], (room, other, own, other, room), strict=False)
+        inner = [min(max(time, self.start), self.end) for pause in self.pauses for time in pause]
+        borders = (0.0, onset, self.start, *inner, self.end, offset, self.duration)
+        said = (own, *((Phoneme.SILENCE, CORE), own) * len(self.pauses))
+        stretches = zip(borders, borders[1:], (room, other, *said, other, room), strict=False)
         return tuple(
             Label(start, end, phoneme.label, phoneme, certainty)
             for start, end, (phoneme, certainty) in stretches
@@ -113,8 +120,8 @@ def take_of(entry: Any) -> Take:
     ------
     TakeError : it lacks something, or says something impossible.
     """
-    names = {field.name: field.type for field in fields(Take)}
-    if not isinstance(entry, dict) or entry.keys() != names.keys():
+    names = {field.name: field.type for field in fields(Take) if field.name != "pauses"}
+    if not isinstance(entry, dict) or entry.keys() - {"pauses"} != names.keys():
         raise TakeError(f"an entry must hold {', '.join(names)}, found {entry!r:.60}")
     if not isinstance(entry["phoneme"], str) or entry["phoneme"] not in _PHONEMES:
         raise TakeError(f"phoneme must be one of {', '.join(_PHONEMES)}, found {entry['phoneme']!r:.60}")
@@ -124,7 +131,16 @@ def take_of(entry: Any) -> Take:
         fits = isinstance(value, (int, float) if expected is float else expected)  # type: ignore[arg-type]
         if not fits or isinstance(value, bool) != (expected is bool):
             raise TakeError(f"{name} must be {getattr(expected, '__name__', expected)}, found {value!r:.60}")
-    return Take(**{**entry, "phoneme": _PHONEMES[entry["phoneme"]]})
+    pauses = _pauses_of(entry.get("pauses", []))
+    return Take(**{**entry, "phoneme": _PHONEMES[entry["phoneme"]], "pauses": pauses})
+
+
+def _pauses_of(entry: Any) -> tuple[tuple[float, float], ...]:
+    """Read the pauses of a take; older lists have none."""
+    pairs = entry if isinstance(entry, list) else [entry]
+    if not all(isinstance(p, list) and len(p) == 2 and all(type(t) in {int, float} for t in p) for p in pairs):
+        raise TakeError(f"pauses must be a list of pairs of seconds, found {entry!r:.60}")
+    return tuple((float(start), float(end)) for start, end in pairs)
 
 
 def folder_for(speaker: str) -> str:
