@@ -9,6 +9,7 @@ from pathlib import Path
 from types import TracebackType
 
 from PySide6.QtCore import (
+    QCoreApplication,
     QEvent,
     QMessageLogContext,
     QObject,
@@ -64,12 +65,15 @@ class Desktop:
         self._scheme = app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
 
     def close(self) -> None:
-        """Let sound, window and system go; unsaved changes are not asked for."""
+        """Let sound, window and system go, each before what it listens to; unsaved changes are not asked for."""
         self._app.styleHints().colorSchemeChanged.disconnect(self._scheme)
         self.session.close()
         self.calibration.close()
         self.talking.close()
         self.window.retire()
+        for model in (self.talking, self.calibration, self.session, self.preset):
+            model.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # in this order; no event loop runs now
         self._settings.sync()
 
     @property
