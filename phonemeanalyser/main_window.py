@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from PySide6.QtCore import QSettings, Qt, Signal
+from PySide6.QtCore import QEvent, QSettings, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QMainWindow, QWidget
 
@@ -125,6 +125,7 @@ class MainWindow(QMainWindow):
         self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
         self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         self.state = WindowState(self, self.analysis.splitters, self.analysis.switches, self._settings)
+        self._last_page = self.state.page()
         self._add_docks()
         self.statusBar().addWidget(self.status.left, 1)
         self.statusBar().addPermanentWidget(self.status.right)
@@ -203,12 +204,14 @@ class MainWindow(QMainWindow):
     def show_page(self, number: int) -> None:
         """Show a page; the docks belong to the first one."""
         if number != ANALYSE and self.pages.currentIndex() == ANALYSE:
+            self.state.save_docks()
             self._docks.put_away()
         focused = self._focused_on(number)
         self.pages.setCurrentIndex(number)  # first, lest docks beside a wide page make the window wider
         if number == ANALYSE:
             self._docks.bring_back()
         self.switch.show_page(number)
+        self.state.save_page(number)
         self._show_edits()
         focused.setFocus()
         self.drawing.stale = True
@@ -265,6 +268,12 @@ class MainWindow(QMainWindow):
         event.acceptProposedAction()
         open_dropped(event.mimeData(), self.dialogs, self.talking_dialogs)
 
+    def changeEvent(self, event: QEvent) -> None:
+        """Keep everything whenever the user turns to another program: nobody knows how this one will end."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ActivationChange and not self.isActiveWindow():
+            self.save_state()
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, and keep the layout for the next start."""
         if not self._retired and not self.dialogs.may_go_on():
@@ -278,12 +287,16 @@ class MainWindow(QMainWindow):
 
     def save_state(self) -> None:
         """Keep layout and choices for the next start."""
-        page = self.pages.currentIndex()
-        self.show_page(ANALYSE)  # whose docks are the layout
+        if self.pages.currentIndex() == ANALYSE:
+            self.state.save_docks()
         self.calibration_dialogs.save()
         self.talking_dialogs.save()
-        self._settings.setValue("page", page)
         self.state.save(self._session, self.analysis.time_view)
+
+    def show_last_page(self) -> None:
+        """Show the page that was seen when the program ended the last time."""
+        if self._last_page in {CALIBRATE, TALK}:
+            self.show_page(self._last_page)
 
     def look_like(self, other: "MainWindow") -> None:
         """Show the same page, frozen or not, and the heads from where the other window shows them."""

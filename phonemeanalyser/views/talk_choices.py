@@ -1,7 +1,7 @@
 """Whose face it is, and how it moves."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QSpinBox, QToolButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from engine.mouth.morpher import Detail
 from phonemeanalyser.models.talking import Talking
@@ -9,6 +9,7 @@ from phonemeanalyser.models.talking_face import FaceFiles
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_keys import LettersPassed
 from phonemeanalyser.views.keys import KeysOfNumbers
+from phonemeanalyser.views.number_field import NumberField
 from phonemeanalyser.views.status_line import ElidedLabel
 
 DETAILS = {Detail.PHONEMES: "all phonemes", Detail.LOUDNESS: "loudness only", Detail.TWO_STATES: "open and shut"}
@@ -36,7 +37,7 @@ class ChoicesPanel(QWidget):
         self.own = _button("Own Mesh…", "Show a mesh of your own (.obj, .glb, .gltf, .x), with its movestates (.3dm)")
         self.shipped = _button("Program’s Own", "Show the head that ships with the program")
         self.table, self.detail = QComboBox(), QComboBox()
-        self.attack, self.release = QSpinBox(), QSpinBox()
+        self.attack, self.release = NumberField(), NumberField()
         self.blinks, self.motion, self.random = QCheckBox("blinks"), QCheckBox("head motion"), QCheckBox("randomness")
         self._describe()
         self._lay_out()
@@ -109,7 +110,7 @@ class ChoicesPanel(QWidget):
         else:
             self._talking.set_table(name)
 
-    def _choose_times(self, _value: int) -> None:
+    def _choose_times(self, _value: float) -> None:
         self._talking.set_manner(self.attack.value() / 1000, self.release.value() / 1000)
 
     def _show_state(self) -> None:

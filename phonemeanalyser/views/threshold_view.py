@@ -6,7 +6,6 @@ from typing import Any
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
 from PySide6.QtWidgets import (
-    QDoubleSpinBox,
     QFrame,
     QGridLayout,
     QLabel,
@@ -23,6 +22,7 @@ from phonemeanalyser.models.history import History
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.keys import KeysOfNumbers
+from phonemeanalyser.views.number_field import NumberField
 
 GROUPS = (
     ("Filters", ""),
@@ -167,7 +167,7 @@ class ThresholdView(QScrollArea):
         self._history = history
         self._theme = theme
         self.sliders: dict[str, ThresholdSlider] = {}
-        self.numbers: dict[str, QDoubleSpinBox] = {}
+        self.numbers: dict[str, NumberField] = {}
         self.resets: dict[str, QToolButton] = {}
         self.unused = QLabel()
         self._headings: dict[str, QLabel] = {}
@@ -226,10 +226,10 @@ class ThresholdView(QScrollArea):
         slider = ThresholdSlider(highest, condition.sign if condition else "", self._theme)
         slider.setAccessibleName(name)
         slider.setToolTip(f"{name}: drag, or arrow keys (with Shift finer). The bar is the live value.")
-        number = QDoubleSpinBox()
-        number.setRange(0, LIMITS[name][1] if name in LIMITS else 1e6)
+        number = NumberField()
+        number.setRange(*LIMITS.get(name, (-1e6, 1e6, ""))[:2])
         number.setDecimals(decimals)
-        number.setButtonSymbols(QDoubleSpinBox.ButtonSymbols.NoButtons)
+        number.setButtonSymbols(NumberField.ButtonSymbols.NoButtons)
         number.setKeyboardTracking(False)
         number.installEventFilter(KeysOfNumbers(number))
         number.setFixedWidth(60)
