@@ -2,8 +2,8 @@
 
 from functools import partial
 
-from PySide6.QtCore import QEvent, QSettings, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QWidget
 
 from phonemeanalyser import commands
@@ -42,6 +42,10 @@ from phonemeanalyser.views.transport import Transport
 from phonemeanalyser.window_state import WindowState
 
 FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 240, 310, 230
+USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
+"""What the window likes to have, and what window managers put around it, pixels."""
+NARROW = 1200
+"""A window that is first shown narrower than this has docks at its right only."""
 ANALYSE, CALIBRATE, TALK = range(3)
 KEYS_OF_DOCKS = {"Head": "F7"}
 
@@ -130,15 +134,15 @@ class MainWindow(QMainWindow):
         self.statusBar().addWidget(self.status.left, 1)
         self.statusBar().addPermanentWidget(self.status.right)
         self.setAcceptDrops(True)
-        self.resize(1280, 800)
+        self.resize(USUAL_SIZE.boundedTo(self.screen().availableSize() - DECORATIONS))
 
     def _add_docks(self) -> None:
         docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-        filters = docks.add("Filters", left, self.filters)
+        self._filters = docks.add("Filters", left, self.filters)
         phoneme = docks.add("Phoneme", right, self.recogniser, self.phoneme)
-        docks.add("Thresholds", right, self.thresholds)
+        self._thresholds = docks.add("Thresholds", right, self.thresholds)
         docks.add("Head", left, self.head).hide()
-        docks.resize({filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH})
+        docks.resize({self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH})
 
     def _make_menus(self) -> None:
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
@@ -267,6 +271,13 @@ class MainWindow(QMainWindow):
         """Load what was dropped."""
         event.acceptProposedAction()
         open_dropped(event.mimeData(), self.dialogs, self.talking_dialogs)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Lay the docks out for a narrow window, unless the user has laid them out himself."""
+        if not event.spontaneous() and not self.state.has_docks() and self.width() < NARROW:
+            self._docks.stack(self._filters, on=self._thresholds)
+            self._docks.resize({self._thresholds: PHONEME_WIDTH})
+        super().showEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         """Keep everything whenever the user turns to another program: nobody knows how this one will end."""

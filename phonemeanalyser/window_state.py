@@ -44,6 +44,10 @@ class WindowState:
         """Keep where docks and bars are: while they are seen."""
         self._settings.setValue("layout", self._window.saveState(LAYOUT_VERSION))
 
+    def has_docks(self) -> bool:
+        """Say whether docks and bars were kept."""
+        return self._settings.contains("layout")
+
     def save_page(self, number: int) -> None:
         """Keep which page is seen."""
         self._settings.setValue("page", number)

@@ -17,6 +17,10 @@ from phonemeanalyser.views.calibration_rival import RivalPanel
 from phonemeanalyser.views.calibration_spread import SpreadView
 from phonemeanalyser.views.calibration_stretches import Row, StretchList
 from phonemeanalyser.views.calibration_variables import VariablesPanel
+from phonemeanalyser.views.scrolled import Scrolled
+
+TABS_WIDTH = 250
+"""In less room than this nobody reads a list."""
 
 
 class BenchView(QWidget):
@@ -69,10 +73,10 @@ class BenchView(QWidget):
         self.cell.setWordWrap(True)
         column.addWidget(self.cell)
         column.addWidget(self.stretches, 1)
-        for widget, name in ((listed, "Stretches"), (self.fit, "Fit"), (self.rival, "Compare")):
+        for widget, name in ((listed, "Stretches"), (Scrolled(self.fit), "Fit"), (Scrolled(self.rival), "Compare")):
             self.tabs.addTab(widget, name)
         self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.tabs.setMinimumWidth(300)
+        self.tabs.setMinimumWidth(TABS_WIDTH)
         self.columns.addWidget(self.confusion)
         self.columns.addWidget(self.tabs)
         self.columns.setSizes([540, 400])

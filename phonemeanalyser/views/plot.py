@@ -8,6 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.theme import Theme
+from phonemeanalyser.views.status_line import ElidedLabel
 
 READOUTS_PER_SECOND = 30
 
@@ -94,15 +95,14 @@ class Plot(QWidget):
         self._cursor.setVisible(False)
 
     def _lay_out(self, title: str) -> None:
-        heading = QLabel(f"<b>{title}</b>")
+        heading = bold(ElidedLabel(title))
         self._cursor_label.setStyleSheet(
             f"color: {self.theme.text}; background: {self.theme.raised}; padding: 2px 5px; border-radius: 3px"
         )
         self._cursor_label.setVisible(False)
         self.header.setContentsMargins(6, 3, 6, 1)
         self.header.setSpacing(6)
-        self.header.addWidget(heading)
-        self.header.addStretch(1)
+        self.header.addWidget(heading, 1)
         self._body = QVBoxLayout(self)
         layout = self._body
         layout.setContentsMargins(0, 0, 0, 0)
@@ -118,6 +118,14 @@ class Plot(QWidget):
     def _on_mouse(self, event: tuple[QPointF]) -> None:
         inside = self.item.vb.sceneBoundingRect().contains(event[0])
         self.set_cursor(self.item.vb.mapSceneToView(event[0]) if inside else None)
+
+
+def bold(label: QLabel) -> QLabel:
+    """Have a label write boldly."""
+    font = label.font()
+    font.setBold(True)
+    label.setFont(font)
+    return label
 
 
 def switch(text: str, tip: str) -> QToolButton:
