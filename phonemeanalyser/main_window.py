@@ -194,6 +194,8 @@ class MainWindow(QMainWindow):
             model.failed.connect(self.banner.say)
         self._calibration.told.connect(self.banner.tell)
         self._calibration.edits.changed.connect(self._show_edits)
+        self._calibration.guide.changed.connect(self._lend_keys)
+        self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         session.opened.connect(self._show_names)
         session.cleared.connect(self.drawing.refresh_all)
         session.rewritten.connect(self.analysis.time_view.sonagram.forget)
@@ -217,6 +219,7 @@ class MainWindow(QMainWindow):
         self.switch.show_page(number)
         self.state.save_page(number)
         self._show_edits()
+        self._lend_keys()
         focused.setFocus()
         self.drawing.stale = True
 
@@ -230,6 +233,14 @@ class MainWindow(QMainWindow):
         edits = self._calibration.edits
         on_page = self.pages.currentIndex() == CALIBRATE
         self.menus.show_edits(of_page=on_page, undo=edits.undoable, redo=edits.redoable)
+
+    def _lend_keys(self) -> None:
+        """Leave keys to what the user is in the middle of: the guide, or a region that becomes a variable."""
+        page = self.pages.currentIndex()
+        guided = page == CALIBRATE and self._calibration.guide.running
+        marking = page == ANALYSE and self.analysis.averaged.measure.isChecked()
+        self.menus.lend_key("Stop", lent=guided or marking)
+        self.menus.lend_key("Record", lent=guided)
 
     def set_frozen(self, frozen: bool) -> None:
         """Hold the views still while sound goes on, or let them go on."""

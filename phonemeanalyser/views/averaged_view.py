@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QKeySequence, QPainter, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
 from engine.settings import BIN_WIDTH
@@ -59,7 +59,9 @@ class AveragedView(SpectrumView):
         self._entries = QHBoxLayout(self._legend)
         self._names: list[LegendEntry] = []
         self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"))
-        self.measure = switch("variable", "Mark a range of frequencies to measure as a variable of your own")
+        self.measure = switch("variable", "Mark a range of frequencies to measure as a variable of your own (V)")
+        self._escape = QShortcut(QKeySequence("Escape"), self)
+        self._dropped = False
         self._add_curve_controls()
         self._add_region()
         averages.curves_changed.connect(self._show_curves)
@@ -99,11 +101,20 @@ class AveragedView(SpectrumView):
         self.region.setVisible(False)
         self.item.addItem(self.region, ignoreBounds=True)
         self.measure.toggled.connect(self._toggle_region)
+        self._escape.setEnabled(False)
+        self._escape.activated.connect(self.drop_region)
+
+    def drop_region(self) -> None:
+        """Mark no range any more, and ask for no variable."""
+        self._dropped = True
+        self.measure.setChecked(False)
 
     def _toggle_region(self, on: bool) -> None:
         self.measure.setText("name it" if on else "variable")
         self.region.setVisible(on)
-        if not on:
+        self._escape.setEnabled(on)
+        dropped, self._dropped = self._dropped, False
+        if not on and not dropped:
             low, high = (max(0.0, edge) for edge in self.region.getRegion())
             self.variable_asked.emit(round(low / BIN_WIDTH) * BIN_WIDTH, round(high / BIN_WIDTH) * BIN_WIDTH)
 

@@ -6,12 +6,10 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QTabWidget, QVBoxLayout, QWidget
 
-from engine.phonemes import Phoneme
 from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_confusion import ConfusionView
 from phonemeanalyser.views.calibration_fit import FitPanel
-from phonemeanalyser.views.calibration_keys import name_of
 from phonemeanalyser.views.calibration_lanes import LanesView
 from phonemeanalyser.views.calibration_rival import RivalPanel
 from phonemeanalyser.views.calibration_spread import SpreadView
@@ -157,10 +155,9 @@ class BenchView(QWidget):
             return
         truth, answer = self.confusion.phonemes_of(cell)
         found = bench.passages(truth, answer)
-        taken = "unidentified" if answer is Phoneme.UNIDENTIFIED else name_of(answer)
         seconds = sum(p.end - p.start for p in found)
         self.cell.setText(
-            f"<b>{name_of(truth)}</b> recognised as <b>{taken}</b>: {len(found)} stretches, {seconds:.2f} s"
+            f"<b>{truth.label}</b> recognised as <b>{answer.label}</b>: {len(found)} stretches, {seconds:.2f} s"
         )
         paths = [u.path for u in bench.utterances]
         self.stretches.show_rows([Row(paths[p.recording], p.start, p.end) for p in found[:1000]])

@@ -12,7 +12,6 @@ from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.calibration_guide import STEPS, Phase
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.views.calibration_figures import FiguresTable
-from phonemeanalyser.views.calibration_keys import name_of
 from phonemeanalyser.views.level_meter import LevelMeter
 
 RING = 15
@@ -85,7 +84,7 @@ class StepsLine(QWidget):
             painter.fillRect(QRectF(box.left() + 4, box.bottom() - 5, box.width() - 8, 3),
                              QColor(PHONEME_COLOURS[step.phoneme]))  # fmt: skip
             colour = self._theme.text if here or done else self._theme.faint
-            words = f"✓ {name_of(step.phoneme)}" if done else name_of(step.phoneme)
+            words = f"✓ {step.phoneme.label}" if done else step.phoneme.label
             write(painter, box.adjusted(0, 0, 0, -5), words, colour, 12, CENTRED)
 
 
@@ -145,18 +144,24 @@ class GuideView(QWidget):
         guide = self._calibration.guide
         for button, text, tip, act in (
             (self.back, "◀ back", "Say the sound before once more (Backspace)", guide.back),
-            (self.again, "again", "Say this sound once more", guide.again),
+            (self.again, "again", "Say this sound once more (R)", guide.again),
             (self.skip, "skip ▶", "Go on without this sound (Right)", guide.skip),
-            (self.cancel, "cancel", "End the guide; what was recorded stays", guide.cancel),
-            (self.refuse, "keep the old preset", "Leave the preset as it was; the takes stay", guide.cancel),
+            (self.cancel, "cancel", "End the guide; what was recorded stays (Escape)", guide.cancel),
+            (self.refuse, "keep the old preset", "Leave the preset as it was; the takes stay (Escape)", guide.cancel),
             (self.accept, "use the new preset", "Change the preset; Ctrl+Z takes it back (Return)", guide.accept),
         ):
             button.setText(text)
             button.setToolTip(tip)
             button.setAccessibleName(tip)
             button.clicked.connect(lambda _checked=False, act=act: act())
-        for key, button in (("Backspace", self.back), ("Right", self.skip), ("Return", self.accept)):
-            QShortcut(QKeySequence(key), self).activated.connect(lambda button=button: _click(button))
+        for key, buttons in (
+            ("Backspace", (self.back,)),
+            ("R", (self.again,)),
+            ("Right", (self.skip,)),
+            ("Return", (self.accept,)),
+            ("Escape", (self.cancel, self.refuse)),
+        ):
+            QShortcut(QKeySequence(key), self).activated.connect(lambda buttons=buttons: _click(*buttons))
         guide.changed.connect(self._show)
 
     def _show(self) -> None:
@@ -203,9 +208,12 @@ class GuideView(QWidget):
         return guide.step.hint
 
 
-def _click(button: QToolButton) -> None:
-    if button.isVisible():
-        button.click()
+def _click(*buttons: QToolButton) -> None:
+    """Click the first one that is seen."""
+    for button in buttons:
+        if button.isVisible():
+            button.click()
+            return
 
 
 def _decibels(amplitude: float) -> float:

@@ -13,7 +13,6 @@ from engine.phonemes import Phoneme
 from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
 from phonemeanalyser.models.calibration_bench import BenchModel, Line
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.views.calibration_keys import name_of
 
 LEFT, RIGHT, TOP, BOTTOM = 88, 168, 36, 34
 """Pixels around the plot: names at its left, numbers at its right, thresholds above, the axis below."""
@@ -100,7 +99,7 @@ class SpreadView(QWidget):
     ) -> None:  # fmt: skip
         colour, middle = QColor(PHONEME_COLOURS[phoneme]), top + height / 2
         row = QRectF(0, top, self.width(), height)
-        write(painter, row.adjusted(8, 0, 0, 0), name_of(phoneme), self._theme.text, 12)
+        write(painter, row.adjusted(8, 0, 0, 0), phoneme.label, self._theme.text, 12)
         self._paint_histogram(painter, distribution, spread, colour, middle, 0.46 * height)
         painter.setPen(QColor(self._theme.text))
         low, high = self.x_of(spread.minimum), self.x_of(spread.maximum)

@@ -154,6 +154,23 @@ def test_the_key_v_marks_too(desktop, window, monkeypatch):
     assert [v.name for v in desktop.preset.preset.variables] == ["my_hiss"]
 
 
+def test_escape_drops_the_range_and_the_sound_goes_on(desktop, window, monkeypatch):
+    seen = will_answer(monkeypatch, "my_hiss")
+    press(window, Qt.Key.Key_Space)
+    press(window, Qt.Key.Key_V)
+    press(window, Qt.Key.Key_Escape)
+    assert not window.analysis.averaged.region.isVisible()
+    assert not window.analysis.averaged.measure.isChecked()
+    assert window.analysis.averaged.measure.text() == "variable"
+    assert seen == []
+    assert desktop.session.playing
+    press(window, Qt.Key.Key_Escape)
+    assert not desktop.session.playing
+    press(window, Qt.Key.Key_V)  # and the next one is asked for
+    press(window, Qt.Key.Key_V)
+    assert len(seen) == 1
+
+
 def test_a_region_dragged_over_the_edge_is_still_a_range(desktop, window, monkeypatch):
     will_answer(monkeypatch, "my_hiss")
     click(window.analysis.averaged.measure)
