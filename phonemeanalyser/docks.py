@@ -35,7 +35,9 @@ class Docks:
         return dock
 
     def stack(self, dock: QDockWidget, on: QDockWidget) -> None:
-        """Put a dock behind another one."""
+        """Put a dock behind another one, where both are in the window."""
+        if dock.isHidden() or dock.isFloating() or on.isHidden() or on.isFloating():
+            return
         self._window.tabifyDockWidget(on, dock)
         on.raise_()
 

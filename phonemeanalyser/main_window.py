@@ -45,7 +45,7 @@ FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 240, 310, 230
 USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
 """What the window likes to have, and what window managers put around it, pixels."""
 NARROW = 1200
-"""A window that is first shown narrower than this has docks at its right only."""
+"""A window that opens narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
 KEYS_OF_DOCKS = {"Head": "F7"}
 
@@ -284,8 +284,8 @@ class MainWindow(QMainWindow):
         open_dropped(event.mimeData(), self.dialogs, self.talking_dialogs)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Lay the docks out for a narrow window, unless the user has laid them out himself."""
-        if not event.spontaneous() and not self.state.has_docks() and self.width() < NARROW:
+        """Lay the docks out for a narrow window, unless they were laid out for one already."""
+        if not event.spontaneous() and self.width() < NARROW <= self.state.docks_width():
             self._docks.stack(self._filters, on=self._thresholds)
             self._docks.resize({self._thresholds: PHONEME_WIDTH})
         super().showEvent(event)

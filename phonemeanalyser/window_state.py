@@ -41,12 +41,14 @@ class WindowState:
         }
 
     def save_docks(self) -> None:
-        """Keep where docks and bars are: while they are seen."""
+        """Keep where docks and bars are, while they are seen, and how wide the window is that they are in."""
         self._settings.setValue("layout", self._window.saveState(LAYOUT_VERSION))
+        self._settings.setValue("layout_width", self._window.width())
 
-    def has_docks(self) -> bool:
-        """Say whether docks and bars were kept."""
-        return self._settings.contains("layout")
+    def docks_width(self) -> float:
+        """Give the width of the window for which docks were laid out, pixels; without end, where they never were."""
+        kept = self._kept_number("layout_width", 0)
+        return kept if kept > 0 else math.inf
 
     def save_page(self, number: int) -> None:
         """Keep which page is seen."""

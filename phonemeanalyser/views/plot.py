@@ -96,6 +96,7 @@ class Plot(QWidget):
 
     def _lay_out(self, title: str) -> None:
         heading = bold(ElidedLabel(title))
+        heading.setToolTip(title)
         self._cursor_label.setStyleSheet(
             f"color: {self.theme.text}; background: {self.theme.raised}; padding: 2px 5px; border-radius: 3px"
         )

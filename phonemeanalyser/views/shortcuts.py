@@ -13,7 +13,7 @@ CALIBRATE = [
 ]  # fmt: skip
 GUIDE = [
     ("Say the sound before once more", "Backspace"), ("Say this sound once more", "R"), ("Go on without it", "Right"),
-    ("Use the new preset", "Return"), ("End the guide", "Escape"),
+    ("Use the new preset", "Return"), ("End the guide", "Esc"),
 ]  # fmt: skip
 N_COLUMNS = 3
 
@@ -31,7 +31,7 @@ class ShortcutsDialog(QDialog):
         self.setWindowTitle("Keyboard shortcuts")
         blocks = [_block(title, [(text, key) for text, key in entries if key]) for title, entries in menus.items()]
         blocks.append(_block("Sliders and time line", [("A step; with Shift a tenth", "Left, Right")]))
-        blocks.append(_block("A variable of your own", [("Drop the range that is marked", "Escape")]))
+        blocks.append(_block("A variable of your own", [("Drop the range that is marked", "Esc")]))
         blocks.append(_block("The page Calibrate", CALIBRATE))
         blocks.append(_block("Guided calibration", GUIDE))
         blocks.append(_block("The head, when it has the focus", HEAD))

@@ -119,7 +119,7 @@ def test_the_dialog_lists_every_key(desktop, qtbot):
     for name, keys in keys_of(window).items():
         if keys and keys[0]:
             assert f"<td>{name}&nbsp;&nbsp;&nbsp;</td><td>{keys[0]}</td>" in text
-    for key in ("Backspace", "R", "Right", "Return", "Escape"):  # of the guide
+    for key in ("Backspace", "R", "Right", "Return", "Esc"):  # of the guide
         assert f"<td>{key}</td>" in text.split("<b>Guided calibration</b>")[1]
     assert dialog.width() <= 1016
     assert dialog.height() <= 660

@@ -1,6 +1,7 @@
 """Nothing is clipped: every text has room at the sizes that people use."""
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSpinBox,
@@ -15,7 +16,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from engine.audio.output import ClockOutput
 from engine.tones import Tone, ToneKind
+from phonemeanalyser.app import Desktop
 from phonemeanalyser.models.session import Source
 from tests.desktop.hands import click, followed, shown
 
@@ -181,6 +184,26 @@ def test_a_narrow_window_has_the_filters_behind_the_thresholds_until_the_user_mo
     qtbot.waitUntil(lambda: not thresholds.visibleRegion().isEmpty())
     assert window.thresholds.width() >= window.thresholds.minimumWidth()
     assert window.thresholds.parentWidget().width() <= thresholds.width()
+
+
+@pytest.mark.parametrize(("width", "moved"), [(1280, True), (1016, False)])
+def test_a_layout_of_a_wide_window_is_changed_for_a_narrow_one_and_that_of_a_narrow_one_is_kept(
+    desktop, qapp, settings, qtbot, width, moved
+):
+    first = desktop.window
+    first.resize(width, 700)
+    first.show()
+    qtbot.waitExposed(first)
+    first.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, first.findChild(QDockWidget, "Filters"))
+    qtbot.wait(20)
+    assert first.close()
+    again = Desktop(qapp, settings, lambda _n: ClockOutput())
+    again.window.resize(1016, 700)
+    again.window.show()
+    qtbot.waitExposed(again.window)
+    filters, thresholds = (again.window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
+    assert (filters in again.window.tabifiedDockWidgets(thresholds)) is moved
+    again.close()
 
 
 def test_every_dialog_and_dock_can_be_seen_at_once(desktop, qtbot):
