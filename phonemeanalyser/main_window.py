@@ -321,7 +321,9 @@ class MainWindow(QMainWindow):
             self.show_page(self._last_page)
 
     def look_like(self, other: "MainWindow") -> None:
-        """Show the same page, frozen or not, and the heads from where the other window shows them."""
+        """Have the same size and page, frozen or not, and show the heads from where the other window shows them."""
+        if not self.isMaximized() and not self.isFullScreen():
+            self.resize(other.size())
         self.show_page(other.pages.currentIndex())
         self.set_frozen(other.drawing.frozen)
         self._heads.look_like(other._heads)
