@@ -5,11 +5,14 @@ import sys
 import tempfile
 import traceback
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 
 from PySide6.QtCore import (
+    QCoreApplication,
     QEvent,
+    QLocale,
     QMessageLogContext,
     QObject,
     QSettings,
@@ -25,12 +28,14 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from engine.audio.output import ClockOutput, Output, open_output
 from engine.errors import EngineError
 from engine.settings import Channel
+from phonemeanalyser.keeping import Keeper
 from phonemeanalyser.main_window import MainWindow
 from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
 from phonemeanalyser.models.talking import Talking
+from phonemeanalyser.models.unsaved import UnsavedChanges
 from phonemeanalyser.theme import DARK, LIGHT, Theme, apply_theme, system_theme
 
 AFTER_PAINTING_MS = 20
@@ -54,6 +59,7 @@ class Desktop:
         self, app: QApplication, settings: QSettings, open_device: Callable[[int], Output] = open_output,
         microphone: Microphone | None = None, preset: PresetModel | None = None,
     ) -> None:  # fmt: skip
+        QLocale.setDefault(QLocale.c())  # one decimal sign everywhere, the point, as in all our files
         self._app = app
         self._settings = settings
         self.preset = preset or PresetModel()
@@ -65,12 +71,20 @@ class Desktop:
         self._scheme = app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
 
     def close(self) -> None:
-        """Let sound, window and system go; unsaved changes are not asked for."""
+        """Let sound, window and system go, each before what it listens to; unsaved changes are not asked for."""
         self._app.styleHints().colorSchemeChanged.disconnect(self._scheme)
         self.session.close()
         self.calibration.close()
         self.talking.close()
         self.window.retire()
+        for model in (self.talking, self.calibration, self.session, self.preset):
+            model.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # in this order; no event loop runs now
+        self._settings.sync()
+
+    def save(self) -> None:
+        """Keep layout and choices for the next start, on the disk."""
+        self.window.save_state()
         self._settings.sync()
 
     @property
@@ -81,9 +95,8 @@ class Desktop:
     def set_theme(self, name: str) -> None:
         """Choose ``light``, ``dark`` or ``system``."""
         self._settings.setValue("theme", name)
-        old, page = self.window, self.window.pages.currentIndex()
+        old = self.window
         old.save_state()
-        old.show_page(page)
         self.window = self._make_window()
         self.window.show()  # which lays the docks out, before a page without them is shown
         self.window.look_like(old)
@@ -137,19 +150,30 @@ def make_application() -> QApplication:
     return app
 
 
-def run(file: Path, preset: Path | None = None, channel: Channel | None = None) -> int:
-    """Open the window on a file and stay until it is closed; returns the exit code."""
+def run(file: Path | None, demo: Path, preset: Path | None = None, channel: Channel | None = None) -> int:
+    """Open the window on a file, or on the last one, or on the demo; returns the exit code when it is closed."""
     app = make_application()
     sys.excepthook = _report_bug
-    desktop = Desktop(app, QSettings())
-    desktop.window.dialogs.restore_preset()
+    settings = QSettings()
+    desktop = Desktop(app, settings)
+    dialogs, unsaved = desktop.window.dialogs, UnsavedChanges(desktop.preset, _data_folder(), settings)
+    keeper = Keeper(app, desktop.save, unsaved)
+    dialogs.restore_preset()
+    dialogs.take_up_unsaved(unsaved)
     if preset is not None:
-        desktop.window.dialogs.load_preset(preset)
-    FirstPaint(desktop.window).painted.connect(lambda: _begin(desktop, file, channel))
-    desktop.window.show()
+        dialogs.load_preset(preset)
+    begin = partial(_begin, desktop, file or dialogs.last_sound() or demo, channel)
+    FirstPaint(desktop.window).painted.connect(begin)
+    desktop.window.show()  # which lays the docks out, before a page without them is shown
+    desktop.window.show_last_page()
     code = app.exec()
+    keeper.close()
     desktop.close()
     return code
+
+
+def _data_folder() -> Path:
+    return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
 
 
 def _begin(desktop: Desktop, file: Path, channel: Channel | None) -> None:
@@ -208,7 +232,7 @@ def _pass_message(_kind: QtMsgType, _context: QMessageLogContext, message: str) 
 
 def _report_bug(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
     """Write a bug to the log, and show one dialog however often it comes."""
-    folder = Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
+    folder = _data_folder()
     folder.mkdir(parents=True, exist_ok=True)
     log = folder / "phonemeanalyser.log"
     logging.basicConfig(filename=log, format="%(asctime)s %(message)s")

@@ -52,7 +52,7 @@ def _window(words: list[str]) -> int:
         description="Calibrate real-time phoneme recognition for lip sync.",
         epilog=f"Commands: {', '.join(COMMANDS)}; for each, phonemeanalyser COMMAND --help",
     )
-    parser.add_argument("file", type=Path, nargs="?", default=DEMO, help="sound file to open (default: a demo)")
+    parser.add_argument("file", type=Path, nargs="?", help="sound file to open (default: the last, or a demo)")
     parser.add_argument("--preset", type=Path, help="preset (.toml) or PhonemeData file to begin with")
     add_channel(parser, None)
     parser.add_argument("--version", action="version", version=f"%(prog)s {version('phonemeanalyser')}")
@@ -60,7 +60,7 @@ def _window(words: list[str]) -> int:
     if reason := why_no_window(os.environ):
         print(f"phonemeanalyser: {reason}", file=sys.stderr)
         return NO_DISPLAY
-    return int(_app().run(options.file, options.preset, options.channel))
+    return int(_app().run(options.file, DEMO, options.preset, options.channel))
 
 
 def _listen(words: list[str]) -> int:

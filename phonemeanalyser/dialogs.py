@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QIODevice, QObject, QSaveFile, QSettings, Signal
@@ -17,6 +18,7 @@ from engine.presets.entries import PresetEntry, preset_entries
 from engine.presets.files import FACTORY_PRESETS, own_presets
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session, Source
+from phonemeanalyser.models.unsaved import UnsavedChanges
 from phonemeanalyser.views.variable_dialog import VariableDialog
 
 N_RECENT = 8
@@ -101,6 +103,11 @@ class Dialogs(QObject):
             return [kept]
         return [str(path) for path in kept] if isinstance(kept, list) else []
 
+    def last_sound(self) -> Path | None:
+        """Give the sound that was opened last, if it is still there."""
+        recent = self.recent_sounds()
+        return Path(recent[0]) if recent and Path(recent[0]).is_file() else None
+
     def ask_save_phonemes(self) -> None:
         """Let the user choose a file to save the phonemes of the opened sound to; its ending says in which format."""
         sound = self._session.path
@@ -163,6 +170,18 @@ class Dialogs(QObject):
         path = Path(str(self._settings.value("preset", "")))
         if path.is_file() and path != self._preset.path:
             self._try(lambda: self._preset.load(path))
+
+    def take_up_unsaved(self, unsaved: UnsavedChanges) -> None:
+        """Take up what was changed and not saved when the program ended, and offer to undo that."""
+        try:
+            found = unsaved.take_up()
+        except EngineError as error:
+            self.refused.emit(f"The changes that were not saved when the program ended cannot be read: {error}")
+            return
+        if found:
+            name, stack = self._preset.preset.name, self._preset.undo_stack
+            sentence = f"The changes of the preset {name} that were not saved when the program ended are here again."
+            self.offered.emit(sentence, "Undo Them", partial(stack.setIndex, 0))
 
     def ask_preset(self) -> None:
         """Let the user choose a preset file."""
@@ -265,8 +284,8 @@ class Dialogs(QObject):
 
     def ask_variable(self, low: float, high: float) -> None:
         """Let the user name a variable over a frequency range (Hz), and choose what it measures."""
-        dialog = VariableDialog(low, high, self._window)
-        if dialog.exec() and self._try(lambda: self._preset.add_variable(dialog.variable())):
+        dialog = VariableDialog(low, high, self._preset.add_variable, self._window)
+        if dialog.exec():
             self.variable_added.emit(dialog.variable().name)
 
     def add_variable(self, variable: Variable) -> None:

@@ -6,6 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout, QWidget
 
+from phonemeanalyser.views.scrolled import Scrolled
+
 
 class Docks:
     """Adds docks to a window, and puts them away while a page is seen that has none."""
@@ -14,6 +16,7 @@ class Docks:
         self._window = window
         self._docks: dict[str, QDockWidget] = {}
         self._away: dict[QDockWidget, int] = {}
+        self._in_front: list[QDockWidget] = []
 
     def add(self, title: str, area: Qt.DockWidgetArea, *views: QWidget) -> QDockWidget:
         """Add a dock with views one below the other."""
@@ -25,10 +28,18 @@ class Docks:
         column.setSpacing(0)
         for view in views:
             column.addWidget(view)
-        body.setSizePolicy(views[-1].sizePolicy())
-        dock.setWidget(body)
+        scrolled = Scrolled(body)
+        scrolled.setSizePolicy(views[-1].sizePolicy())
+        dock.setWidget(scrolled)
         self._window.addDockWidget(area, dock)
         return dock
+
+    def stack(self, dock: QDockWidget, on: QDockWidget) -> None:
+        """Put a dock behind another one, where both are in the window."""
+        if dock.isHidden() or dock.isFloating() or on.isHidden() or on.isFloating():
+            return
+        self._window.tabifyDockWidget(on, dock)
+        on.raise_()
 
     def resize(self, widths: Mapping[QDockWidget, int]) -> None:
         """Give some docks other widths, pixels."""
@@ -44,8 +55,9 @@ class Docks:
     def put_away(self) -> None:
         """Hide all docks until they are brought back."""
         laid_out = self._window.isVisible()
-        seen = [dock for dock in self._docks.values() if not dock.isHidden()]
-        self._away = {dock: dock.width() if laid_out else 0 for dock in seen}
+        shown = [dock for dock in self._docks.values() if not dock.isHidden()]
+        self._in_front = [dock for dock in shown if not dock.visibleRegion().isEmpty()]
+        self._away = {dock: dock.width() if laid_out and dock in self._in_front else 0 for dock in shown}
         for dock in self._docks.values():
             dock.hide()
 
@@ -54,6 +66,8 @@ class Docks:
         away, self._away = self._away, {}
         for dock in away:
             dock.show()
+        for dock in self._in_front:
+            dock.raise_()
         known = {dock: width for dock, width in away.items() if width}
         if known:
             self.resize(known)

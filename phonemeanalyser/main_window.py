@@ -2,8 +2,8 @@
 
 from functools import partial
 
-from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QWidget
 
 from engine.presets.files import DEFAULT_PRESET, load_preset
@@ -44,6 +44,10 @@ from phonemeanalyser.views.transport import Transport
 from phonemeanalyser.window_state import WindowState
 
 FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 240, 310, 230
+USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
+"""What the window likes to have, and what window managers put around it, pixels."""
+NARROW = 1200
+"""A window that opens narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
 KEYS_OF_DOCKS = {"Head": "F7"}
 
@@ -130,19 +134,20 @@ class MainWindow(QMainWindow):
         self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
         self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         self.state = WindowState(self, self.analysis.splitters, self.analysis.switches, self._settings)
+        self._last_page = self.state.page()
         self._add_docks()
         self.statusBar().addWidget(self.status.left, 1)
         self.statusBar().addPermanentWidget(self.status.right)
         self.setAcceptDrops(True)
-        self.resize(1280, 800)
+        self.resize(USUAL_SIZE.boundedTo(self.screen().availableSize() - DECORATIONS))
 
     def _add_docks(self) -> None:
         docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-        filters = docks.add("Filters", left, self.filters)
+        self._filters = docks.add("Filters", left, self.filters)
         phoneme = docks.add("Phoneme", right, self.recogniser, self.phoneme)
-        docks.add("Thresholds", right, self.thresholds)
+        self._thresholds = docks.add("Thresholds", right, self.thresholds)
         docks.add("Head", left, self.head).hide()
-        docks.resize({filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH})
+        docks.resize({self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH})
 
     def _make_menus(self) -> None:
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
@@ -199,6 +204,8 @@ class MainWindow(QMainWindow):
             model.failed.connect(self.banner.say)
         self._calibration.told.connect(self.banner.tell)
         self._calibration.edits.changed.connect(self._show_edits)
+        self._calibration.guide.changed.connect(self._lend_keys)
+        self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         session.opened.connect(self._show_names)
         session.cleared.connect(self.drawing.refresh_all)
         session.rewritten.connect(self.analysis.time_view.sonagram.forget)
@@ -213,13 +220,16 @@ class MainWindow(QMainWindow):
     def show_page(self, number: int) -> None:
         """Show a page; the docks belong to the first one."""
         if number != ANALYSE and self.pages.currentIndex() == ANALYSE:
+            self.state.save_docks()
             self._docks.put_away()
         focused = self._focused_on(number)
         self.pages.setCurrentIndex(number)  # first, lest docks beside a wide page make the window wider
         if number == ANALYSE:
             self._docks.bring_back()
         self.switch.show_page(number)
+        self.state.save_page(number)
         self._show_edits()
+        self._lend_keys()
         focused.setFocus()
         self.drawing.stale = True
 
@@ -233,6 +243,14 @@ class MainWindow(QMainWindow):
         edits = self._calibration.edits
         on_page = self.pages.currentIndex() == CALIBRATE
         self.menus.show_edits(of_page=on_page, undo=edits.undoable, redo=edits.redoable)
+
+    def _lend_keys(self) -> None:
+        """Leave keys to what the user is in the middle of: the guide, or a region that becomes a variable."""
+        page = self.pages.currentIndex()
+        guided = page == CALIBRATE and self._calibration.guide.running
+        marking = page == ANALYSE and self.analysis.averaged.measure.isChecked()
+        self.menus.lend_key("Stop", lent=guided or marking)
+        self.menus.lend_key("Record", lent=guided)
 
     def set_frozen(self, frozen: bool) -> None:
         """Hold the views still while sound goes on, or let them go on."""
@@ -275,6 +293,19 @@ class MainWindow(QMainWindow):
         event.acceptProposedAction()
         open_dropped(event.mimeData(), self.dialogs, self.talking_dialogs)
 
+    def showEvent(self, event: QShowEvent) -> None:
+        """Lay the docks out for a narrow window, unless they were laid out for one already."""
+        if not event.spontaneous() and self.width() < NARROW <= self.state.docks_width():
+            self._docks.stack(self._filters, on=self._thresholds)
+            self._docks.resize({self._thresholds: PHONEME_WIDTH})
+        super().showEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Keep everything whenever the user turns to another program: nobody knows how this one will end."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ActivationChange and not self.isActiveWindow():
+            self.save_state()
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, and keep the layout for the next start."""
         if not self._retired and not self.dialogs.may_go_on():
@@ -288,15 +319,21 @@ class MainWindow(QMainWindow):
 
     def save_state(self) -> None:
         """Keep layout and choices for the next start."""
-        page = self.pages.currentIndex()
-        self.show_page(ANALYSE)  # whose docks are the layout
+        if self.pages.currentIndex() == ANALYSE:
+            self.state.save_docks()
         self.calibration_dialogs.save()
         self.talking_dialogs.save()
-        self._settings.setValue("page", page)
         self.state.save(self._session, self.analysis.time_view)
 
+    def show_last_page(self) -> None:
+        """Show the page that was seen when the program ended the last time."""
+        if self._last_page in {CALIBRATE, TALK}:
+            self.show_page(self._last_page)
+
     def look_like(self, other: "MainWindow") -> None:
-        """Show the same page, frozen or not, and the heads from where the other window shows them."""
+        """Have the same size and page, frozen or not, and show the heads from where the other window shows them."""
+        if not self.isMaximized() and not self.isFullScreen():
+            self.resize(other.size())
         self.show_page(other.pages.currentIndex())
         self.set_frozen(other.drawing.frozen)
         self._heads.look_like(other._heads)

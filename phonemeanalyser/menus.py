@@ -34,6 +34,7 @@ class Menus:
         self._edits: list[QAction] = []
         self._edits_of_page: list[QAction] = []
         self._menus: dict[str, QMenu] = {}
+        self._keys: dict[str, str] = {}
 
     def add(self, title: str, *commands: Command) -> QMenu:
         """Add a menu."""
@@ -45,6 +46,7 @@ class Menus:
             signal.connect(command.act if command.checkable else partial(_call, command.act))
             menu.addAction(action)
             self.actions[command.text] = action
+            self._keys[command.text] = command.key
         return menu
 
     def add_edit(self, stack: QUndoStack) -> None:
@@ -86,6 +88,10 @@ class Menus:
             action.triggered.connect(partial(act, name))
             group.addAction(action)
             menu.addAction(action)
+
+    def lend_key(self, text: str, *, lent: bool) -> None:
+        """Leave an entry's key to something else for a while; the entry itself stays."""
+        self.actions[text].setShortcut(QKeySequence("" if lent else self._keys[text]))
 
     def show_checked(self, text: str, on: bool) -> None:
         """Show an entry as on or off, without doing what it does."""

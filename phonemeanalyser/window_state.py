@@ -27,11 +27,11 @@ class WindowState:
         self, window: QMainWindow, splitters: dict[str, QSplitter], switches: dict[str, QAbstractButton],
         settings: QSettings,
     ) -> None:  # fmt: skip
+        self._window = window
         self._settings = settings
         self._switches = switches
         self._savers: dict[str, Callable[[], QByteArray]] = {
             "geometry": window.saveGeometry,
-            "layout": partial(window.saveState, LAYOUT_VERSION),
             **{name: splitter.saveState for name, splitter in splitters.items()},
         }
         self._restorers: dict[str, Callable[[QByteArray], object]] = {
@@ -40,8 +40,26 @@ class WindowState:
             **{name: splitter.restoreState for name, splitter in splitters.items()},
         }
 
+    def save_docks(self) -> None:
+        """Keep where docks and bars are, while they are seen, and how wide the window is that they are in."""
+        self._settings.setValue("layout", self._window.saveState(LAYOUT_VERSION))
+        self._settings.setValue("layout_width", self._window.width())
+
+    def docks_width(self) -> float:
+        """Give the width of the window for which docks were laid out, pixels; without end, where they never were."""
+        kept = self._kept_number("layout_width", 0)
+        return kept if kept > 0 else math.inf
+
+    def save_page(self, number: int) -> None:
+        """Keep which page is seen."""
+        self._settings.setValue("page", number)
+
+    def page(self) -> int:
+        """Give the number of the page that was seen last."""
+        return round(self._kept_number("page", 0))
+
     def save(self, session: Session, view: TimeView) -> None:
-        """Keep everything for the next start."""
+        """Keep everything else for the next start."""
         keep = self._settings.setValue
         for name, save in self._savers.items():
             keep(name, save())

@@ -49,7 +49,7 @@ class Calibration(QObject):
         self.rival = RivalModel(preset, self.bench)
         self.guide = Guide(session, preset, self.takes)
         self.room = RoomModel(session, preset, self.takes)
-        self.edits = UndoOrder(self.takes, preset.undo_stack)
+        self.edits = UndoOrder(self, self.takes, preset.undo_stack)
         self.phoneme: Phoneme | None = None
         self.stretch: tuple[float, float] | None = None
         self._from: float | None = None

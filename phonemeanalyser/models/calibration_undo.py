@@ -11,6 +11,11 @@ from phonemeanalyser.models.calibration_takes import TakesModel
 class UndoOrder(QObject):
     """Remembers in which order takes and preset were changed.
 
+    Parameters
+    ----------
+    owner : lives no longer than takes and stack: a stack tells of its own end, and nobody may be listening then.
+    takes, stack : what is watched.
+
     Signals
     -------
     changed : what would be undone or redone is something else.
@@ -18,8 +23,8 @@ class UndoOrder(QObject):
 
     changed = Signal()
 
-    def __init__(self, takes: TakesModel, stack: QUndoStack) -> None:
-        super().__init__()
+    def __init__(self, owner: QObject, takes: TakesModel, stack: QUndoStack) -> None:
+        super().__init__(owner)
         self._takes = takes
         self._stack = stack
         self._clock = count(1)

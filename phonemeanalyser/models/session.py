@@ -190,8 +190,10 @@ class Session(QObject):
         return True
 
     def set_source(self, source: Source) -> None:
-        """Follow a file, the microphone or a tone; a file goes on from where it was left."""
+        """Follow a file, the microphone or a tone, which is heard at once; a file goes on from where it was left."""
         if source is self.source:
+            if source is Source.TONE and not self.playing:
+                self.play()
             return
         if self.source is Source.FILE:
             self._left_at = self.position
@@ -211,10 +213,12 @@ class Session(QObject):
         self.opened.emit()
 
     def set_tone(self, tone: Tone) -> None:
-        """Generate another tone."""
+        """Generate another tone, which is heard at once."""
         self.tone = tone
         if self._tone_reader is not None:
             self._tone_reader.use(tone)
+            if not self.playing:
+                self.play()
         self.transport_changed.emit()
 
     def _take_up(self, player: Player) -> None:

@@ -87,7 +87,7 @@ class AnalysisPage(QSplitter):
     def _lay_out(self) -> None:
         self.spectra.addWidget(self.spectrum)
         self.spectra.addWidget(self.averaged)
-        self.spectra.setSizes([380, 380])
+        self.spectra.setSizes([300, 460])
         for widget in (self.spectra, self.waveform, self.time_view):
             self.addWidget(widget)
         self.setSizes([190, 130, 370])

@@ -6,7 +6,7 @@ import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QKeySequence, QPainter, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
 from engine.curves import Curve
@@ -71,8 +71,11 @@ class AveragedView(SpectrumView):
         self._names: list[LegendEntry] = []
         self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"), movable=False)
         self.measure = switch(
-            "variable", "Mark a range of frequencies to measure as a variable of your own: drag anywhere in the plot"
+            "variable",
+            "Mark a range of frequencies as a variable of your own (V): drag anywhere in the plot",
         )
+        self._escape = QShortcut(QKeySequence("Escape"), self)
+        self._dropped = False
         self._add_curve_controls()
         self._add_region()
         averages.curves_changed.connect(self._show_curves)
@@ -136,12 +139,21 @@ class AveragedView(SpectrumView):
         self._since.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)  # a drag may begin there
         self._since.setStyleSheet(f"color: {self.theme.faint}")
         self._since.move(60, 6)
+        self._escape.setEnabled(False)
+        self._escape.activated.connect(self.drop_region)
+
+    def drop_region(self) -> None:
+        """Mark no range any more, and ask for no variable."""
+        self._dropped = True
+        self.measure.setChecked(False)
 
     def _toggle_region(self, on: bool) -> None:
         self.measure.setText("name it" if on else "variable")
         self.region.setVisible(on)
+        self._escape.setEnabled(on)
         self.item.vb.draw = (lambda start, end: self.region.setRegion((start, end))) if on else None
-        if not on:
+        dropped, self._dropped = self._dropped, False
+        if not on and not dropped:
             low, high = (max(0.0, edge) for edge in self.region.getRegion())
             self.variable_asked.emit(round(low / BIN_WIDTH) * BIN_WIDTH, round(high / BIN_WIDTH) * BIN_WIDTH)
 

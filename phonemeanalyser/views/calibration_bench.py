@@ -7,17 +7,19 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QTabWidget, QVBoxLayout, QWidget
 
-from engine.phonemes import Phoneme
 from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_confusion import ConfusionView
 from phonemeanalyser.views.calibration_fit import FitPanel
-from phonemeanalyser.views.calibration_keys import name_of
 from phonemeanalyser.views.calibration_lanes import LanesView
 from phonemeanalyser.views.calibration_rival import RivalPanel
 from phonemeanalyser.views.calibration_spread import SpreadView
 from phonemeanalyser.views.calibration_stretches import Row, StretchList
 from phonemeanalyser.views.calibration_variables import VariablesPanel
+from phonemeanalyser.views.scrolled import Scrolled
+
+TABS_WIDTH = 250
+"""In less room than this nobody reads a list."""
 
 
 class BenchView(QWidget):
@@ -72,10 +74,10 @@ class BenchView(QWidget):
         self.cell.setWordWrap(True)
         column.addWidget(self.cell)
         column.addWidget(self.stretches, 1)
-        for widget, name in ((listed, "Stretches"), (self.fit, "Fit"), (self.rival, "Compare")):
+        for widget, name in ((listed, "Stretches"), (Scrolled(self.fit), "Fit"), (Scrolled(self.rival), "Compare")):
             self.tabs.addTab(widget, name)
         self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.tabs.setMinimumWidth(300)
+        self.tabs.setMinimumWidth(TABS_WIDTH)
         self.columns.addWidget(self.confusion)
         self.columns.addWidget(self.tabs)
         self.columns.setSizes([540, 400])
@@ -158,10 +160,9 @@ class BenchView(QWidget):
             return
         truth, answer = self.confusion.phonemes_of(cell)
         found = bench.passages(truth, answer)
-        taken = "unidentified" if answer is Phoneme.UNIDENTIFIED else name_of(answer)
         seconds = sum(p.end - p.start for p in found)
         self.cell.setText(
-            f"<b>{name_of(truth)}</b> recognised as <b>{taken}</b>: {len(found)} stretches, {seconds:.2f} s"
+            f"<b>{truth.label}</b> recognised as <b>{answer.label}</b>: {len(found)} stretches, {seconds:.2f} s"
         )
         paths = [u.path for u in bench.utterances]
         self.stretches.show_rows([Row(paths[p.recording], p.start, p.end) for p in found[:1000]])

@@ -12,7 +12,6 @@ from engine.calibration.scores.scoring import TEN, Counts
 from engine.phonemes import Phoneme
 from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
 from phonemeanalyser.theme import Theme
-from phonemeanalyser.views.calibration_keys import name_of
 from phonemeanalyser.views.plot_menu import PlotMenu, table_of
 
 LEFT, TOP = 62, 34
@@ -68,11 +67,11 @@ class ConfusionView(QWidget):
         for column, phoneme in enumerate(TAKEN):
             box = self.cell_rect(0, column)
             heading = QRectF(box.left(), TOP - 18, box.width(), 16)
-            write(painter, heading, SHORT.get(phoneme, name_of(phoneme)), self._theme.text, 12, CENTRED)
+            write(painter, heading, SHORT.get(phoneme, phoneme.label), self._theme.text, 12, CENTRED)
         for row, phoneme in enumerate(SAID):
             box = self.cell_rect(row, 0)
             place = QRectF(6, box.top(), LEFT - 10, box.height())
-            write(painter, place, name_of(phoneme), self._theme.text, 12)
+            write(painter, place, phoneme.label, self._theme.text, 12)
             for column in range(len(TAKEN)):
                 self._paint_cell(painter, row, column)
         if self.cell is not None:
@@ -151,8 +150,8 @@ class ConfusionView(QWidget):
         """Say what a cell holds."""
         count = int(self.counts[SAID[row], TAKEN[column]]) if self.counts is not None else 0
         share = _share(self.counts, row, column)
-        taken = "unidentified" if TAKEN[column] is Phoneme.UNIDENTIFIED else name_of(TAKEN[column])
-        said = name_of(SAID[row])
+        taken = TAKEN[column].label
+        said = SAID[row].label
         return f"{said} recognised as {taken}: {count} frames of 10 ms, {share:.1%} of {said}"
 
     def _choose(self, row: int, column: int) -> None:

@@ -14,7 +14,6 @@ from phonemeanalyser.models.calibration_guide import N_STEPS, READING, STEPS, Ph
 from phonemeanalyser.models.talking import Talking
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.views.calibration_figures import FiguresTable
-from phonemeanalyser.views.calibration_keys import name_of
 from phonemeanalyser.views.head_view import HeadView
 from phonemeanalyser.views.level_meter import LevelMeter
 
@@ -83,7 +82,7 @@ class StepsLine(QWidget):
         cell = self.width() / N_STEPS
         for k in range(N_STEPS):
             box = QRectF(k * cell + 2, 2, cell - 4, self.height() - 4)
-            name = name_of(STEPS[k].phoneme) if k < READING else "sentence"
+            name = STEPS[k].phoneme.label if k < READING else "sentence"
             done, here = k in self._guide.numbers or (k == READING and self._guide.spoken), k == self._guide.index
             painter.setPen(QPen(QColor(self._theme.accent if here else self._theme.line), 2 if here else 1))
             painter.setBrush(QColor(self._theme.raised))
@@ -182,10 +181,10 @@ class GuideView(QWidget):
         self.language.activated.connect(lambda k: guide.choose(SENTENCES[k]))
         for button, text, tip, act in (
             (self.back, "◀ back", "Say the sound before once more (Backspace)", guide.back),
-            (self.again, "again", "Say this sound once more", guide.again),
+            (self.again, "again", "Say this sound once more (R)", guide.again),
             (self.skip, "skip ▶", "Go on without this sound (Right)", guide.skip),
-            (self.cancel, "cancel", "End the guide; what was recorded stays", guide.cancel),
-            (self.refuse, "keep the old preset", "Leave the preset as it was; the takes stay", guide.cancel),
+            (self.cancel, "cancel", "End the guide; what was recorded stays (Escape)", guide.cancel),
+            (self.refuse, "keep the old preset", "Leave the preset as it was; the takes stay (Escape)", guide.cancel),
             (self.save, "use and save as…", "Change the preset, and save it under a name of its own", self._save),
             (self.accept, "use the new preset", "Change the preset; Ctrl+Z takes it back (Return)", guide.accept),
             (
@@ -205,8 +204,14 @@ class GuideView(QWidget):
             button.setToolTip(tip)
             button.setAccessibleName(tip)
             button.clicked.connect(lambda _checked=False, act=act: act())
-        for key, button in (("Backspace", self.back), ("Right", self.skip), ("Return", self.accept)):
-            QShortcut(QKeySequence(key), self).activated.connect(lambda button=button: _click(button))
+        for key, buttons in (
+            ("Backspace", (self.back,)),
+            ("R", (self.again,)),
+            ("Right", (self.skip,)),
+            ("Return", (self.accept,)),
+            ("Escape", (self.cancel, self.refuse)),
+        ):
+            QShortcut(QKeySequence(key), self).activated.connect(lambda buttons=buttons: _click(*buttons))
         guide.changed.connect(self._show)
 
     def _hear_old(self) -> None:
@@ -289,9 +294,12 @@ class GuideView(QWidget):
         return outcome.refusal if done and outcome is not None else self._calibration.guide.advice
 
 
-def _click(button: QToolButton) -> None:
-    if button.isVisible():
-        button.click()
+def _click(*buttons: QToolButton) -> None:
+    """Click the first one that is seen."""
+    for button in buttons:
+        if button.isVisible():
+            button.click()
+            return
 
 
 def _decibels(amplitude: float) -> float:

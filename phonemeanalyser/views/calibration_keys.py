@@ -19,16 +19,9 @@ KEYS: dict[Phoneme, str] = {
     Phoneme.U: "U",
     Phoneme.O: "O",
 }
-"""Letters that are none of the window's shortcuts: q for quiet, h for the sound of she."""
-NAMES = {Phoneme.SILENCE: "silence", Phoneme.SZ: "s", Phoneme.SCH: "sh"}
-"""How phonemes are called whose labels are not what people say."""
+"""Letters that are none of the window's shortcuts: q for quiet, h for the sound of she, sch."""
 PHONEME_OF = {int(getattr(Qt.Key, f"Key_{key}")): phoneme for phoneme, key in KEYS.items()}
 _KEY_EVENTS = (QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
-
-
-def name_of(phoneme: Phoneme) -> str:
-    """Give what people call a phoneme."""
-    return NAMES.get(phoneme, phoneme.label)
 
 
 class Holder(Protocol):

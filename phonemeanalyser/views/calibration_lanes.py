@@ -14,7 +14,6 @@ from engine.phonemes import Phoneme
 from engine.settings import FRAME_PERIOD
 from phonemeanalyser.lettering import CENTRED, write
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.views.calibration_keys import name_of
 from phonemeanalyser.views.plot_menu import PlotMenu, table_of
 
 LEFT = 76
@@ -84,7 +83,7 @@ class Lanes(QWidget):
         wide = np.flatnonzero(np.diff(borders) * self.scale >= LEAST_TEXT)
         for k in wide.tolist():
             start, end = borders[k : k + 2].tolist()
-            name = name_of(Phoneme(int(part[start])))
+            name = Phoneme(int(part[start])).label
             x = LEFT + (first + start - self.first) * self.scale
             box = QRectF(max(x, LEFT), top, (end - start) * self.scale, LANE)
             if painter.fontMetrics().horizontalAdvance(name) < box.width() - 2:

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 from engine.calibration.takes.take import Take
 from phonemeanalyser.models.calibration_takes import TakesModel
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.views.calibration_keys import LettersPassed, name_of
+from phonemeanalyser.views.calibration_keys import LettersPassed
 
 HEADINGS = ("sound", "speaker", "s", "dB", "check")
 TIPS = (
@@ -112,7 +112,7 @@ class TakesList(QTableWidget):
         faults = report.faults if report else {}
         verdict = "excluded" if take.excluded else next((str(fault) for fault in faults), "good")
         level = f"{report.level:.0f}" if report else "–"
-        words = (name_of(take.phoneme), take.speaker, f"{take.end - take.start:.2f}", level, verdict)
+        words = (take.phoneme.label, take.speaker, f"{take.end - take.start:.2f}", level, verdict)
         items = [QTableWidgetItem(text) for text in words]
         items[0].setData(NUMBER, take.number)
         items[0].setData(Qt.ItemDataRole.DecorationRole, QColor(PHONEME_COLOURS[take.phoneme]))

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
 )
 
 from engine.phonemes import Phoneme
-from phonemeanalyser.views.calibration_keys import name_of
 
 
 class MappingDialog(QDialog):
@@ -35,7 +34,7 @@ class MappingDialog(QDialog):
             label.setTextFormat(Qt.TextFormat.PlainText)
             self.boxes[name] = box = QComboBox()
             for phoneme in Phoneme:
-                box.addItem(name_of(phoneme), phoneme)
+                box.addItem(phoneme.label, phoneme)
             box.setCurrentIndex(box.findData(Phoneme.UNIDENTIFIED))
             box.setAccessibleName(f"sound of {name}")
             for column, widget in enumerate((label, QLabel(f"{count} ×"), box)):

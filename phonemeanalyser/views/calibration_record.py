@@ -9,7 +9,7 @@ from phonemeanalyser.lettering import CENTRED, write
 from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.models.session import Source
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.views.calibration_keys import KEYS, name_of
+from phonemeanalyser.views.calibration_keys import KEYS
 from phonemeanalyser.views.time_line import clock_of
 
 COLUMNS = 5
@@ -26,7 +26,7 @@ class PhonemeButton(QToolButton):
         self.setMinimumSize(52, 40)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        name = name_of(phoneme)
+        name = phoneme.label
         self.setAccessibleName(f"record a take of {name}")
         self.setToolTip(
             f"Hold the button, or the key {KEYS[phoneme]}, while you say {name}; or while it is heard in the "
@@ -45,7 +45,7 @@ class PhonemeButton(QToolButton):
         painter.drawRoundedRect(box, 4, 4)
         painter.fillRect(box.left() + 4, box.bottom() - 4, box.width() - 8, 3, colour)
         text = QColor("#ffffff" if down and self._theme.name == "light" else self._theme.text)
-        name = name_of(self.phoneme)
+        name = self.phoneme.label
         inner = self.rect().adjusted(5, 2, -5, -3)
         write(painter, inner.adjusted(-5, 0, 5, 0), name, text, 15 if len(name) < 4 else 12, CENTRED)
         faint = text if down else QColor(self._theme.faint)
@@ -75,7 +75,7 @@ class RecordPanel(QWidget):
         held = self._calibration.phoneme
         of_file = session.source is Source.FILE and session.path is not None
         if held is not None:
-            text = f"<b>Taking {name_of(held)}</b>: let go when it is said"
+            text = f"<b>Taking {held.label}</b>: let go when it is said"
         elif of_file and stretch is not None and not session.playing:
             text = f"Marked <b>{clock_of(stretch[0], True)} – {clock_of(stretch[1], True)} s</b>: choose its sound"
         elif of_file and session.playing:

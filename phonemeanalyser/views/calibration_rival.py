@@ -9,7 +9,7 @@ from engine.calibration.scores.comparison import Stretch
 from phonemeanalyser.models.calibration_fit import RivalModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_figures import FiguresTable
-from phonemeanalyser.views.calibration_keys import LettersPassed, name_of
+from phonemeanalyser.views.calibration_keys import LettersPassed
 from phonemeanalyser.views.calibration_stretches import Row, StretchList
 
 NONE, OTHER = "choose a preset …", "another file …"
@@ -110,5 +110,5 @@ class RivalPanel(QWidget):
 
 
 def _row_of(stretch: Stretch) -> Row:
-    words = f"{name_of(stretch.label)}, {name_of(stretch.wrong)}"
+    words = f"{stretch.label.label}, {stretch.wrong.label}"
     return Row(stretch.utterance.path, stretch.start, stretch.end, words)

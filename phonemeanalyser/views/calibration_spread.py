@@ -15,7 +15,6 @@ from engine.phonemes import Phoneme
 from phonemeanalyser.lettering import AT_RIGHT, CENTRED, write
 from phonemeanalyser.models.calibration_bench import BenchModel, Line
 from phonemeanalyser.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.views.calibration_keys import name_of
 from phonemeanalyser.views.plot_menu import PlotMenu, table_of
 
 LEFT, RIGHT, TOP, BOTTOM = 88, 168, 36, 34
@@ -106,7 +105,7 @@ class SpreadView(QWidget):
     ) -> None:  # fmt: skip
         colour, middle = QColor(PHONEME_COLOURS[phoneme]), top + height / 2
         row = QRectF(0, top, self.width(), height)
-        write(painter, row.adjusted(8, 0, 0, 0), name_of(phoneme), self._theme.text, 12)
+        write(painter, row.adjusted(8, 0, 0, 0), phoneme.label, self._theme.text, 12)
         self._paint_histogram(painter, distribution, spread, colour, middle, 0.46 * height)
         painter.setPen(QColor(self._theme.text))
         low, high = self.x_of(spread.minimum), self.x_of(spread.maximum)
@@ -186,7 +185,7 @@ class SpreadView(QWidget):
         unit, spreads = self._unit_of(distribution), distribution.spreads.values()
         numbers = ("minimum", "lower_quartile", "median", "upper_quartile", "maximum")
         return {
-            "sound": [name_of(phoneme) for phoneme in distribution.spreads],
+            "sound": [phoneme.label for phoneme in distribution.spreads],
             "frames (10 ms)": [spread.n for spread in spreads],
             **{
                 f"{name.replace('_', ' ')} of {distribution.variable} ({unit})": [getattr(s, name) for s in spreads]

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QMenu, 
 
 from phonemeanalyser.models.calibration import Calibration
 from phonemeanalyser.theme import Theme
-from phonemeanalyser.views.calibration_keys import KEYS, LettersPassed, name_of
+from phonemeanalyser.views.calibration_keys import KEYS, LettersPassed
 from phonemeanalyser.views.calibration_list import TakesList
 from phonemeanalyser.views.calibration_record import RecordPanel
 from phonemeanalyser.views.calibration_wave import TakeWave
@@ -93,7 +93,7 @@ class TakesPanel(QWidget):
         self.phoneme.setAccessibleName("sound of the take")
         self.phoneme.installEventFilter(LettersPassed(self.phoneme))
         for phoneme in KEYS:
-            self.phoneme.addItem(name_of(phoneme), phoneme)
+            self.phoneme.addItem(phoneme.label, phoneme)
 
     def _add_menu(self, button: QToolButton, *entries: tuple[str, Callable[[], object]]) -> None:
         menu = QMenu(button)

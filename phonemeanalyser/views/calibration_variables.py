@@ -21,7 +21,7 @@ from engine.phonemes import Phoneme
 from engine.recognition.recogniser import takes_own_variables
 from phonemeanalyser.models.calibration_bench import BenchModel
 from phonemeanalyser.theme import Theme
-from phonemeanalyser.views.calibration_keys import KEYS, LettersPassed, name_of
+from phonemeanalyser.views.calibration_keys import KEYS, LettersPassed
 
 NAME = Qt.ItemDataRole.UserRole
 
@@ -81,8 +81,8 @@ class VariablesPanel(QWidget):
         )
         self.table.installEventFilter(LettersPassed(self.table))
         for phoneme in KEYS:
-            self.one.addItem(name_of(phoneme), phoneme)
-            self.other.addItem(name_of(phoneme), phoneme)
+            self.one.addItem(phoneme.label, phoneme)
+            self.other.addItem(phoneme.label, phoneme)
         self.other.addItem("all others", None)
         self.one.setCurrentIndex(self.one.findData(Phoneme.SZ))
         self.other.setCurrentIndex(self.other.findData(Phoneme.SCH))

@@ -9,7 +9,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QDoubleSpinBox,
     QFrame,
     QGridLayout,
     QLabel,
@@ -24,6 +23,7 @@ from engine.settings import LIMITS, QUANTISATIONS, SAMPLE_RATE, Decimation, Filt
 from phonemeanalyser.models.preset import FILTER_PARAMETERS, PresetModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.keys import KeysOfNumbers
+from phonemeanalyser.views.number_field import NumberField
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ class FilterColumn(QScrollArea):
         self._preset = preset
         self._theme = theme
         self.switches: dict[str, QCheckBox] = {}
-        self.fields: dict[str, QComboBox | QDoubleSpinBox] = {}
+        self.fields: dict[str, QComboBox | NumberField] = {}
         self.resets: dict[str, QToolButton] = {}
         self.bypass = QCheckBox("Bypass all filters")
         self.unused = QLabel()
@@ -204,7 +204,7 @@ class FilterColumn(QScrollArea):
 
     def _field(self, name: str) -> QWidget:
         field = FIELDS[name]
-        widget: QComboBox | QDoubleSpinBox
+        widget: QComboBox | NumberField
         if field.choices:
             widget = QComboBox()
             for text, value in field.choices:
@@ -212,7 +212,7 @@ class FilterColumn(QScrollArea):
             widget.activated.connect(lambda k: self._edit(name, field.choices[k][1]))
         else:
             low, high, unit = LIMITS[name]
-            widget = QDoubleSpinBox()
+            widget = NumberField()
             widget.setRange(low, high)
             widget.setDecimals(field.decimals)
             widget.setSingleStep(field.step)

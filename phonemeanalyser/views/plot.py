@@ -8,6 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.theme import Theme
+from phonemeanalyser.views.status_line import ElidedLabel
 
 READOUTS_PER_SECOND = 30
 
@@ -134,12 +135,11 @@ class Plot(QWidget):
         self._cursor.setVisible(False)
 
     def _lay_out(self, title: str, tip: str) -> None:
-        self.heading = QLabel(f"<b>{title}</b>")
-        self.heading.setToolTip(tip)
+        self.heading = bold(ElidedLabel(title))
+        self.heading.setToolTip(tip or title)
         self.header.setContentsMargins(6, 3, 6, 1)
         self.header.setSpacing(6)
-        self.header.addWidget(self.heading)
-        self.header.addStretch(1)
+        self.header.addWidget(self.heading, 1)
         self._body = QVBoxLayout(self)
         layout = self._body
         layout.setContentsMargins(0, 0, 0, 0)
@@ -155,6 +155,14 @@ class Plot(QWidget):
     def _on_mouse(self, event: tuple[QPointF]) -> None:
         self._mouse = event[0] if self.item.vb.sceneBoundingRect().contains(event[0]) else None
         self.refresh_read_out()
+
+
+def bold(label: QLabel) -> QLabel:
+    """Have a label write boldly."""
+    font = label.font()
+    font.setBold(True)
+    label.setFont(font)
+    return label
 
 
 def switch(text: str, tip: str) -> QToolButton:

@@ -1,7 +1,7 @@
 """Whose face it is, and how it moves."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QSpinBox, QToolButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from engine.mouth.morpher import Detail
 from phonemeanalyser.models.talking import Talking
@@ -9,6 +9,7 @@ from phonemeanalyser.models.talking_face import FaceFiles
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.calibration_keys import LettersPassed
 from phonemeanalyser.views.keys import KeysOfNumbers
+from phonemeanalyser.views.number_field import NumberField
 from phonemeanalyser.views.status_line import ElidedLabel
 from phonemeanalyser.views.talk_times import TimesOfSounds
 
@@ -40,7 +41,7 @@ class ChoicesPanel(QWidget):
         self.own = _button("Own Mesh…", "Show a mesh of your own (.obj, .glb, .gltf, .x), with its movestates (.3dm)")
         self.shipped = _button("Program’s Own", "Show the head that ships with the program")
         self.table, self.detail = QComboBox(), QComboBox()
-        self.attack, self.release = QSpinBox(), QSpinBox()
+        self.attack, self.release = NumberField(), NumberField()
         self.times = TimesOfSounds(talking, theme)
         self.blinks, self.motion, self.random = QCheckBox("blinks"), QCheckBox("head motion"), QCheckBox("randomness")
         self._describe()
@@ -115,7 +116,7 @@ class ChoicesPanel(QWidget):
         else:
             self._talking.set_table(name)
 
-    def _choose_speed(self, _value: int) -> None:
+    def _choose_speed(self, _value: float) -> None:
         self._talking.set_speed(self.attack.value() / 100, self.release.value() / 100)
 
     def _show_state(self) -> None:

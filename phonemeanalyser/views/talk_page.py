@@ -60,7 +60,7 @@ class TalkPage(QWidget):
         self.open = _button("Load a Sound…", "Open a sound file, and have the head say it at once")
         self.play = _button("Play", "Play or pause (Space)")
         self.stop = _button("Stop", "Stop (Escape)")
-        self.preset = _button("Load Phoneme Data…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")
+        self.preset = _button("Load Preset…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")
         self.wireframe = QCheckBox("wireframe")
         self.wireframe.setToolTip("Draw the edges of the mesh alone (W)")
         self.home = _button("⌂", "Look at the whole head from the front (Home, or a double click)")
@@ -107,7 +107,7 @@ class TalkPage(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.head, 1)
-        column.addLayout(self._row_below())
+        column.addLayout(self._rows_below())
         split = QSplitter(Qt.Orientation.Horizontal)
         split.addWidget(left)
         split.addWidget(self._panel())
@@ -119,17 +119,20 @@ class TalkPage(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(split)
 
-    def _row_below(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        row.setContentsMargins(8, 5, 8, 5)
-        row.setSpacing(6)
-        for button in (self.open, self.play, self.stop, self.preset):
-            row.addWidget(button)
-        row.addWidget(self.heard)
-        row.addWidget(self.said, 1)
-        for widget in (self.wireframe, self.light_left, self.light_right, self.home):
-            row.addWidget(widget)
-        return row
+    def _rows_below(self) -> QVBoxLayout:
+        rows = QVBoxLayout()
+        rows.setContentsMargins(8, 5, 8, 5)
+        rows.setSpacing(4)
+        looks = (self.wireframe, self.light_left, self.light_right, self.home)
+        for widgets in ((self.open, self.play, self.stop, self.preset), (self.heard, self.said, *looks)):
+            row = QHBoxLayout()
+            row.setSpacing(6)
+            for widget in widgets:
+                row.addWidget(widget, 1 if widget is self.said else 0)
+            if self.said not in widgets:
+                row.addStretch(1)
+            rows.addLayout(row)
+        return rows
 
     def _panel(self) -> QWidget:
         body = QWidget()
@@ -154,7 +157,7 @@ class TalkPage(QWidget):
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QFrame.Shape.NoFrame)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setMinimumWidth(360)
+        scroll.setMinimumWidth(body.minimumSizeHint().width() + scroll.verticalScrollBar().sizeHint().width())
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         return scroll

@@ -9,7 +9,6 @@ from typing import Any
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
 from PySide6.QtWidgets import (
-    QDoubleSpinBox,
     QFrame,
     QGridLayout,
     QLabel,
@@ -26,6 +25,7 @@ from phonemeanalyser.models.history import History
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.keys import KeysOfNumbers
+from phonemeanalyser.views.number_field import NumberField
 
 LABEL_WIDTH = 88
 LARGEST = 1e6
@@ -143,7 +143,7 @@ class Row:
 
     control: Control
     slider: ThresholdSlider
-    number: QDoubleSpinBox
+    number: NumberField
     reset: QToolButton
 
 
@@ -241,11 +241,11 @@ class ThresholdView(QScrollArea):
         row.reset.clicked.connect(lambda _checked: self._restore(control.name))
         return row
 
-    def _number(self, control: Control) -> QDoubleSpinBox:
-        number = QDoubleSpinBox()
+    def _number(self, control: Control) -> NumberField:
+        number = NumberField()
         number.setRange(-LARGEST, LARGEST)
         number.setDecimals(control.decimals)
-        number.setButtonSymbols(QDoubleSpinBox.ButtonSymbols.NoButtons)
+        number.setButtonSymbols(NumberField.ButtonSymbols.NoButtons)
         number.setKeyboardTracking(False)
         number.installEventFilter(KeysOfNumbers(number))
         number.setFixedWidth(60)

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -27,6 +26,7 @@ from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.colour_bar import ColourBar
 from phonemeanalyser.views.keys import KeysOfNumbers
+from phonemeanalyser.views.number_field import NumberField
 from phonemeanalyser.views.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, switch
 from phonemeanalyser.views.plot_menu import PlotMenu, table_of
 from phonemeanalyser.views.sonagram import COLOUR_MAPS, SPAN, PhonemeLane, SonagramItem, colours_of
@@ -53,7 +53,7 @@ class TimeView(QWidget):
         self._course_range = (0.0, 0.0)
         self._n_bins = 0
         self.decibels = switch("dB", "Brightness in dB, or linear")
-        self.low, self.high = QSpinBox(), QSpinBox()
+        self.low, self.high = NumberField(), NumberField()
         self.colours = QComboBox()
         self.variable = QComboBox()
         self._extremes, self._measured = QLabel(), QLabel()

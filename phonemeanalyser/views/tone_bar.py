@@ -5,11 +5,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QHBoxLayout, QLabel, QSlider, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
 
 from engine.tones import FORMANT_LIMITS, TONE_LIMITS, VOWELS, Tone, ToneKind, vowel_of
 from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.keys import KeysOfNumbers
+from phonemeanalyser.views.number_field import NumberField
 
 
 @dataclass(frozen=True)
@@ -97,10 +98,10 @@ class ToneBar(QWidget):
         self.vowel.setVisible(tone.kind is ToneKind.VOWEL)
         self.unit.setVisible(tone.kind is ToneKind.VOWEL)
 
-    def _number(self, name: str) -> QDoubleSpinBox:
+    def _number(self, name: str) -> NumberField:
         look = NUMBERS[name]
         low, high, unit = TONE_LIMITS.get(name, (*FORMANT_LIMITS, "Hz"))
-        box = QDoubleSpinBox()
+        box = NumberField()
         box.setRange(low, high)
         box.setDecimals(look.decimals)
         box.setSingleStep(look.step)

@@ -1,7 +1,7 @@
 """The bar above the views: source, play, stop, record, loop, volume, and what belongs to the source."""
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPainter
+from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QStackedWidget,
     QStyle,
     QToolButton,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -68,6 +69,9 @@ class Transport(QWidget):
         self.volume_label, self.channel_label = QLabel("volume"), QLabel("channel")
         self.volume = QSlider(Qt.Orientation.Horizontal)
         self.channel = QComboBox()
+        self._rows, self._row = QVBoxLayout(self), QHBoxLayout()
+        self._first = (self.source, self.open, self.play, self.stop, self.record, self.loop)
+        self._last = (self.time, self.volume_label, self.volume, self.channel_label, self.channel)
         self._lay_out()
         self._connect()
         self._show_state()
@@ -114,14 +118,43 @@ class Transport(QWidget):
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         for page in (self.time_line, self.microphone, self.tone):
             self.pages.addWidget(page)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(6, 3, 6, 3)
-        layout.setSpacing(6)
-        buttons = (self.source, self.open, self.play, self.stop, self.record, self.loop)
-        others = (self.time, self.volume_label, self.volume, self.channel_label, self.channel)
-        row: tuple[QWidget, ...] = (*buttons, self.pages, *others)
-        for widget in row:
-            layout.addWidget(widget, 1 if widget is self.pages else 0)
+        self._rows.setContentsMargins(6, 3, 6, 3)
+        self._rows.setSpacing(3)
+        self._row.setSpacing(6)
+        for widget in (*self._first, self.pages, *self._last):
+            self._row.addWidget(widget, 1 if widget is self.pages else 0)
+        self._rows.addLayout(self._row)
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for the width of the wider row, when what belongs to the source has one of its own."""
+        width = max(self._width_of(*self._first, *self._last), self._width_of(self.pages))
+        return QSize(width, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Give what belongs to the source a row of its own where one row has no room for all."""
+        super().resizeEvent(event)
+        self._wrap()
+
+    def event(self, event: QEvent) -> bool:
+        """Look anew whether one row is enough when something in it needs more room, or less."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._wrap()
+        return super().event(event)
+
+    def _wrap(self) -> None:
+        wrapped = self.width() < self._width_of(*self._first, self.pages, *self._last)
+        if wrapped and self._rows.indexOf(self.pages) < 0:
+            self._row.removeWidget(self.pages)
+            self._rows.addWidget(self.pages)
+        elif not wrapped and self._rows.indexOf(self.pages) >= 0:
+            self._rows.removeWidget(self.pages)
+            self._row.insertWidget(len(self._first), self.pages, 1)
+
+    def _width_of(self, *widgets: QWidget) -> int:
+        seen = [w for w in widgets if not w.isHidden()]
+        margins = self._rows.contentsMargins()
+        needed = sum(max(w.minimumSizeHint().width(), w.minimumWidth()) for w in seen)
+        return needed + (len(seen) - 1) * self._row.spacing() + margins.left() + margins.right()
 
     def _connect(self) -> None:
         session = self._session

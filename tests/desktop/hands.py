@@ -37,6 +37,7 @@ LEFT = Qt.MouseButton.LeftButton
 def shown(desktop: Desktop, qtbot: QtBot, sound: Path | None = CARDS) -> MainWindow:
     """Show the window, with a sound in hand."""
     window = desktop.window
+    window.resize(1280, 800)  # the screen of the tests is smaller
     with qtbot.waitActive(window):
         window.show()
         window.activateWindow()

@@ -264,6 +264,33 @@ def test_skipped_sounds_are_left_out_and_cancel_keeps_what_was_recorded(guided: 
     assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE, Phoneme.E]
 
 
+def test_escape_ends_the_guide_and_leaves_the_microphone_alone(guided: Calibrator):
+    press(guided.booth.window, Qt.Key.Key_Escape)
+    assert not guided.model.guide.running
+    assert guided.booth.studio.model.active
+    press(guided.booth.window, Qt.Key.Key_Escape)  # now it is Stop again
+    assert not guided.booth.studio.model.active
+
+
+def test_r_asks_for_the_same_sound_again_and_records_nothing(guided: Calibrator):
+    guide = guided.model.guide
+    answer(guided, 1, loud=5.0)
+    press(guided.booth.window, Qt.Key.Key_R)
+    assert (guide.index, guide.phase, guide.advice) == (1, Phase.WAITING, "")
+    assert not guided.booth.studio.model.recording
+    guide.cancel()
+    press(guided.booth.window, Qt.Key.Key_R)  # now it is Record again
+    assert guided.booth.studio.model.recording
+
+
+def test_beside_the_page_of_the_guide_escape_and_r_are_the_window_s(guided: Calibrator):
+    press(guided.booth.window, Qt.Key.Key_1, Qt.KeyboardModifier.ControlModifier)
+    press(guided.booth.window, Qt.Key.Key_R)
+    assert guided.booth.studio.model.recording
+    press(guided.booth.window, Qt.Key.Key_Escape)
+    assert not guided.booth.studio.model.active
+
+
 def test_too_little_to_learn_from_is_said_and_the_takes_stay(guided: Calibrator):
     guide, before = guided.model.guide, guided.booth.desktop.preset.preset
     for _ in range(1, len(STEPS) + 1):

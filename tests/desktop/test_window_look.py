@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QImage
-from PySide6.QtWidgets import QApplication, QDockWidget, QMessageBox
+from PySide6.QtWidgets import QApplication, QComboBox, QDockWidget, QMessageBox
 
 from engine.audio.output import ClockOutput
+from engine.phonemes import Phoneme
 from engine.settings import Channel
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.views.calibration_mapping import MappingDialog
 from phonemeanalyser.views.shortcuts import ShortcutsDialog
 from tests.desktop.hands import click, followed, press, shown, type_number
 
@@ -117,8 +119,10 @@ def test_the_dialog_lists_every_key(desktop, qtbot):
     for name, keys in keys_of(window).items():
         if keys and keys[0]:
             assert f"<td>{name}&nbsp;&nbsp;&nbsp;</td><td>{keys[0]}</td>" in text
-    assert dialog.width() < 800
-    assert dialog.height() < 800
+    for key in ("Backspace", "R", "Right", "Return", "Esc"):  # of the guide
+        assert f"<td>{key}</td>" in text.split("<b>Guided calibration</b>")[1]
+    assert dialog.width() <= 1016
+    assert dialog.height() <= 660
     dialog.close()
 
 
@@ -130,6 +134,26 @@ def test_no_two_actions_share_a_key(desktop, qtbot, page):
     counts = Counter(key.toString() for action in acting for key in action.shortcuts())
     assert len(counts) > 20
     assert [key for key, n in counts.items() if key and n > 1] == []
+
+
+def test_each_sound_has_one_name_on_all_pages(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    names = {phoneme.label for phoneme in Phoneme}
+    boxes = (*window.calibration.findChildren(QComboBox), *window.talk.findChildren(QComboBox))
+    of_sounds = [box for box in boxes if isinstance(box.itemData(0), Phoneme)]
+    shown_names = {box.itemText(k) for box in of_sounds for k in range(box.count())} - {"all others"}
+    assert {"sz", "sch"} < shown_names <= names
+    mapping = MappingDialog({"zh": 3}, window)
+    qtbot.addWidget(mapping)
+    assert {mapping.boxes["zh"].itemText(k) for k in range(len(Phoneme))} == names
+    for phoneme, record in window.calibration.takes.record.buttons.items():
+        assert record.accessibleName() == f"record a take of {phoneme.label}"
+
+
+def test_what_opens_and_loads_is_called_the_same_in_the_menu_and_on_the_page_of_the_head(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    for place in (window.talk.open, window.talk.preset):
+        assert place.text() in window.menus.actions
 
 
 def test_everything_frequent_has_a_key(desktop, qtbot):

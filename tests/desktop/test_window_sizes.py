@@ -1,21 +1,30 @@
 """Nothing is clipped: every text has room at the sizes that people use."""
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSpinBox,
     QComboBox,
+    QDockWidget,
     QDoubleSpinBox,
     QLabel,
+    QScrollArea,
     QStyle,
     QStyleOptionComboBox,
     QToolButton,
     QWidget,
 )
 
+from engine.audio.output import ClockOutput
+from engine.tones import Tone, ToneKind
+from phonemeanalyser.app import Desktop
+from phonemeanalyser.models.session import Source
 from tests.desktop.hands import click, followed, shown
 
-SIZES = [(1280, 800), (1920, 1080)]
+SMALLEST = (1016, 660)
+"""What window managers leave of a screen of 1024x700."""
+SIZES = [SMALLEST, (1280, 800), (1920, 1080)]
 
 
 @pytest.fixture(params=SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
@@ -91,8 +100,110 @@ def test_the_window_fits_on_a_small_screen_even_with_a_banner_and_curves(desktop
     window.drawing.refresh_all()
     qtbot.wait(50)
     assert (window.width(), window.height()) == (1280, 800)
-    assert window.minimumSizeHint().width() <= 1280
-    assert window.minimumSizeHint().height() <= 720
+    assert fits(window)
+
+
+def fits(window) -> bool:
+    """Say whether the window can be as small as a small screen is."""
+    least = window.minimumSizeHint()
+    return least.width() <= SMALLEST[0] and least.height() <= SMALLEST[1]
+
+
+@pytest.mark.parametrize("page", range(3))
+@pytest.mark.parametrize("kind", [None, *ToneKind])
+def test_every_page_fits_on_a_small_screen_whatever_is_heard(desktop, qtbot, page, kind):
+    window = shown(desktop, qtbot, None)
+    if kind is not None:
+        desktop.session.set_source(Source.TONE)
+        desktop.session.set_tone(Tone(kind=kind))
+        window.transport.tone.show_tone(desktop.session.tone)
+    window.show_page(page)
+    qtbot.waitUntil(lambda: fits(window))
+    window.resize(*SMALLEST)
+    qtbot.waitUntil(lambda: (window.width(), window.height()) == SMALLEST)
+    qtbot.wait(20)
+    bar = window.transport
+    assert not bar.visibleRegion().isEmpty()
+    in_bar = [w for w in bar.findChildren(QWidget) if w.isVisible() and w.parentWidget() in (bar, bar.tone)]
+    assert [w for w in in_bar if not w.parentWidget().rect().contains(w.geometry())] == []
+    assert {name_of(w): room_and_need(w) for w in texts(bar) if room_and_need(w)[0] < room_and_need(w)[1]} == {}
+
+
+def test_the_guided_calibration_fits_on_a_small_screen(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    window.show_page(1)
+    page = window.calibration
+    page.right.setCurrentWidget(page.guide)
+    qtbot.waitUntil(lambda: fits(window))
+
+
+def test_the_tabs_of_the_calibration_can_be_scrolled_where_they_are_narrow(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    window.show_page(1)
+    window.resize(*SMALLEST)
+    tabs = window.calibration.workbench.tabs
+    for number in range(1, tabs.count()):
+        tabs.setCurrentIndex(number)
+        qtbot.wait(20)
+        scrolled = tabs.widget(number)
+        view = scrolled.widget()
+        hidden = view.width() - scrolled.viewport().width()
+        assert view.width() >= view.minimumSizeHint().width()
+        assert scrolled.horizontalScrollBar().maximum() == max(0, hidden)
+
+
+def test_the_panel_of_the_head_shows_its_whole_width(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    window.show_page(2)
+    window.resize(*SMALLEST)
+    qtbot.wait(20)
+    panel = next(a for a in window.talk.findChildren(QScrollArea) if a.isAncestorOf(window.talk.visemes))
+    assert panel.widget().width() <= panel.viewport().width()
+
+
+def test_the_window_opens_within_the_screen(desktop, qapp):
+    available = desktop.window.screen().availableSize()
+    assert available.width() < 1280  # else this says nothing
+    assert desktop.window.width() < available.width()
+    assert desktop.window.height() < available.height()
+
+
+@pytest.mark.parametrize(("width", "together"), [(1016, True), (1280, False)])
+def test_a_narrow_window_has_the_filters_behind_the_thresholds_until_the_user_moves_them(
+    desktop, qtbot, width, together
+):
+    window = desktop.window
+    window.resize(width, 700)
+    window.show()
+    qtbot.waitExposed(window)
+    filters, thresholds = (window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
+    assert (filters in window.tabifiedDockWidgets(thresholds)) is together
+    qtbot.waitUntil(lambda: not thresholds.visibleRegion().isEmpty())
+    window.show_page(1)
+    window.show_page(0)
+    qtbot.waitUntil(lambda: not thresholds.visibleRegion().isEmpty())
+    assert window.thresholds.width() >= window.thresholds.minimumWidth()
+    assert window.thresholds.parentWidget().width() <= thresholds.width()
+
+
+@pytest.mark.parametrize(("width", "moved"), [(1280, True), (1016, False)])
+def test_a_layout_of_a_wide_window_is_changed_for_a_narrow_one_and_that_of_a_narrow_one_is_kept(
+    desktop, qapp, settings, qtbot, width, moved
+):
+    first = desktop.window
+    first.resize(width, 700)
+    first.show()
+    qtbot.waitExposed(first)
+    first.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, first.findChild(QDockWidget, "Filters"))
+    qtbot.wait(20)
+    assert first.close()
+    again = Desktop(qapp, settings, lambda _n: ClockOutput())
+    again.window.resize(1016, 700)
+    again.window.show()
+    qtbot.waitExposed(again.window)
+    filters, thresholds = (again.window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
+    assert (filters in again.window.tabifiedDockWidgets(thresholds)) is moved
+    again.close()
 
 
 def test_every_dialog_and_dock_can_be_seen_at_once(desktop, qtbot):

@@ -56,6 +56,20 @@ def test_choosing_the_tone_plays_a_sine_that_is_seen_at_its_frequency(desktop, w
     qtbot.waitUntil(lambda: window.status.left.text().strip().startswith("tone: sine"))
 
 
+def test_a_tone_that_is_chosen_is_heard_at_once_also_after_a_stop(desktop, window):
+    choices = (
+        lambda: window.transport.source.activated.emit(window.transport.source.currentIndex()),
+        lambda: choose(window.transport.tone.kind, "vowel"),
+        lambda: choose(window.transport.tone.vowel, "e"),
+        lambda: type_number(window.transport.tone.numbers["F1"], "500"),
+    )
+    for act in choices:
+        press(window, Qt.Key.Key_Escape)
+        assert not desktop.session.playing
+        act()
+        assert desktop.session.playing
+
+
 def test_slider_and_number_move_what_is_seen(desktop, window, heard, qtbot):
     heard()
     slider = window.transport.tone.slider

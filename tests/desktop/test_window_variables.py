@@ -1,11 +1,12 @@
 """A user's own variables: marked on the averaged spectrum, named, shown, saved, removed."""
 
 import tomllib
+from dataclasses import dataclass
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QInputDialog
+from PySide6.QtWidgets import QDialogButtonBox, QInputDialog
 
 from engine.features.variables import Kind, Spectrum, Variable
 from engine.presets.files import load_preset
@@ -14,23 +15,40 @@ from phonemeanalyser.views.variable_dialog import VariableDialog
 from tests.desktop.hands import LEFT, click, followed, place, press
 
 
+@dataclass(frozen=True)
+class Seen:
+    """What the dialog offered, whether it stayed after OK, what it said, and the name in it."""
+
+    range: tuple[float, float]
+    stays: bool
+    trouble: str
+    name: str
+
+
 @pytest.fixture
 def window(desktop, qtbot):
     return followed(desktop, qtbot, seconds=2.0)
 
 
 def will_answer(monkeypatch, name, *, kind="sum", accepted=True):
-    """Fill in the dialog for a new variable, and say OK or Cancel; gives the ranges that it offered."""
-    offered = []
+    """Fill in the dialog for a new variable, and choose OK, and Cancel if it stays; gives what was seen of it."""
+    seen = []
 
     def answer(dialog: VariableDialog) -> int:
-        offered.append((dialog.low.value(), dialog.high.value()))
+        dialog.show()
+        offered = dialog.low.value(), dialog.high.value()
         dialog.name.setText(name)
         dialog.kind.setCurrentText(kind)
-        return int(accepted)
+        if accepted:
+            dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Ok).click()
+        stays = dialog.isVisible()
+        seen.append(Seen(offered, stays, dialog.trouble.text() * dialog.trouble.isVisible(), dialog.name.text()))
+        if stays:
+            dialog.reject()
+        return dialog.result()
 
     monkeypatch.setattr(VariableDialog, "exec", answer)
-    return offered
+    return seen
 
 
 def mark(window, low: float, high: float) -> None:
@@ -66,7 +84,7 @@ def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, 
     offered = will_answer(monkeypatch, "my_hiss")
     mark(window, 2500, 4000)
     width = 5513 / window.analysis.averaged.item.vb.width()
-    assert offered[0] == pytest.approx((2500, 4000), abs=3 * width + BIN_WIDTH)
+    assert offered[0].range == pytest.approx((2500, 4000), abs=3 * width + BIN_WIDTH)
     assert chosen(window)[-1] == "my_hiss"
     assert window.analysis.time_view.variable.currentText() == "my_hiss"
     assert not window.analysis.averaged.region.isVisible()
@@ -90,18 +108,34 @@ def test_a_variable_is_in_the_saved_preset(desktop, window, monkeypatch, tmp_pat
     assert (variable.low, variable.high) == pytest.approx((1000, 1500), abs=BIN_WIDTH / 2 + 0.1)
 
 
-def test_a_name_that_cannot_be_is_refused_with_a_sentence(desktop, window, monkeypatch):
+def test_a_name_that_cannot_be_is_refused_in_the_dialog_which_keeps_the_entry(desktop, window, monkeypatch):
     before, names = desktop.preset.preset, chosen(window)
     for name in ("9 lives", "", "ä", "energy", "m_s1", "phoneme", "a-b"):
-        will_answer(monkeypatch, name)
+        seen = will_answer(monkeypatch, name)
         click(window.analysis.averaged.measure)
         click(window.analysis.averaged.measure)
-        assert window.banner.isVisible()
-        assert repr(name) in window.banner.label.text() or f"{name} exists already" in window.banner.label.text()
-        assert "\n" not in window.banner.label.text()
+        (seen,) = seen
+        assert (seen.stays, seen.name) == (True, name)
+        assert repr(name) in seen.trouble or f"{name} exists already" in seen.trouble
+        assert "\n" not in seen.trouble
+        assert not window.banner.isVisible()
         assert desktop.preset.preset == before
         assert chosen(window) == names
-        window.banner.say("")
+
+
+def test_what_was_wrong_is_said_no_longer_once_the_name_is_mended(desktop, window, qtbot):
+    dialog = VariableDialog(1000, 1500, desktop.preset.add_variable, window)
+    qtbot.addWidget(dialog)
+    dialog.show()
+    QTest.keyClicks(dialog.name, "9 lives")
+    QTest.keyClick(dialog.name, Qt.Key.Key_Return)
+    assert dialog.isVisible()
+    assert dialog.trouble.isVisible()
+    QTest.keyClicks(dialog.name, "lives")  # what was wrong is selected
+    assert not dialog.trouble.isVisible()
+    QTest.keyClick(dialog.name, Qt.Key.Key_Return)
+    assert not dialog.isVisible()
+    assert [v.name for v in desktop.preset.preset.variables] == ["lives"]
 
 
 def test_cancel_adds_nothing(desktop, window, monkeypatch):
@@ -132,6 +166,23 @@ def test_the_key_v_marks_too(desktop, window, monkeypatch):
     assert window.analysis.averaged.region.isVisible()
     press(window, Qt.Key.Key_V)
     assert [v.name for v in desktop.preset.preset.variables] == ["my_hiss"]
+
+
+def test_escape_drops_the_range_and_the_sound_goes_on(desktop, window, monkeypatch):
+    seen = will_answer(monkeypatch, "my_hiss")
+    press(window, Qt.Key.Key_Space)
+    press(window, Qt.Key.Key_V)
+    press(window, Qt.Key.Key_Escape)
+    assert not window.analysis.averaged.region.isVisible()
+    assert not window.analysis.averaged.measure.isChecked()
+    assert window.analysis.averaged.measure.text() == "variable"
+    assert seen == []
+    assert desktop.session.playing
+    press(window, Qt.Key.Key_Escape)
+    assert not desktop.session.playing
+    press(window, Qt.Key.Key_V)  # and the next one is asked for
+    press(window, Qt.Key.Key_V)
+    assert len(seen) == 1
 
 
 def test_a_region_dragged_over_the_edge_is_still_a_range(desktop, window, monkeypatch):
