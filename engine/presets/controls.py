@@ -90,6 +90,7 @@ class Control:
     variable : the variable that is compared with it; empty where it is none.
     unit : of the value; empty where it has none.
     hint : what it does, for a person.
+    places : the conditions of own rules whose limit it is, each by the numbers of rule and condition.
     """
 
     name: str
@@ -104,6 +105,7 @@ class Control:
     variable: str = ""
     unit: str = ""
     hint: str = ""
+    places: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -248,6 +250,7 @@ def _limit_control(rules: tuple[Rule, ...], variable: str, limit: float, places:
         sign=signs.pop() if len(signs) == 1 else ">",
         variable=variable,
         hint=f"{len(places)} conditions of the rules for {', '.join(asked)} compare {variable} with this",
+        places=tuple(places),
     )
 
 

@@ -28,11 +28,13 @@ class Line:
     Attributes
     ----------
     name : the control's.
+    label : what it is called where it is drawn.
     sign : the comparison with it, ``<`` or ``>``.
     value : where it lies.
     """
 
     name: str
+    label: str
     sign: str
     value: float
 
@@ -109,7 +111,8 @@ class BenchModel(Workplace):
         if self.preview is not None:
             return []
         preset, controls = self._preset.preset, self._preset.controls.values()
-        return [Line(c.name, c.sign, c.read(preset)) for c in controls if c.variable == self.variable]
+        mine = (c for c in controls if c.variable == self.variable)
+        return [Line(c.name, c.label if c.places else c.name, c.sign, c.read(preset)) for c in mine]
 
     def move(self, line: Line, value: float) -> None:
         """Move a threshold, a limit or a sensitivity."""

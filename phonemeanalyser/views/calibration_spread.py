@@ -160,7 +160,7 @@ class SpreadView(QWidget):
         painter.setBrush(colour)
         painter.drawPolygon(tip)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        text = f"{line.sign} {short(line.value)}  {line.name}"
+        text = f"{line.sign} {short(line.value)}  {line.label}"
         box = QRectF(x - 75, 1 + 13 * (k % 2), 150, 13)
         box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
         write(painter, box, text, self._theme.bad, 10, CENTRED)

@@ -165,10 +165,31 @@ def test_limits_of_own_rules_are_lines_that_can_be_dragged(loaded: Calibrator):
     show(loaded, "zero_crossings")
     spread = bench_of(loaded).spread
     assert [line.value for line in spread.lines] == [300.0]
-    drag_line(loaded, "limit", 150.0)
+    assert [line.label for line in spread.lines] == ["sz, a"]
+    drag_line(loaded, spread.lines[0].name, 150.0)
     limits = {c.limit for rule in preset.preset.rules for c in rule.conditions if c.variable == "zero_crossings"}
     (limit,) = limits  # both comparisons move together
     assert limit == pytest.approx(150.0, rel=0.05)
+
+
+def test_a_sensitivity_is_a_line_that_can_be_dragged_and_the_matrix_follows(loaded: Calibrator):
+    preset = loaded.booth.desktop.preset
+    preset.set_recogniser("templates")
+    loaded.settle()
+    show(loaded, "deficit_a")
+    distribution = loaded.model.bench.distribution
+    assert distribution is not None
+    assert distribution.spreads[Phoneme.A].median < min(
+        s.median for p, s in distribution.spreads.items() if p is not Phoneme.A
+    )
+    before = loaded.model.bench.confusion
+    drag_line(loaded, "sensitivity_a", 8.0)
+    loaded.settle()
+    assert preset.preset.sensitivities[Phoneme.A] == pytest.approx(8.0, abs=0.5)
+    after = loaded.model.bench.confusion
+    assert before is not None
+    assert after is not None
+    assert np.count_nonzero(after.answers == Phoneme.A) > np.count_nonzero(before.answers == Phoneme.A)
 
 
 def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrator):
