@@ -50,6 +50,10 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
     except UnicodeDecodeError as error:
         raise PresetError(f"{path.name}: this is not a text file; choose a .toml or .phonemedata file") from error
     except OSError as error:
+        if not path.suffix and not path.exists():
+            raise PresetError(
+                f"{path}: there is no such preset; name a file, or one of {', '.join(_names())}"
+            ) from None
         raise PresetError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
     try:
         if path.suffix.lower() == ".toml":
@@ -84,8 +88,11 @@ def preset_path(name: str | os.PathLike[str]) -> Path:
     path = Path(name)
     if path.name != str(path) or path.exists():
         return path
-    known = {found.stem: found for found in (*own_presets(), *FACTORY_PRESETS)}
-    return known.get(str(path), path)
+    return _names().get(str(path), path)
+
+
+def _names() -> dict[str, Path]:
+    return {path.stem: path for path in (*own_presets(), *reversed(FACTORY_PRESETS))}
 
 
 def own_presets() -> tuple[Path, ...]:

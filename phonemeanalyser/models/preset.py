@@ -19,6 +19,7 @@ from engine.presets.files import (
     factory_preset,
     is_phoneme_data,
     load_preset,
+    preset_path,
     save_preset,
 )
 from engine.presets.preset import Preset
@@ -140,7 +141,8 @@ class PresetModel(QObject):
         return self.path.resolve().parent == FACTORY
 
     def load(self, path: Path) -> None:
-        """Load a preset or PhonemeData file; EngineError leaves everything as it was."""
+        """Load a preset or PhonemeData file, or the preset of a name; EngineError leaves everything as it was."""
+        path = preset_path(path)
         preset = load_preset(path)
         self._made = self._make(preset)
         self._saved = preset

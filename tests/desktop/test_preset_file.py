@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from engine.errors import EngineError, PresetError
 from engine.features.variables import Variable
-from engine.presets.files import load_preset, save_preset
+from engine.presets.files import FACTORY, load_preset, save_preset
 from engine.presets.preset import Preset
 from engine.settings import BIN_WIDTH, Filter
 from phonemeanalyser.models.preset import PresetModel
@@ -80,6 +80,12 @@ def test_loading_takes_over_everything_and_forgets_what_was_done(
     assert model.path == tmp_path / "other.toml"
     assert not model.has_unsaved_changes
     assert not model.undo_stack.canUndo()
+
+
+def test_a_preset_that_is_loaded_by_its_name_has_its_file(mine: PresetModel) -> None:
+    mine.load(Path("templates"))
+    assert mine.path == FACTORY / "templates.toml"
+    assert mine.is_factory
 
 
 def test_loading_phonemedata_means_the_thesis_whatever_was_there_before(mine: PresetModel, tmp_path: Path) -> None:
