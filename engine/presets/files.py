@@ -50,10 +50,9 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
     except UnicodeDecodeError as error:
         raise PresetError(f"{path.name}: this is not a text file; choose a .toml or .phonemedata file") from error
     except OSError as error:
-        if not path.suffix and not path.exists():
-            raise PresetError(
-                f"{path}: there is no such preset; name a file, or one of {', '.join(_names())}"
-            ) from None
+        if path.name == str(path) and not path.suffix and not path.exists():
+            known = ", ".join(sorted(_names()))
+            raise PresetError(f"{path}: there is no such preset; name a file, or one of {known}") from None
         raise PresetError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
     try:
         if path.suffix.lower() == ".toml":
@@ -92,7 +91,7 @@ def preset_path(name: str | os.PathLike[str]) -> Path:
 
 
 def _names() -> dict[str, Path]:
-    return {path.stem: path for path in (*own_presets(), *reversed(FACTORY_PRESETS))}
+    return {path.stem: path for path in (*own_presets(), *FACTORY_PRESETS)}
 
 
 def own_presets() -> tuple[Path, ...]:

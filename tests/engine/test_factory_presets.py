@@ -118,7 +118,7 @@ def test_a_preset_can_be_given_by_path_text_or_name(tmp_path, monkeypatch):
     )
     assert load_preset("anna").name == "anna"
     assert own_presets() == (tmp_path / "anna.toml",)
-    with pytest.raises(PresetError, match="nobody: there is no such preset; name a file, or one of .*learned"):
+    with pytest.raises(PresetError, match=r"nobody: there is no such preset; name a file, or one of .*learned"):
         load_preset("nobody")
 
 
