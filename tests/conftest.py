@@ -1,11 +1,16 @@
 """What all tests share."""
 
+import signal
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 
 from tests.plug_ins import Shelf, install_example
+
+for name in ("SIGINT", "SIGHUP"):  # which background jobs of a shell ignore, and so do the programs that they start
+    if signal.getsignal(getattr(signal, name)) is signal.SIG_IGN:
+        signal.signal(getattr(signal, name), signal.SIG_DFL)
 
 settings.register_profile("house", deadline=None)  # a busy machine is no failure
 settings.load_profile("house")
