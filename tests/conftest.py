@@ -8,9 +8,9 @@ from hypothesis import settings
 
 from tests.plug_ins import Shelf, install_example
 
-for name in ("SIGINT", "SIGHUP"):  # which background jobs of a shell ignore, and so do the programs that they start
-    if signal.getsignal(getattr(signal, name)) is signal.SIG_IGN:
-        signal.signal(getattr(signal, name), signal.SIG_DFL)
+for number in signal.Signals:
+    if number.name in {"SIGINT", "SIGHUP"} and signal.getsignal(number) is signal.SIG_IGN:
+        signal.signal(number, signal.SIG_DFL)  # a shell's background jobs ignore them, and so would what they start
 
 settings.register_profile("house", deadline=None)  # a busy machine is no failure
 settings.load_profile("house")
