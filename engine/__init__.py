@@ -42,6 +42,7 @@ from engine.errors import (
 from engine.live.heard import Heard
 from engine.live.listener import Listener
 from engine.live.sound import Sound
+from engine.live.tape import Tape
 from engine.mouth.blinks import Blinker
 from engine.mouth.head_motion import HeadMotion
 from engine.mouth.morpher import Detail, Morpher
@@ -81,6 +82,7 @@ __all__ = [
     "SettingsError",
     "Sound",
     "SoundReader",
+    "Tape",
     "analyses_of",
     "denoise",
     "devices",

@@ -50,7 +50,9 @@ class Studio:
         self.recorded: list[tuple[str, float]] = []
         self.model.told.connect(self.told.append)
         self.model.failed.connect(self.failed.append)
-        self.model.recorded.connect(lambda path, seconds: self.recorded.append((path, seconds)))
+        self.gaps: list[str] = []
+        self.model.recorded.connect(lambda path, seconds, _gaps: self.recorded.append((path, seconds)))
+        self.model.recorded.connect(lambda _path, _seconds, gaps: self.gaps.append(gaps))
 
     def until(self, true: Callable[[], object], what: str = "the microphone") -> None:
         """Wait, taking what is found, until something is so."""

@@ -61,6 +61,7 @@ def test_a_microphone_that_vanishes_in_mid_recording_is_waited_for_and_the_loss_
     booth.until(lambda: f"{lost:.2f} s lost" in booth.status, back)
     booth.record()
     booth.until(lambda: booth.banner.startswith("Recorded "), back)
+    assert booth.banner.endswith(f"s into {booth.studio.take}, with 1 gap of {lost:.2f} s marked in it")
     assert len(booth.studio.files) == 1
 
 
