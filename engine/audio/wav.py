@@ -47,7 +47,7 @@ class WavEncoder:
         self._n_channels = n_channels
         self._frame = WIDTH * n_channels
         self._gaps: list[Gap] = []
-        self._state_length()
+        self._state_length(0)
 
     def write(self, block: NDArray[np.float32]) -> None:
         """Append a block, shape (n, n_channels), ±1.
@@ -60,8 +60,9 @@ class WavEncoder:
         try:
             write_whole(self._file, packed(whole_numbers_of(block)))
         finally:
-            self.n_samples += (self._file.tell() - begin) // self._frame
-            self._state_length()
+            n_samples = self.n_samples + (self._file.tell() - begin) // self._frame
+            self._state_length(n_samples)
+            self.n_samples = n_samples
 
     def mark(self, seconds: float) -> None:
         """Mark that so many seconds are missing after what was written, as a cue point with a label.
@@ -71,7 +72,7 @@ class WavEncoder:
         OSError : the disk refuses.
         """
         self._gaps.append(Gap(self.n_samples, seconds))
-        self._state_length()
+        self._state_length(self.n_samples)
 
     def close(self) -> None:
         """Cut off what is no whole frame, and end at an even byte, as RIFF wants it; may be called twice.
@@ -84,15 +85,15 @@ class WavEncoder:
         self._file.seek(self._end)
         with suppress(OSError):  # every reader does without it
             write_whole(self._file, b"\0" * (self._end % 2))
-        self._state_length()
+        self._state_length(self.n_samples)
 
     @property
     def _end(self) -> int:
         return HEADER + self.n_samples * self._frame
 
-    def _state_length(self) -> None:
+    def _state_length(self, n_samples: int) -> None:
         self._file.seek(0)
-        write_whole(self._file, wav_header(self._rate, self._n_channels, self.n_samples, self._gaps))
+        write_whole(self._file, wav_header(self._rate, self._n_channels, n_samples, self._gaps))
 
 
 def wav_header(rate: int, n_channels: int, n_samples: int, gaps: Sequence[Gap] = ()) -> bytes:

@@ -121,7 +121,7 @@ class Booth:
                 self.give(giving, silence(0.01))
             return bool(true())
 
-        self.qtbot.waitUntil(look, timeout=20_000)
+        self.qtbot.waitUntil(look)
 
     def give(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
         """Have a microphone hear samples."""

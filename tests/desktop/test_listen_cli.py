@@ -2,8 +2,12 @@
 
 import csv
 import json
+import math
+import time
 from collections.abc import Callable
 from pathlib import Path
+from threading import Event
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -72,8 +76,17 @@ def microphone(
     real_listener = listening.Listener
     monkeypatch.setattr(listening, "Listener", listener)
     monkeypatch.setattr(listening, "Tape", tape)
-    monkeypatch.setattr(listening, "PATIENCE", 0.3)
+    monkeypatch.setattr(listening, "PATIENCE", 60.0)
     return microphone
+
+
+@pytest.fixture
+def over(monkeypatch: pytest.MonkeyPatch) -> Event:
+    """The end of the time for which a command waits for sound; until it is set, no time passes."""
+    ended = Event()
+    clock = SimpleNamespace(sleep=time.sleep, monotonic=lambda: math.inf if ended.is_set() else 0.0)
+    monkeypatch.setattr(listening, "time", clock)
+    return ended
 
 
 # -- wrong words ----------------------------------------------------------------------------------------------
@@ -227,7 +240,8 @@ def test_recording_keeps_the_length_and_reports_it(
 
 
 @pytest.mark.usefixtures("microphone")
-def test_a_recording_of_nothing_fails_and_leaves_no_file(tmp_path: Path) -> None:
+def test_a_recording_of_nothing_fails_and_leaves_no_file(over: Event, tmp_path: Path) -> None:
+    over.set()
     with pytest.raises(RecordingError, match=r"^a\.wav: no sound came from the microphone"):
         listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.1, with_phonemes=True)
     assert list(tmp_path.glob("a*")) == []
@@ -280,10 +294,11 @@ def test_a_recording_across_a_lost_microphone_says_how_long_the_sound_and_the_ga
 
 
 def test_a_microphone_that_vanishes_while_it_is_recorded_is_reported_as_lost(
-    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    microphone: HandDrivenMicrophone, over: Event, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     microphone.give(SPEECH[: SAMPLE_RATE // 2])
     microphone.lost = True
+    microphone.closed = over
     listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.9, with_phonemes=False)
     said = capsys.readouterr().err
     assert "0.50 s recorded" in said

@@ -1,6 +1,5 @@
 """A microphone that is missing, vanishes, hangs or is late: what the window says."""
 
-import time
 from collections.abc import Callable
 
 import pytest
@@ -78,10 +77,9 @@ def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_cho
     assert booth.desktop.session.source is Source.FILE
     press(booth.window, Qt.Key.Key_Space)
     booth.until(lambda: booth.desktop.session.history.n > 10)
-    began = time.monotonic()
     assert booth.window.close()
     booth.desktop.session.close()
-    assert time.monotonic() - began < 9
+    assert booth.studio.openers.hangs
     booth.studio.openers.may_answer.set()
     booth.until(mic.closed.is_set)
 

@@ -89,7 +89,7 @@ def test_a_file_that_may_not_grow_stops_the_recording_and_is_full_to_the_last_fr
 ) -> None:
     path = tmp_path / f"take{suffix}"
     command = [sys.executable, "-c", LIMITED, str(path)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=240, check=True)
     n_samples, sentence = done.stdout.strip().split(" ", 1)
     assert done.stderr == ""
     assert sentence.startswith(f"take{suffix}: the disk takes no larger file, so the recording stopped after ")
