@@ -113,7 +113,8 @@ def followed(pcm: Samples, heard: Samples) -> Followed:
     at = int(sounding[0]) if len(sounding) else len(heard)
     n_skipped = k = 0
     while at < len(heard) - SIGNATURE and k < len(pcm):
-        again = place_of(heard[at : at + SIGNATURE], pcm)
+        goes_on = n_alike(heard[at:], pcm[k:]) >= min(SIGNATURE // 4, len(pcm) - k)
+        again = k if goes_on else place_of(heard[at : at + SIGNATURE], pcm)
         assert again >= k, "the noise goes back"
         n_skipped += again - k
         n = n_alike(heard[at:], pcm[again:])
