@@ -50,6 +50,7 @@ from engine.errors import (
 from engine.live.heard import Heard
 from engine.live.listener import Listener
 from engine.live.sound import Sound
+from engine.live.tape import Tape
 from engine.mouth.blinks import Blinker
 from engine.mouth.face import Face, Figure, face_of, fitted
 from engine.mouth.files.opening import load_face, load_figure, save_face
@@ -105,6 +106,7 @@ __all__ = [
     "SettingsError",
     "Sound",
     "SoundReader",
+    "Tape",
     "Times",
     "analyses_of",
     "denoise",

@@ -90,9 +90,12 @@ def _record(words: list[str]) -> int:
     parser.add_argument("out", type=Path, metavar="OUT", help="a new .wav or .flac file")
     _add_input(parser)
     parser.add_argument("--phonemes", action="store_true", help="write the phonemes beside it, as OUT.csv")
+    parser.add_argument(
+        "--fill-gaps", action="store_true", help="silence for the time the microphone was away, besides the mark"
+    )
     options = parser.parse_args(words)
     preset, choice = load_preset(options.preset), _choice_of(options)
-    record(options.out, preset, choice, options.seconds, with_phonemes=options.phonemes)
+    record(options.out, preset, choice, options.seconds, with_phonemes=options.phonemes, fill_gaps=options.fill_gaps)
     return 0
 
 

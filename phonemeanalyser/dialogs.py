@@ -134,9 +134,9 @@ class Dialogs(QObject):
         if name:
             microphone.folder = Path(name)
 
-    def offer_recording(self, path: str, seconds: float) -> None:
-        """Offer to open a recording that is complete."""
-        sentence = f"Recorded {seconds:.1f} s into {path}"
+    def offer_recording(self, path: str, seconds: float, gaps: str) -> None:
+        """Offer to open a recording that is complete; `gaps` says what is missing in it, if anything is."""
+        sentence = f"Recorded {seconds:.1f} s into {path}{', ' if gaps else ''}{gaps}"
         self.offered.emit(sentence, "Open It", lambda: self.open_sound(Path(path)))
 
     def offer_unfinished(self) -> None:

@@ -26,6 +26,8 @@ from engine.settings import FRAME_PERIOD
 
 LOOK = 0.2
 """Seconds between two looks at how it goes."""
+LEAST_LOSS = 0.005
+"""Seconds; less is not told."""
 PATIENCE = 3.0
 """Seconds that a microphone which gives nothing is waited for beyond the time that was asked for."""
 
@@ -78,8 +80,11 @@ def listen(
                 print(f"phonemeanalyser: {listener.lost_seconds:.2f} s were lost on the way", file=sys.stderr)
 
 
-def record(path: Path, preset: Preset, choice: InputChoice, seconds: float | None, *, with_phonemes: bool) -> None:
-    """Record to a file, for some seconds or until Ctrl-C.
+def record(
+    path: Path, preset: Preset, choice: InputChoice, seconds: float | None, *, with_phonemes: bool,
+    fill_gaps: bool = False,
+) -> None:  # fmt: skip
+    """Record to a file, for some seconds or until Ctrl-C; see `Tape`.
 
     Raises
     ------
@@ -88,7 +93,7 @@ def record(path: Path, preset: Preset, choice: InputChoice, seconds: float | Non
     """
     chosen_input(choice, devices())
     limit = math.inf if seconds is None else seconds
-    tape = Tape(_names_from(path), with_phonemes=with_phonemes, seconds=limit)
+    tape = Tape(_names_from(path), with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
     with _quiet_libraries(), _ended_by_signals():
         listener = Listener(preset, choice, phonemes_only=True, tape=tape)
         try:
@@ -178,12 +183,14 @@ def _names_from(path: Path) -> Callable[[], Path]:
 
 
 def _report(tape: Tape, listener: Listener) -> None:
-    lost = listener.lost_seconds
-    missing = f", {lost:.2f} s were lost on the way" if lost else ", nothing lost"
+    lost = listener.lost_seconds - sum(gap.seconds for gap in tape.gaps)
+    other = " more" if tape.gaps else ""
+    missing = f", {lost:.2f} s{other} were lost on the way" if lost >= LEAST_LOSS else f", nothing{other} lost"
+    gaps = f", {tape.gap_words}" if tape.gaps else ""
     for path in tape.paths[:-1]:
         print(f"phonemeanalyser: {path}: recorded until the microphone changed", file=sys.stderr)
     if tape.path is not None and tape.seconds:
-        print(f"phonemeanalyser: {tape.path}: {tape.seconds:.2f} s recorded{missing}", file=sys.stderr)
+        print(f"phonemeanalyser: {tape.path}: {tape.seconds:.2f} s recorded{gaps}{missing}", file=sys.stderr)
     for note in tape.notes:
         print(f"phonemeanalyser: note: {note}", file=sys.stderr)
 

@@ -77,6 +77,7 @@ class WindowState:
         keep("recordings", str(microphone.folder))
         keep("recording_kind", microphone.suffix)
         keep("recording_phonemes", int(microphone.with_phonemes))
+        keep("recording_fills_gaps", int(microphone.fill_gaps))
         keep("variable", view.variable.currentText())
         keep("colours", view.colours.currentText())
         keep("darkest", view.low.value())
@@ -113,6 +114,7 @@ class WindowState:
         suffix = self._kept("recording_kind", microphone.suffix)
         microphone.suffix = suffix if suffix in SUFFIXES else microphone.suffix
         microphone.with_phonemes = self._kept("recording_phonemes", int(microphone.with_phonemes)) == "1"
+        microphone.fill_gaps = self._kept("recording_fills_gaps", int(microphone.fill_gaps)) == "1"
 
     def _kept_number(self, name: str, default: float) -> float:
         try:

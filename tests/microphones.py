@@ -74,17 +74,24 @@ class HandDrivenMicrophone:
 
 
 class Microphones:
-    """Opens microphones in turn; where there is none, and where None stands for one, it refuses."""
+    """Opens microphones in turn; where there is none, and where None stands for one, it refuses.
+
+    It hangs until it may answer, and for a minute at most: who waited for it would find it hanging no more.
+    """
 
     def __init__(self, *microphones: HandDrivenMicrophone | None) -> None:
         self.waiting = deque(microphones)
         self.asked: list[InputChoice] = []
         self.may_answer = threading.Event()
         self.may_answer.set()
+        self.hangs = False
 
     def __call__(self, choice: InputChoice) -> HandDrivenMicrophone:
         self.asked.append(choice)
-        assert self.may_answer.wait(60)
+        self.hangs = True
+        answers = self.may_answer.wait(60)
+        self.hangs = False
+        assert answers
         found = self.waiting.popleft() if self.waiting else None
         if found is None:
             raise DeviceError(REFUSAL)

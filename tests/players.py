@@ -28,7 +28,8 @@ SPEECH = np.concatenate(
     )
 )
 N_FRAMES = -(-len(SPEECH) // HOP)
-PATIENCE = 20.0
+PATIENCE = 60.0
+"""Seconds that only a hang takes."""
 
 
 def wait_for(truth: Callable[[], bool], what: str) -> None:

@@ -37,7 +37,7 @@ def digest(path: Path) -> str:
 
 
 def wait_for(true: Callable[[], object]) -> None:
-    until = time.monotonic() + 30
+    until = time.monotonic() + 60
     while not true() and time.monotonic() < until:
         time.sleep(0.01)
     assert true()

@@ -18,7 +18,7 @@ ctl.pulse {{ type pulse }}
 pcm.!default {{ type pulse hint {{ show on description "Default" }} }}
 ctl.!default {{ type pulse }}
 """
-START_SECONDS = 10.0
+START_SECONDS = 60.0
 
 
 class VirtualSound:
@@ -44,7 +44,7 @@ class VirtualSound:
 
     def __exit__(self, *_error: object) -> None:
         self._server.terminate()
-        self._server.wait(5)
+        self._server.wait(60)
         shutil.rmtree(self._folder, ignore_errors=True)
 
     @property
@@ -72,9 +72,9 @@ class VirtualSound:
         """Have the microphone hear a WAV file; ends with it.
 
         The latency is longer than any recorder's: a shorter one would change how far a null sink works ahead, and so
-        shift the microphone's time by some 15 ms.
+        shift the microphone's time by some 15 ms. On a busy machine the player may come late by a second.
         """
-        return subprocess.Popen(["paplay", "-d", "mic_in", "--latency-msec=200", str(path)], env=self.environment)
+        return subprocess.Popen(["paplay", "-d", "mic_in", "--latency-msec=1000", str(path)], env=self.environment)
 
     def record_speaker(self, path: Path) -> subprocess.Popen[bytes]:
         """Write what is played into a WAV file until terminated."""
@@ -100,7 +100,7 @@ class VirtualSound:
     def kill(self) -> None:
         """End the server at once, as a crash would."""
         self._server.kill()
-        self._server.wait(5)
+        self._server.wait(60)
 
     def restart(self) -> None:
         """Start the server anew after a crash, where running programs look for it."""
@@ -123,7 +123,7 @@ class VirtualSound:
         self._wait_for_the_socket()
 
     def _control(self, *words: str) -> None:
-        subprocess.run(["pactl", *words], env=self.environment, check=True, timeout=10)
+        subprocess.run(["pactl", *words], env=self.environment, check=True, timeout=60)
 
     def _server_environment(self) -> dict[str, str]:
         here = str(self._folder)

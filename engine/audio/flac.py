@@ -32,7 +32,7 @@ def write_flac(path: Path, samples: NDArray[np.float32], rate: int) -> None:
     with ExitStack() as unless_written:
         unless_written.callback(_discard, file)
         try:
-            encoder = FlacEncoder(file.raw, rate, 1 if samples.ndim == 1 else samples.shape[1])
+            encoder = FlacEncoder(file.raw, rate, 1 if samples.ndim == 1 else samples.shape[1], marks=False)
             encoder.write(samples)
             encoder.close()
             os.fsync(file.raw.fileno())

@@ -1,6 +1,6 @@
 """Sound files of every kind, decoded, and FLAC, encoded: the only door to soundfile."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from typing import BinaryIO
 
@@ -8,6 +8,8 @@ import numpy as np
 import soundfile
 from numpy.typing import NDArray
 
+from engine.audio.chapters import TAGS_AT, is_tags, with_chapters
+from engine.audio.gaps import Gap
 from engine.audio.pcm import whole_numbers_of, write_whole
 
 DecodingError = soundfile.SoundFileError
@@ -52,17 +54,20 @@ class FlacEncoder:
     file : a new, empty, unbuffered file, which stays open.
     rate : 4000..655350 Hz.
     n_channels : 1..8.
+    marks : leave room for `mark` before the sound.
 
     Attributes
     ----------
     n_samples : samples per channel that a reader of the file finds now.
     """
 
-    def __init__(self, file: BinaryIO, rate: int, n_channels: int) -> None:
+    def __init__(self, file: BinaryIO, rate: int, n_channels: int, *, marks: bool = True) -> None:
         self.n_samples = 0
         self._n_given = 0
+        self._rate = rate
+        self._gaps: list[Gap] = []
         self._disk = file
-        self._sink = _Sink(file)
+        self._sink = _Sink(file, self._with_chapters if marks else None)
         level = {"compression_level": 0.25} if rate < SHORT_BLOCKS_BELOW else {}
         self._file = _Unsought(self._sink, "w", rate, n_channels, "PCM_24", format="FLAC", **level)
 
@@ -78,6 +83,20 @@ class FlacEncoder:
             self._n_given += len(block)
         self._state_length()
         self._sink.raise_refusal()
+
+    def mark(self, seconds: float) -> None:
+        """Mark that so many seconds are missing after what was written; only where there is room for marks.
+
+        Raises
+        ------
+        OSError : the disk refuses.
+        """
+        self._gaps.append(Gap(self._n_given, seconds))
+        if self._sink.tags:  # else they are written with the first block
+            place = self._disk.tell()
+            self._disk.seek(TAGS_AT)
+            write_whole(self._disk, self._with_chapters(self._sink.tags))
+            self._disk.seek(place)
 
     def close(self) -> None:
         """Write the last frame and the final header; may be called twice.
@@ -95,6 +114,9 @@ class FlacEncoder:
         else:
             self._state_length()
         self._sink.raise_refusal()
+
+    def _with_chapters(self, tags: bytes) -> bytes:
+        return with_chapters(tags, self._gaps, self._rate)
 
     def _state_length(self) -> None:
         if self._sink.n_frames == 0:
@@ -114,12 +136,14 @@ class _Sink:
     """What libsndfile writes to: passes bytes on, counts frames, and remembers why the disk refused.
 
     An error cannot travel through libsndfile, which only learns that nothing was written. The encoder hands over
-    each frame in one piece; one that does not fit is taken off again.
+    each frame in one piece; one that does not fit is taken off again. `rewrite` gives what takes the place of tags.
     """
 
-    def __init__(self, file: BinaryIO) -> None:
+    def __init__(self, file: BinaryIO, rewrite: Callable[[bytes], bytes] | None) -> None:
         self.n_frames = 0
+        self.tags = b""
         self.refusal: OSError | None = None
+        self._rewrite = rewrite
         self._file = file
         self._end = 0
 
@@ -128,7 +152,7 @@ class _Sink:
             return 0
         begin = self._file.tell()
         try:
-            write_whole(self._file, content)
+            write_whole(self._file, self._rewritten(content) if begin == TAGS_AT else content)
         except OSError as error:
             self.refusal = error
             if begin == self._end:
@@ -136,8 +160,14 @@ class _Sink:
                     self._file.truncate(begin)
             return 0
         self.n_frames += begin == self._end and content.startswith(SYNC)
-        self._end = max(self._end, begin + len(content))
+        self._end = max(self._end, self._file.tell())
         return len(content)
+
+    def _rewritten(self, content: bytes) -> bytes:
+        if self._rewrite is None or not is_tags(content):
+            return content
+        self.tags = content
+        return self._rewrite(content)
 
     def seek(self, offset: int, whence: int) -> int:
         return self._file.seek(offset, whence)

@@ -5,6 +5,7 @@ import math
 import threading
 from collections import deque
 from contextlib import ExitStack, suppress
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
@@ -48,9 +49,21 @@ class Encoder(Protocol):
         """Append a block, shape (n, n_channels), ±1; OSError where the disk refuses, and what fits stays."""
         ...
 
+    def mark(self, seconds: float) -> None:
+        """Mark that so many seconds are missing after what was written; OSError where the disk refuses."""
+        ...
+
     def close(self) -> None:
         """Finish the file, which stays open; OSError where the disk refuses."""
         ...
+
+
+@dataclass(frozen=True)
+class _Pause:
+    """Sound that is missing: how long, in seconds, and the samples of silence that take its place."""
+
+    seconds: float
+    n_silent: int
 
 
 class Recording:
@@ -92,7 +105,7 @@ class Recording:
             self._encoder = _encoder(self._file, rate, n_channels, self._name)
             unless_begun.pop_all()
         self._note, self.notes = _noted(journal, path, self._name)
-        self._waiting: deque[NDArray[np.float32]] = deque()
+        self._waiting: deque[NDArray[np.float32] | _Pause] = deque()
         self._n_given = self._n_done = 0
         self._rescuing = False
         self._ending = threading.Event()
@@ -122,6 +135,14 @@ class Recording:
         self._waiting.append(np.array(block, np.float32).reshape(-1, self.n_channels))
         self._n_given += len(block)
 
+    def skip(self, seconds: float, n_silent: int = 0) -> None:
+        """Mark here that so many seconds of sound are missing, and have samples of silence take their place.
+
+        Returns at once; to be called by the thread that writes.
+        """
+        if not self._ending.is_set():
+            self._waiting.append(_Pause(seconds, n_silent))
+
     def close(self) -> None:
         """End the recording and finish its file; from any thread, and as often as you like.
 
@@ -129,9 +150,9 @@ class Recording:
         that takes nothing for 5 s is not, and `failure` says so.
         """
         self._ending.set()
-        n_done = -1
-        while self._thread.is_alive() and (self._rescuing or n_done != self._n_done):
-            n_done = self._n_done
+        n_samples = -1
+        while self._thread.is_alive() and (self._rescuing or n_samples != self.n_samples):
+            n_samples = self.n_samples
             self._thread.join(PATIENCE)
         if self._thread.is_alive():
             self._fail(f"the disk has taken nothing for {PATIENCE:.0f} s", STUCK, shown_folder(self.path))
@@ -152,20 +173,29 @@ class Recording:
         while not ending:
             ending = self._ending.wait(PERIOD)
             while self._waiting:
-                block = self._next_batch()
-                self._encoder.write(block)
-                self._n_done += len(block)
+                first = self._waiting.popleft()
+                if isinstance(first, _Pause):
+                    self._pass_over(first)
+                else:
+                    self._take_up(first)
             if not self._file.is_there():
                 raise FileNotFoundError(errno.ENOENT, "the file has gone")
 
-    def _next_batch(self) -> NDArray[np.float32]:
-        """Take up to about a second of what waits."""
-        parts = [self._waiting.popleft()]
-        n = len(parts[0])
-        while self._waiting and n < self.rate:
-            parts.append(self._waiting.popleft())
-            n += len(parts[-1])
-        return np.concatenate(parts)
+    def _pass_over(self, pause: _Pause) -> None:
+        self._encoder.mark(pause.seconds)
+        for begin in range(0, pause.n_silent, self.rate):
+            n = min(self.rate, pause.n_silent - begin)
+            self._encoder.write(np.zeros((n, self.n_channels), np.float32))
+
+    def _take_up(self, first: NDArray[np.float32]) -> None:
+        """Write a block, and what waits behind it, up to about a second."""
+        parts, n = [first], len(first)
+        while n < self.rate and self._waiting and not isinstance(block := self._waiting[0], _Pause):
+            parts.append(block)
+            self._waiting.popleft()
+            n += len(block)
+        self._encoder.write(np.concatenate(parts))
+        self._n_done += n
 
     def _end_badly(self, error: OSError) -> None:
         self._ending.set()

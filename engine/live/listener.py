@@ -243,29 +243,31 @@ class Listener:
             self._let_go(f"nothing comes from {source.name}; trying again every 2 s")
 
     def _follow(self, source: Input, block: NDArray[np.float32]) -> None:
-        self._heard_at = time.monotonic()
+        now, gap = time.monotonic(), None
         if self._ear is None:
-            self._ear = self._new_ear(source, self._heard_at - len(block) / source.rate)
-        ear = self._ear
+            began = now - len(block) / source.rate
+            gap = max(0.0, began - self._heard_at)
+            self._ear = self._new_ear(source, began, gap)
+        self._heard_at, ear = now, self._ear
         block = ear.heard_of(block)
         self._meter.push(block, self._heard_at)
         self._on_sound(block, source.rate)
-        tape, began = self._tape, ear.seconds
+        tape = self._tape
         if tape is not None:
-            tape.write(block, source.rate, began)
+            tape.write(block, source.rate, ear.seconds, gap)
         analysis = ear.follow(block)
         if len(analysis):
             self._hand_over(analysis)
             if tape is not None:
                 tape.follow(analysis)
 
-    def _new_ear(self, source: Input, began: float) -> Ear:
-        """Go on counting frames where the clock stands."""
+    def _new_ear(self, source: Input, began: float, gap: float) -> Ear:
+        """Go on counting frames where the clock stands, `gap` seconds after the last sound."""
         if self._next_frame == 0:
             self._began = began
         start = max(self._next_frame, round((began - self._began) / FRAME_PERIOD))
         if self._gap_is_loss:
-            self._lost_before += (start - self._next_frame) * FRAME_PERIOD
+            self._lost_before += gap
         self._gap_is_loss = True
         return Ear(
             source, self.choice.channel, self._preset, pitch=self._pitch, start=start,

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.analyser import Analysis
+from engine.audio.gaps import Gap, gaps_in_words
 from engine.audio.recording import Recording
 from engine.audio.takes import free_path, journal_folder, recordings_folder
 from engine.errors import RecordingError
@@ -22,24 +23,32 @@ from engine.settings import FRAME_PERIOD
 class Tape:
     """Records what a listener hears.
 
-    The file is begun with the first block. A microphone that comes back with another sample rate, or another that
-    takes its place, goes into a file of its own.
+    The file is begun with the first block. A microphone that comes back goes on in the same file, where the gap is
+    marked; one with another sample rate or other channels goes into a file of its own.
 
     Parameters
     ----------
     next_path : names a new file; called for each, in the listening thread.
     with_phonemes : write the phonemes beside it as they are recognised, as a table that ends in ``.csv``.
+    fill_gaps : write silence for the time in which a microphone was away, besides the mark.
     seconds : how much of each file is recorded at most.
     journal, rescue : see `Recording`; the user's own folders unless others are named.
+
+    Attributes
+    ----------
+    paths : the files, in their order.
+    gaps : where sound is missing in the newest file.
     """
 
     def __init__(
-        self, next_path: Callable[[], Path], *, with_phonemes: bool = False, seconds: float = math.inf,
-        journal: Path | None = None, rescue: Path | None = None,
+        self, next_path: Callable[[], Path], *, with_phonemes: bool = False, fill_gaps: bool = False,
+        seconds: float = math.inf, journal: Path | None = None, rescue: Path | None = None,
     ) -> None:  # fmt: skip
         self.paths: list[Path] = []
+        self.gaps: list[Gap] = []
         self._next_path = next_path
         self._with_phonemes = with_phonemes
+        self._fill_gaps = fill_gaps
         self._most = seconds
         self._n_given = 0
         self._journal = journal or journal_folder()
@@ -61,6 +70,11 @@ class Tape:
         return self._recording.path if self._recording else None
 
     @property
+    def gap_words(self) -> str:
+        """How long the gaps in the newest file were and what stands for them, in words; nothing without any."""
+        return gaps_in_words(self.gaps, self.seconds, self._recording.rate) if self._recording else ""
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """Remarks for the user, a sentence each; mostly none."""
         return self._recording.notes if self._recording else ()
@@ -70,21 +84,28 @@ class Tape:
         """Why nothing is recorded any more, as a sentence; None while all is well."""
         return self._refusal or (self._recording.failure if self._recording else None)
 
-    def write(self, block: NDArray[np.float32], rate: int, began: float) -> None:
-        """Take a block, shape (n, n_channels), whose first sample was heard at `began` seconds of listening."""
+    def write(self, block: NDArray[np.float32], rate: int, began: float, gap: float | None = None) -> None:
+        """Take a block.
+
+        Parameters
+        ----------
+        block : shape (n, n_channels), ±1.
+        rate : Hz.
+        began : when its first sample was heard, seconds of listening.
+        gap : seconds that could not be heard before it; None where it follows the block before.
+        """
         with self._turning:
             recording = self._recording
             if self._closed or self.failure:
                 return
             if recording is None or (recording.rate, recording.n_channels) != (rate, block.shape[1]):
                 recording = self._begin(rate, block.shape[1], began)
-            left = round(min(len(block), self._most * rate - self._n_given))
-            if recording is None or left == 0:
-                return
-            if self._phonemes is not None:
-                self._phonemes.lie(began, self._n_given / rate)
-            recording.write(block[:left])
-            self._n_given += left
+            elif gap is not None:
+                self._skip(recording, gap, began)
+            n = self._fitting(len(block), rate)
+            if recording is not None and n:
+                recording.write(block[:n])
+                self._n_given += n
 
     def follow(self, analysis: Analysis) -> None:
         """Take what was found in what was written."""
@@ -97,6 +118,22 @@ class Tape:
             self._closed = True
         self._finish(self._recording, self._phonemes)
 
+    def _fitting(self, n: int, rate: int) -> int:
+        """Say how many of `n` samples are still to be recorded."""
+        return round(min(n, self._most * rate - self._n_given))
+
+    def _skip(self, recording: Recording, seconds: float, began: float) -> None:
+        """Mark a gap after which sound comes from `began` on, and fill it where that is wanted."""
+        if self._fitting(1, recording.rate) == 0:
+            return
+        n_silent = self._fitting(round(seconds * recording.rate), recording.rate) if self._fill_gaps else 0
+        gap = Gap(self._n_given, seconds, n_silent)
+        self.gaps.append(gap)
+        recording.skip(seconds, n_silent)
+        self._n_given += n_silent
+        if self._phonemes is not None:
+            self._phonemes.skip(gap, recording.rate, began)
+
     def _begin(self, rate: int, n_channels: int, began: float) -> Recording | None:
         old, phonemes = self._recording, self._phonemes
         if old is not None:  # a disk may take its time, and the microphone does not wait
@@ -106,6 +143,7 @@ class Tape:
             self._recording = Recording(path, rate, n_channels, journal=self._journal, rescue=self._rescue)
             self.paths.append(path)
             self._n_given = 0
+            self.gaps = []
             self._phonemes = self._table(path, began) if self._with_phonemes else None
         except RecordingError as error:
             self._refusal = str(error)
@@ -151,14 +189,15 @@ class PhonemeTable:
                 f"{path.name}: this table cannot be written ({error.strerror}); record without the phonemes beside it"
             ) from error
 
-    def lie(self, began: float, place: float) -> None:
-        """Take note that what is heard from `began` seconds on lies at `place` seconds of the recording."""
-        if abs(began - place - self._lag) < FRAME_PERIOD / 2:
-            return
-        with self._writing:  # the microphone was away, which the recording does not show
+    def skip(self, gap: Gap, rate: int, began: float) -> None:
+        """Write a row for a gap in the recording; what is heard after it was heard from `began` on."""
+        place, end = round(gap.sample / rate, 6), round((gap.sample + gap.n_silent) / rate, 6)
+        with self._writing:
             self._write(self._joiner.finish(place - (self._shift or 0.0)))
             self._joiner, self._shift = RunJoiner(), None
-            self._began, self._lag = began, began - place
+            self._began, self._lag = began, began - end
+            with suppress(OSError):
+                self._rows.writerow(dict(zip(RUN_COLUMNS, (place, end, gap.label, 0.0), strict=True)))
 
     def push(self, analysis: Analysis) -> None:
         """Take the next frames; those from before the recording are left out."""

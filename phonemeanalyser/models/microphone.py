@@ -40,7 +40,7 @@ class Microphone(QObject):
     -------
     changed : another choice, or a recording begins or ends.
     devices_changed : the list of devices is another.
-    recorded : a recording is complete: its path, and its seconds.
+    recorded : a recording is complete: its path, its seconds, and the gaps in it, in words.
     told : a sentence for the user about something that went well.
     failed : a sentence for the user.
     """
@@ -48,7 +48,7 @@ class Microphone(QObject):
     changed = Signal()
     told = Signal(str)
     devices_changed = Signal()
-    recorded = Signal(str, float)
+    recorded = Signal(str, float, str)
     failed = Signal(str)
 
     def __init__(
@@ -63,6 +63,7 @@ class Microphone(QObject):
         self.folder = self._rescue = folder or recordings_folder()
         self.suffix = ".wav"
         self.with_phonemes = False
+        self.fill_gaps = False
         self._journal = journal or journal_folder()
         self._make_listener = make_listener
         self._listener: Listener | None = None
@@ -216,6 +217,7 @@ class Microphone(QObject):
         self._tape = Tape(
             lambda: new_take(folder, suffix),
             with_phonemes=self.with_phonemes,
+            fill_gaps=self.fill_gaps,
             journal=self._journal,
             rescue=self._rescue,
         )
@@ -284,7 +286,7 @@ class Microphone(QObject):
             if tape.failure:
                 self.failed.emit(tape.failure)
             elif tape.path is not None and tape.seconds:
-                self.recorded.emit(str(tape.path), tape.seconds)
+                self.recorded.emit(str(tape.path), tape.seconds, tape.gap_words)
                 for remark in _remarks(tape):
                     self.told.emit(remark)
             else:

@@ -53,6 +53,8 @@ class RecordButton(QToolButton):
         menu.addSeparator()
         self.phonemes = self._add_switch(menu, "Write the Phonemes Beside It (.csv)")
         self.phonemes.toggled.connect(self._set_phonemes)
+        self.gaps = self._add_switch(menu, "Fill Gaps with Silence, Besides Marking Them")
+        self.gaps.toggled.connect(self._set_fill_gaps)
         self.else_default = self._add_switch(menu, "Go On with the Default Microphone if It Vanishes")
         self.else_default.toggled.connect(self._microphone.set_else_default)
         menu.aboutToShow.connect(self.show_state)
@@ -72,8 +74,9 @@ class RecordButton(QToolButton):
             action.setChecked(suffix == microphone.suffix)
         for latency, action in self.buffers.items():
             action.setChecked(latency == microphone.choice.latency)
-        with QSignalBlocker(self.phonemes), QSignalBlocker(self.else_default):
+        with QSignalBlocker(self.phonemes), QSignalBlocker(self.gaps), QSignalBlocker(self.else_default):
             self.phonemes.setChecked(microphone.with_phonemes)
+            self.gaps.setChecked(microphone.fill_gaps)
             self.else_default.setChecked(microphone.choice.else_default)
 
     def _add_choices(
@@ -98,6 +101,9 @@ class RecordButton(QToolButton):
 
     def _set_phonemes(self, on: bool) -> None:
         self._microphone.with_phonemes = on
+
+    def _set_fill_gaps(self, on: bool) -> None:
+        self._microphone.fill_gaps = on
 
 
 def _dot(theme: Theme, recording: bool) -> QIcon:

@@ -1,6 +1,7 @@
 """The figures that a change may not make worse; `python -m tests.bench` prints them.
 
-They are timings, so they are no tests. Each is a ratio to a reference that is measured in the same run.
+They are timings, so they are no tests. Each is a ratio to a reference that is measured in the same run, or to a limit
+that is scaled by how fast the machine is.
 """
 
 import os

@@ -1,9 +1,10 @@
-"""Measures all figures, or those that are named, and prints them as one table."""
+"""Measures how fast the machine is, then all figures or those that are named, and prints them as one table."""
 
 import argparse
 from collections.abc import Callable
 
 from tests.bench import (
+    card,
     dragging,
     head,
     learned,
@@ -14,6 +15,7 @@ from tests.bench import (
     one_frame,
     playing,
     recording,
+    speed,
     start,
     talking,
     whole_file,
@@ -26,6 +28,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "playing": playing.figures,
     "microphone": microphone.figures,
     "recording": recording.figures,
+    "card": card.figures,
     "start": start.figures,
     "memory": memory.figures,
     "dragging": dragging.figures,
@@ -45,10 +48,12 @@ def main() -> None:
     options = parser.parse_args()
     if unknown := set(options.names) - set(FIGURES):
         parser.error(f"there is no figure {', '.join(sorted(unknown))}; known are {', '.join(FIGURES)}")
+    here = speed.bare_transform()
+    print(speed.in_words(here), flush=True)
     found: list[Figure] = []
     for name in options.names or FIGURES:
         print(f"measuring {name} ...", flush=True)
-        found += FIGURES[name]()
+        found += [figure.here(speed.slowness(here)) for figure in FIGURES[name]()]
     print("", *table_of(found), sep="\n")
     if options.detail:
         print(

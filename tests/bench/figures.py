@@ -7,7 +7,8 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import Enum
 from pathlib import Path
 from typing import Any
 
@@ -24,9 +25,19 @@ DEMO = Path(phonemeanalyser.__file__).parent / "demo" / "demo.flac"
 HEADINGS = ("figure", "measured", "reference", "ratio", "limit", "aim", "verdict")
 
 
+class Absolute(Enum):
+    """What an absolute limit limits: time, which is longer on a busy machine too, or the work of the processor."""
+
+    TIME = "by the clock"
+    WORK = "of the processor"
+
+
 @dataclass(frozen=True)
 class Figure:
-    """A ratio to a reference, with the most it may be and the most it should be; None where nothing is asked."""
+    """A ratio to a reference, with the most it may be and the most it should be; None where nothing is asked.
+
+    An absolute limit is a time or a share of a core, which depends on the machine.
+    """
 
     name: str
     measured: str
@@ -34,6 +45,13 @@ class Figure:
     ratio: float
     limit: float | None = None
     aim: float | None = None
+    absolute: Absolute | None = None
+
+    def here(self, slowness: Mapping[Absolute, float]) -> "Figure":
+        """Give it with the limit of a machine that takes so many times as long as the one the limits were set for."""
+        if self.absolute is None or self.limit is None:
+            return self
+        return replace(self, limit=self.limit * slowness[self.absolute])
 
     @property
     def verdict(self) -> str:

@@ -16,7 +16,7 @@ from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.pictures import Photographer
 from phonemeanalyser.rendering.renderer import HeadRenderer
 from phonemeanalyser.rendering.smoothing import smoothed
-from tests.bench.figures import Figure
+from tests.bench.figures import Absolute, Figure
 
 GREY = (0.5, 0.5, 0.5)
 SPOKEN = (Phoneme.A, Phoneme.M, Phoneme.I, Phoneme.SCH, Phoneme.U)
@@ -86,4 +86,4 @@ def _processor_time(act: Callable[[], object]) -> float:
 
 
 def _figure(name: str, seconds: float) -> Figure:
-    return Figure(name, f"{seconds * 1e3:.1f} ms", "16.7 ms", seconds / FRAME, limit=1.0)
+    return Figure(name, f"{seconds * 1e3:.1f} ms", "16.7 ms", seconds / FRAME, 1.0, absolute=Absolute.WORK)

@@ -14,7 +14,7 @@ from engine.presets.preset import Preset
 from engine.recognition.learned import LearnedRecogniser
 from engine.settings import HOP, WINDOW
 from tests.bench.dragging import CARDS
-from tests.bench.figures import Figure, interleaved, shown, speech
+from tests.bench.figures import Absolute, Figure, interleaved, shown, speech
 
 N_FRAMES = 1000
 N_ROUNDS = 9
@@ -44,7 +44,9 @@ def _one_frame(preset: Preset) -> Figure:
 
     (seconds,) = interleaved(N_ROUNDS, recognise_all)
     ratio = float(np.median(seconds)) / N_FRAMES / ONE_FRAME
-    return Figure("learned recogniser, one frame", shown(seconds, N_FRAMES), "150 µs", ratio, limit=1.0)
+    return Figure(
+        "learned recogniser, one frame", shown(seconds, N_FRAMES), "150 µs", ratio, 1.0, absolute=Absolute.TIME
+    )
 
 
 def _whole_file(preset: Preset) -> Figure:
@@ -64,6 +66,7 @@ def _whole_file(preset: Preset) -> Figure:
         f"1/{REAL_TIME} of it",
         float(np.median(seconds)) / limit,
         1.0,
+        absolute=Absolute.TIME,
     )
 
 
@@ -72,4 +75,5 @@ def _adapting(preset: Preset) -> Figure:
     began = time.perf_counter()
     calibrate(preset, [said] * COPIES)
     seconds = [time.perf_counter() - began]
-    return Figure("adapting to 10 s of takes", shown(seconds), "5 s", seconds[0] / ADAPTED_WITHIN, limit=1.0)
+    ratio = seconds[0] / ADAPTED_WITHIN
+    return Figure("adapting to 10 s of takes", shown(seconds), "5 s", ratio, 1.0, absolute=Absolute.TIME)

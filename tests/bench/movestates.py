@@ -7,7 +7,7 @@ from engine.mouth.files.threedm import format_3dm, parse_3dm
 from engine.mouth.mesh import Mesh, mesh_of
 from engine.mouth.movestate import Movestate, movestate_of
 from engine.mouth.movestate_set import MovestateSet
-from tests.bench.figures import Figure, interleaved, shown
+from tests.bench.figures import Absolute, Figure, interleaved, shown
 
 N_VERTICES, N_ACTIVE, N_STATES = 5000, 12, 100
 MORPHED_WITHIN = 1e-3
@@ -45,11 +45,11 @@ def _morphing(what: str, mesh: Mesh, states: list[Movestate]) -> Figure:
     (seconds,) = interleaved(N_ROUNDS, morph)
     ratio = float(np.median(seconds)) / N_FRAMES / MORPHED_WITHIN
     name = f"{N_VERTICES} vertices, {N_ACTIVE} states {what}"
-    return Figure(name, shown(seconds, N_FRAMES), "1 ms", ratio, limit=1.0)
+    return Figure(name, shown(seconds, N_FRAMES), "1 ms", ratio, 1.0, absolute=Absolute.TIME)
 
 
 def _loading(mesh: Mesh, states: list[Movestate]) -> Figure:
     content = format_3dm(face_of(mesh, states))
     (seconds,) = interleaved(N_ROUNDS, lambda: parse_3dm(content))
     ratio = float(np.median(seconds)) / LOADED_WITHIN
-    return Figure(f".3dm of {N_STATES} x {N_VERTICES}", shown(seconds), "50 ms", ratio, limit=1.0)
+    return Figure(f".3dm of {N_STATES} x {N_VERTICES}", shown(seconds), "50 ms", ratio, 1.0, absolute=Absolute.TIME)

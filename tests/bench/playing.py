@@ -14,7 +14,7 @@ from engine.settings import FRAME_PERIOD
 from phonemeanalyser.app import Desktop
 from phonemeanalyser.models.session import Session
 from tests.bench.desktop import live_for, shown_desktop, written_speech
-from tests.bench.figures import Figure, answer_of, speech
+from tests.bench.figures import Absolute, Figure, answer_of, speech
 
 WARM_UP, MEASURED = 2.0, 10.0
 """Seconds."""
@@ -57,6 +57,7 @@ def figures() -> list[Figure]:
             "one busy core",
             cost.share,
             limit=LIMIT,
+            absolute=Absolute.WORK,
         )
         for minutes, cost in ((SOONER, sooner), (LATER, later))
     ]

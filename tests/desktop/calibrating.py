@@ -82,7 +82,7 @@ class Calibrator:
                 self.booth.give(self.mic, in_room(silence(0.02)))
             return bool(true())
 
-        self.booth.qtbot.waitUntil(look, timeout=30_000)
+        self.booth.qtbot.waitUntil(look)
 
     def settle(self) -> None:
         """Wait until nothing is done in the background."""

@@ -51,7 +51,9 @@ class Studio:
         self.recorded: list[tuple[str, float]] = []
         self.model.told.connect(self.told.append)
         self.model.failed.connect(self.failed.append)
-        self.model.recorded.connect(lambda path, seconds: self.recorded.append((path, seconds)))
+        self.gaps: list[str] = []
+        self.model.recorded.connect(lambda path, seconds, _gaps: self.recorded.append((path, seconds)))
+        self.model.recorded.connect(lambda _path, _seconds, gaps: self.gaps.append(gaps))
 
     def until(self, true: Callable[[], object], what: str = "the microphone") -> None:
         """Wait, taking what is found, until something is so."""
@@ -121,7 +123,7 @@ class Booth:
                 self.give(giving, silence(0.01))
             return bool(true())
 
-        self.qtbot.waitUntil(look, timeout=20_000)
+        self.qtbot.waitUntil(look)
 
     def give(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
         """Have a microphone hear samples."""

@@ -214,7 +214,7 @@ def test_the_scorer_reads_the_tables(corpus: Path, tmp_path: Path) -> None:
         writer.writerows(chosen)
     analysed(mini, "-o", tmp_path / "out")
     command = [sys.executable, str(scorer), str(mini), str(tmp_path / "out"), "--json", str(tmp_path / "score.json")]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=240, check=False)
     assert done.returncode == 0, done.stderr
     figures = json.loads((tmp_path / "score.json").read_text())["groups"]["all"]
     assert figures["minutes"] == pytest.approx(sum(float(row["duration_s"]) for row in chosen) / 60, abs=0.02)

@@ -317,7 +317,7 @@ def test_project_and_speaker_are_there_again_at_the_next_start(calibrator: Calib
     calibrator.model.takes.close()
     again = Booth(qapp, booth.settings, booth.studio, booth.qtbot)
     try:
-        again.qtbot.waitUntil(lambda: len(again.desktop.calibration.takes.now.takes) == 1, timeout=20_000)
+        again.qtbot.waitUntil(lambda: len(again.desktop.calibration.takes.now.takes) == 1)
         assert again.desktop.calibration.takes.folder == tmp_path / "my voice"
         assert again.window.calibration.takes.speaker.text() == "Mara"
     finally:

@@ -1,7 +1,13 @@
 """Listening and recording from the command line, without a sound card: words, lines, and refusals."""
 
+import csv
 import json
+import math
+import time
+from collections.abc import Callable
 from pathlib import Path
+from threading import Event
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,7 +25,7 @@ from engine.settings import SAMPLE_RATE
 from phonemeanalyser import listening
 from phonemeanalyser.cli import main
 from phonemeanalyser.listening import _as_json, _as_text, _Changes
-from tests.microphones import HandDrivenMicrophone, Microphones, frames_in, offline
+from tests.microphones import Clock, HandDrivenMicrophone, Microphones, frames_in, offline
 from tests.players import SPEECH
 from tests.portaudio import FakePortAudio
 
@@ -34,12 +40,32 @@ def portaudio(monkeypatch: pytest.MonkeyPatch) -> FakePortAudio:
     return fake
 
 
+class Openers(Microphones):
+    """Opens microphones in turn; some time passes before each."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.wait: Callable[[], object] = lambda: None
+
+    def __call__(self, choice: InputChoice) -> HandDrivenMicrophone:
+        self.wait()
+        return super().__call__(choice)
+
+
 @pytest.fixture
-def microphone(portaudio: FakePortAudio, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> HandDrivenMicrophone:
+def openers() -> Openers:
+    """The microphones that these commands open."""
+    return Openers()
+
+
+@pytest.fixture
+def microphone(
+    portaudio: FakePortAudio, openers: Openers, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> HandDrivenMicrophone:
     """A microphone that listens and records for these commands."""
     portaudio.plug("Yeti")
     microphone = HandDrivenMicrophone(name="Yeti · ALSA")
-    openers = Microphones(microphone)
+    openers.waiting.append(microphone)
 
     def listener(*arguments: object, **options: object) -> listening.Listener:
         return real_listener(*arguments, open_input=openers, **options)
@@ -50,8 +76,17 @@ def microphone(portaudio: FakePortAudio, monkeypatch: pytest.MonkeyPatch, tmp_pa
     real_listener = listening.Listener
     monkeypatch.setattr(listening, "Listener", listener)
     monkeypatch.setattr(listening, "Tape", tape)
-    monkeypatch.setattr(listening, "PATIENCE", 0.3)
+    monkeypatch.setattr(listening, "PATIENCE", 60.0)
     return microphone
+
+
+@pytest.fixture
+def over(monkeypatch: pytest.MonkeyPatch) -> Event:
+    """The end of the time for which a command waits for sound; until it is set, no time passes."""
+    ended = Event()
+    clock = SimpleNamespace(sleep=time.sleep, monotonic=lambda: math.inf if ended.is_set() else 0.0)
+    monkeypatch.setattr(listening, "time", clock)
+    return ended
 
 
 # -- wrong words ----------------------------------------------------------------------------------------------
@@ -205,7 +240,8 @@ def test_recording_keeps_the_length_and_reports_it(
 
 
 @pytest.mark.usefixtures("microphone")
-def test_a_recording_of_nothing_fails_and_leaves_no_file(tmp_path: Path) -> None:
+def test_a_recording_of_nothing_fails_and_leaves_no_file(over: Event, tmp_path: Path) -> None:
+    over.set()
     with pytest.raises(RecordingError, match=r"^a\.wav: no sound came from the microphone"):
         listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.1, with_phonemes=True)
     assert list(tmp_path.glob("a*")) == []
@@ -234,11 +270,35 @@ def test_a_bug_in_the_listening_reaches_the_caller(
     assert microphone.closed.is_set()
 
 
+@pytest.mark.parametrize("fill", [False, True])
+def test_a_recording_across_a_lost_microphone_says_how_long_the_sound_and_the_gap_are(
+    microphone: HandDrivenMicrophone, openers: Openers, capsys: pytest.CaptureFixture[str], tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch, fill: bool,
+) -> None:  # fmt: skip
+    clock, back = Clock(monkeypatch), HandDrivenMicrophone(name="Yeti · ALSA")
+    openers.waiting.append(back)
+    openers.wait = lambda: setattr(clock, "now", clock.now + 4.21)
+    microphone.give(SPEECH[: SAMPLE_RATE // 2], SAMPLE_RATE // 2)
+    microphone.lost = True
+    back.give(SPEECH[: SAMPLE_RATE // 2])  # each block began 10 ms before it came
+    words = ["record", str(tmp_path / "a.wav"), "--seconds", "5.15", "--phonemes"]
+    assert main([*words, *(["--fill-gaps"] if fill else [])]) == 0
+    with (tmp_path / "a.csv").open(newline="") as table:
+        (gap,) = (row for row in csv.DictReader(table) if row["phoneme"].startswith("gap of "))
+    found, _ = soundfile.read(tmp_path / "a.wav")
+    length, silent = len(found) / SAMPLE_RATE, float(gap["end_s"]) - float(gap["start_s"])
+    assert (gap["start_s"], gap["phoneme"], silent) == ("0.5", "gap of 4.20 s", pytest.approx(4.2 * fill))
+    said = f"a.wav: {length:.2f} s recorded, with 1 {gap['phoneme']} marked in it"
+    said += f": {length - silent:.2f} s of sound, {silent:.2f} s of silence" if fill else ""
+    assert f"{said}, nothing more lost\n" in capsys.readouterr().err
+
+
 def test_a_microphone_that_vanishes_while_it_is_recorded_is_reported_as_lost(
-    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    microphone: HandDrivenMicrophone, over: Event, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     microphone.give(SPEECH[: SAMPLE_RATE // 2])
     microphone.lost = True
+    microphone.closed = over
     listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.9, with_phonemes=False)
     said = capsys.readouterr().err
     assert "0.50 s recorded" in said

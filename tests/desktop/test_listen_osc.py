@@ -38,7 +38,7 @@ def microphone(monkeypatch: pytest.MonkeyPatch) -> HandDrivenMicrophone:
     microphone = HandDrivenMicrophone(name="Yeti · ALSA")
     real, openers = listening.Listener, Microphones(microphone)
     monkeypatch.setattr(listening, "Listener", lambda *a, **options: real(*a, open_input=openers, **options))
-    monkeypatch.setattr(listening, "PATIENCE", 0.3)
+    monkeypatch.setattr(listening, "PATIENCE", 60.0)
     return microphone
 
 

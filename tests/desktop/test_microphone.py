@@ -91,7 +91,7 @@ def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicropho
     studio.hear(mic, noise(0.2))
     studio.model.stop()
     assert not studio.model.active
-    assert mic.closed.wait(10)
+    assert mic.closed.wait(60)
     assert studio.model.take() == []
     assert studio.model.level.peak == 0
 

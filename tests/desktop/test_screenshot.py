@@ -96,7 +96,7 @@ def test_the_program_takes_a_picture_without_a_display(sound: Path, tmp_path: Pa
     command = [sys.executable, "-m", "phonemeanalyser", "screenshot", str(sound), "-o", str(tmp_path / "window.png")]
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(tmp_path), "TMPDIR": str(tmp_path)}
     before = set(tmp_path.iterdir())
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=240, env=environment, check=False)
     assert (done.returncode, done.stdout) == (0, "")
     assert "Traceback" not in done.stderr
     assert QImage(str(tmp_path / "window.png")).width() == 1280

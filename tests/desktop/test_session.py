@@ -156,7 +156,7 @@ def test_a_lost_sound_card_is_replaced_by_the_clock(
         session.tick()
         return not session.playing
 
-    qtbot.waitUntil(done, timeout=20_000)
+    qtbot.waitUntil(done)
     assert not session.has_card
     assert sorted(set(frames(session))) == list(range(N_FRAMES))
 

@@ -39,8 +39,10 @@ from tests.desktop.stage import AN_A
 from tests.glb_faces import face_with_targets
 from tests.graphics import context_or_skip
 from tests.osc_receiver import Receiver
-from tests.sounds import vowel
+from tests.sounds import silence, vowel
 
+LONG_A = np.concatenate((silence(0.6), vowel((700, 1200, 2500), 2.5), silence(0.6)))
+"""Says an a so long that a slow window sees it as well."""
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
 
@@ -64,7 +66,7 @@ def receiver() -> Iterator[Receiver]:
 
 
 def talking(desktop: Desktop, qtbot: QtBot, folder: Path) -> MainWindow:
-    window = shown(desktop, qtbot, wav(folder, AN_A))
+    window = shown(desktop, qtbot, wav(folder, LONG_A))
     press(window, Qt.Key.Key_3, CONTROL)
     seen(window.talk.head, qtbot)
     return window

@@ -58,7 +58,7 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     assert desktop.window.drawing.frozen
     assert desktop.window.menus.actions["Freeze Views"].isChecked()
     assert desktop.window.thresholds.rows["sz_s1"].number.value() == 3.5
-    qtbot.waitUntil(desktop.window.isActiveWindow, timeout=2000)
+    qtbot.waitUntil(desktop.window.isActiveWindow)
     press(desktop.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert not desktop.window.isWindowModified()
 
@@ -73,12 +73,13 @@ def test_another_theme_keeps_loaded_curves(desktop, qtbot, tmp_path):
 
 def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
     window = shown(desktop, qtbot)
+    desktop.session.set_loop(True)  # however long the window takes, the sound goes on
     click(window.transport.play)
-    qtbot.waitUntil(lambda: desktop.session.history.n > 10, timeout=5000)
+    qtbot.waitUntil(lambda: desktop.session.history.n > 10)
     desktop.set_theme("dark")
     assert desktop.session.playing
     n = desktop.session.history.n
-    qtbot.waitUntil(lambda: desktop.session.history.n > n + 20, timeout=5000)
+    qtbot.waitUntil(lambda: desktop.session.history.n > n + 20)
     assert desktop.window.phoneme.meters
 
 

@@ -239,6 +239,7 @@ def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth:
     booth.window.transport.record.kinds[".flac"].trigger()
     booth.window.transport.record.buffers[0.2].trigger()
     booth.window.transport.record.phonemes.trigger()
+    booth.window.transport.record.gaps.trigger()
     assert booth.window.close()
     booth.settings.sync()
     studio = Studio(tmp_path)
@@ -249,7 +250,7 @@ def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth:
     assert again.session.source is Source.FILE
     assert studio.model.choice == booth.studio.model.choice
     assert studio.model.choice.latency == 0.2
-    assert (studio.model.suffix, studio.model.with_phonemes) == (".flac", True)
+    assert (studio.model.suffix, studio.model.with_phonemes, studio.model.fill_gaps) == (".flac", True, True)
     bar = again.window.transport.microphone
     assert bar.device.currentText() == f"{DESK.label} (not there)"
     assert (bar.channel.currentText(), bar.rate.currentText()) == ("channel 2", "48 000 Hz")

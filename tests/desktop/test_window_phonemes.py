@@ -33,7 +33,7 @@ def said(window) -> str:
 def save(window, qtbot) -> None:
     """Press the key, and wait until all is written."""
     press(window, Qt.Key.Key_E, CONTROL)
-    qtbot.waitUntil(lambda: not window._session.writer.busy, timeout=20_000)
+    qtbot.waitUntil(lambda: not window._session.writer.busy)
     QTest.qWait(40)
 
 
@@ -163,7 +163,7 @@ def held(monkeypatch):
     analyses_of = phoneme_writer.analyses_of
 
     def slowly(*arguments):
-        assert go_on.wait(20)
+        assert go_on.wait(60)
         yield from analyses_of(*arguments)
 
     monkeypatch.setattr(phoneme_writer, "analyses_of", slowly)
@@ -177,11 +177,11 @@ def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, w
     assert said(window) == "The phonemes of speech.wav are looked for, and then saved in speech.TextGrid …"
     window.dialogs.open_sound(CARDS)
     press(window, Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: desktop.session.position > 0.1, timeout=20_000)
+    qtbot.waitUntil(lambda: desktop.session.position > 0.1)
     assert desktop.session.writer.busy
     desktop.set_theme("dark")
     held.set()
-    qtbot.waitUntil(lambda: "speech.wav are saved" in said(desktop.window), timeout=20_000)
+    qtbot.waitUntil(lambda: "speech.wav are saved" in said(desktop.window))
     assert len(heard(sound.with_suffix(".TextGrid"))) > 2
 
 

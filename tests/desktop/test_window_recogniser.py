@@ -212,10 +212,10 @@ def test_analyse_uses_an_installed_recogniser(loudness: Path, tmp_path: Path):
     save_preset(Preset(recogniser="loudness"), tmp_path / "loud.toml")
     command = [sys.executable, "-m", "phonemeanalyser", "analyse", str(DEMO), "--preset", str(tmp_path / "loud.toml")]
     environment = {**os.environ, "PYTHONPATH": str(loudness)}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120, check=True)
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=240, check=True)
     assert {row["phoneme"] for row in rows_of(done.stdout)} == {"a", "silence"}
     environment.pop("PYTHONPATH")
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=240, check=False)
     assert done.returncode != 0
     (line,) = done.stderr.splitlines()
     assert "loud.toml: there is no recogniser named 'loudness'" in line

@@ -92,16 +92,16 @@ def test_the_cursor_reads_out_frequency_amplitude_and_level(view, qtbot):
         amplitude = curve(view)[1][k]
         level = f"{20 * np.log10(amplitude):.1f}" if amplitude > 0 else "−∞"
         expected = re.compile(rf"(\d+) Hz   {amplitude:.4f}   {level} dB")
-        qtbot.waitUntil(lambda e=expected: e.fullmatch(view._cursor_label.text()) is not None, timeout=2000)
+        qtbot.waitUntil(lambda e=expected: e.fullmatch(view._cursor_label.text()) is not None)
         assert float(expected.fullmatch(view._cursor_label.text())[1]) == pytest.approx(hertz, abs=2)
 
 
 def test_the_read_out_lies_inside_the_plot_and_goes_with_the_mouse(view, qtbot):
     hover(view.graphics, view.item, 5300, 0.9)
-    qtbot.waitUntil(view._cursor_label.isVisible, timeout=2000)
+    qtbot.waitUntil(view._cursor_label.isVisible)
     assert view.graphics.rect().contains(view._cursor_label.geometry())
     hover(view.graphics, view.item, -600, -0.2)
-    qtbot.waitUntil(lambda: not view._cursor_label.isVisible(), timeout=2000)
+    qtbot.waitUntil(lambda: not view._cursor_label.isVisible())
 
 
 def test_the_view_menu_switches_all_spectra_at_once(window):
@@ -131,7 +131,7 @@ def test_the_waveform_shows_the_window_and_its_scale_enlarges_it(window):
 
 def test_the_waveform_cursor_reads_out_time_and_amplitude(window, qtbot):
     hover(window.analysis.waveform.graphics, window.analysis.waveform.item, 20, 0)
-    qtbot.waitUntil(window.analysis.waveform._cursor_label.isVisible, timeout=2000)
+    qtbot.waitUntil(window.analysis.waveform._cursor_label.isVisible)
     milliseconds, amplitude = re.fullmatch(
         r"([\d.]+) ms   ([+-][\d.]+)", window.analysis.waveform._cursor_label.text()
     ).groups()

@@ -151,7 +151,7 @@ def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, 
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
     label = window.analysis.time_view._cursor_label
-    qtbot.waitUntil(label.isVisible, timeout=2000)
+    qtbot.waitUntil(label.isVisible)
     seconds, phoneme, hertz, amplitude, level = re.fullmatch(
         r"([\d.]+) s   (\w+)   (\d+) Hz   ([\d.]+)   (-[\d.]+|−∞) dB", label.text()
     ).groups()
@@ -170,7 +170,7 @@ def test_over_the_course_the_cursor_reads_out_the_variable(window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.course, -1.0, 0.05)
     label = window.analysis.time_view._cursor_label
-    qtbot.waitUntil(label.isVisible, timeout=2000)
+    qtbot.waitUntil(label.isVisible)
     assert re.fullmatch(r"[\d.]+ s   \w+   volume 0\.1", label.text())
 
 
@@ -178,9 +178,9 @@ def test_left_of_what_was_heard_there_is_nothing_to_read(window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
     label = window.analysis.time_view._cursor_label
-    qtbot.waitUntil(label.isVisible, timeout=2000)
+    qtbot.waitUntil(label.isVisible)
     hover(eyes.graphics, eyes.sonagram, -4.0, ON_BIN)
-    qtbot.waitUntil(lambda: not label.isVisible(), timeout=2000)
+    qtbot.waitUntil(lambda: not label.isVisible())
 
 
 def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
@@ -189,7 +189,7 @@ def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -0.5, ON_BIN)
     label = window.analysis.time_view._cursor_label
-    qtbot.waitUntil(label.isVisible, timeout=2000)
+    qtbot.waitUntil(label.isVisible)
     assert float(label.text().split(" s")[0]) == pytest.approx(1.5, abs=0.025)
 
 

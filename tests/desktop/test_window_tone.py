@@ -28,7 +28,7 @@ def heard(desktop, window, qtbot):
 
     def wait(n: int = 30) -> np.ndarray:
         until = desktop.session.history.n + n + 10  # what was written before a change is still to be heard
-        qtbot.waitUntil(lambda: desktop.session.history.n >= until, timeout=10_000)
+        qtbot.waitUntil(lambda: desktop.session.history.n >= until)
         window.drawing.refresh_all()
         return desktop.session.history.newest.spectra
 
@@ -43,7 +43,7 @@ def peak(window: MainWindow) -> float:
 
 def settled(desktop, window, qtbot, frequency: float) -> None:
     """Wait until the drawn spectrum has its peak at a frequency."""
-    qtbot.waitUntil(lambda: peak(window) == pytest.approx(frequency, abs=BIN_WIDTH), timeout=5000)
+    qtbot.waitUntil(lambda: peak(window) == pytest.approx(frequency, abs=BIN_WIDTH))
 
 
 def test_choosing_the_tone_plays_a_sine_that_is_seen_at_its_frequency(desktop, window, heard, qtbot):
@@ -153,10 +153,13 @@ def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
     window.analysis.spectrum.setFocus()
     press(window, Qt.Key.Key_Space)
     assert not desktop.session.playing
-    qtbot.wait(100)  # what was heard until then is still taken
-    n = desktop.session.history.n
-    qtbot.wait(100)
-    assert desktop.session.history.n == n
+
+    def stands_still() -> bool:  # what was heard until then is still taken
+        n = desktop.session.history.n
+        qtbot.wait(100)
+        return desktop.session.history.n == n
+
+    qtbot.waitUntil(stands_still)
     click(window.transport.play)
     heard()
     assert desktop.session.playing
@@ -176,14 +179,14 @@ def test_the_file_is_not_lost_by_a_tone(desktop, qtbot):
     window = shown(desktop, qtbot)
     desktop.session.seek(1.25)
     choose(window.transport.source, "tone")
-    qtbot.waitUntil(lambda: desktop.session.position > 0.2, timeout=5000)
+    qtbot.waitUntil(lambda: desktop.session.position > 0.2)
     assert desktop.session.path == CARDS
     choose(window.transport.source, "file")
     assert desktop.session.path == CARDS
     assert desktop.session.position == pytest.approx(1.25, abs=0.01)
     assert window.transport.time.text().startswith("0:01.2")
     press(window, Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: desktop.session.position > 1.4, timeout=5000)
+    qtbot.waitUntil(lambda: desktop.session.position > 1.4)
 
 
 def test_another_theme_keeps_the_tone(desktop, window, heard, qtbot):

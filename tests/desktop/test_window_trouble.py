@@ -1,6 +1,5 @@
 """A microphone that is missing, vanishes, hangs or is late: what the window says."""
 
-import time
 from collections.abc import Callable
 
 import pytest
@@ -61,6 +60,7 @@ def test_a_microphone_that_vanishes_in_mid_recording_is_waited_for_and_the_loss_
     booth.until(lambda: f"{lost:.2f} s lost" in booth.status, back)
     booth.record()
     booth.until(lambda: booth.banner.startswith("Recorded "), back)
+    assert booth.banner.endswith(f"s into {booth.studio.take}, with 1 gap of {lost:.2f} s marked in it")
     assert len(booth.studio.files) == 1
 
 
@@ -77,10 +77,9 @@ def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_cho
     assert booth.desktop.session.source is Source.FILE
     press(booth.window, Qt.Key.Key_Space)
     booth.until(lambda: booth.desktop.session.history.n > 10)
-    began = time.monotonic()
     assert booth.window.close()
     booth.desktop.session.close()
-    assert time.monotonic() - began < 9
+    assert booth.studio.openers.hangs
     booth.studio.openers.may_answer.set()
     booth.until(mic.closed.is_set)
 

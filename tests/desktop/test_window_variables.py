@@ -90,7 +90,7 @@ def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, 
     assert not window.analysis.averaged.region.isVisible()
     assert window.isWindowModified()
     click(window.transport.play)
-    qtbot.waitUntil(lambda: desktop.session.history.extremes("my_hiss") is not None, timeout=5000)
+    qtbot.waitUntil(lambda: desktop.session.history.extremes("my_hiss") is not None)
     assert desktop.session.history.extremes("my_hiss")[0] > 0
 
 

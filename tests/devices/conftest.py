@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.devices.programs import pcm_noise, recorder
+from tests.devices.programs import PATIENCE, SETTLED, pcm_noise, recorder
 from tests.virtual_sound import VirtualSound
 
 MINUTE = 60.0
@@ -21,8 +21,8 @@ class Minute:
         self.takes = [folder / "take.wav", folder / "take.flac"]
         with VirtualSound() as card:
             self._programs = [recorder(folder, card, take) for take in self.takes]
-            card.play_into_microphone(folder / "noise.wav").wait(120)
-            time.sleep(0.5)
+            card.play_into_microphone(folder / "noise.wav").wait(MINUTE + PATIENCE)
+            time.sleep(SETTLED)
             self.codes = [program.end() for program in self._programs]
         self.said = [program.errors[-1] for program in self._programs]
 

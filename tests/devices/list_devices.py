@@ -11,6 +11,6 @@ microphone = CardInput(InputChoice())
 n_heard = 0
 for _ in sys.stdin:
     names = [device.name for device in devices()]
-    n_heard += len(microphone.read(0.5))
+    n_heard += len(microphone.read(60))
     print(json.dumps({"names": names, "heard": n_heard, "lost": microphone.lost}), flush=True)
 microphone.close()

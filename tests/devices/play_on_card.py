@@ -18,11 +18,12 @@ late: list[float] = []
 player.play()
 print("playing", flush=True)
 started = time.monotonic()
-while not player.finished and time.monotonic() - started < 30:
+while not player.finished and time.monotonic() - started < 120:
     position = player.position
     seen.append((time.monotonic(), position))
     if not cards or cards[-1][1] != player.has_card:
         cards.append((time.monotonic(), player.has_card))
+        print("with a card" if player.has_card else "without a card", flush=True)
     for block in player.take():
         last = block.start + len(block) - 1
         frames += range(block.start, last + 1)

@@ -8,14 +8,13 @@ from pathlib import Path
 from engine.live.sound import Sound
 from engine.presets.files import DEFAULT_PRESET, load_preset
 
-SECONDS = 5.0
+SECONDS = 4.0
 
 waits: list[float] = []
 phonemes: list[int] = []
 with Sound(Path(sys.argv[1]), load_preset(DEFAULT_PRESET)) as sound:
     sound.play(loop=True)
-    began = time.monotonic()
-    while time.monotonic() - began < SECONDS:
+    while sound.position < SECONDS:
         time.sleep(0.01)
         asked = time.perf_counter()
         heard = sound.poll()

@@ -4,11 +4,13 @@ PortAudio takes its sound server from the environment when a process begins, so 
 """
 
 import json
+import re
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -16,12 +18,18 @@ import numpy as np
 import soundfile
 from numpy.typing import NDArray
 
+from engine.audio.files import SoundReader
+from engine.errors import AudioError
 from tests.sounds import noise
 from tests.virtual_sound import VirtualSound
 
 HERE = Path(__file__).parent
-PATIENCE = 30.0
-"""Seconds that a busy machine is given for anything."""
+PATIENCE = 120.0
+"""Seconds that only a hang takes."""
+UNSEEN = 0.02
+"""Sound that a device may lose without being counted, since it loses whole blocks, seconds."""
+SETTLED = 5.0
+"""Seconds after which everything that was lost is counted: the meter wants two whole seconds."""
 SIGNATURE = 64
 """Samples of noise that occur only once."""
 
@@ -83,6 +91,54 @@ def recorder(folder: Path, sound: VirtualSound, *words: object) -> Program:
     return program
 
 
+@dataclass(frozen=True)
+class Followed:
+    """What was heard of a noise: seconds that were skipped in it, and seconds that are missing at its end."""
+
+    skipped: float
+    rest: float
+
+    @property
+    def missing(self) -> float:
+        """All that is missing, seconds."""
+        return self.skipped + self.rest
+
+
+def followed(pcm: Samples, heard: Samples) -> Followed:
+    """Follow a noise through what was heard; fails unless that is the noise, in its order, and nothing besides.
+
+    A busy machine loses blocks, which are missing then, and plays silence where it comes late.
+    """
+    (sounding,) = np.nonzero(heard)
+    at = int(sounding[0]) if len(sounding) else len(heard)
+    n_skipped = k = 0
+    while at < len(heard) - SIGNATURE and k < len(pcm):
+        goes_on = n_alike(heard[at:], pcm[k:]) >= min(SIGNATURE // 4, len(pcm) - k)
+        again = k if goes_on else place_of(heard[at : at + SIGNATURE], pcm)
+        assert again >= k, "the noise goes back"
+        n_skipped += again - k
+        n = n_alike(heard[at:], pcm[again:])
+        at, k = at + n, again + n
+        (sounding,) = np.nonzero(heard[at:])
+        at = at + int(sounding[0]) if len(sounding) else len(heard)
+    assert k < len(pcm) or at == len(heard), "something follows the noise"
+    return Followed(n_skipped / 44_100, (len(pcm) - k) / 44_100)
+
+
+def n_alike(one: Samples, other: Samples) -> int:
+    """Count the samples that are the same from the beginning on."""
+    n = min(len(one), len(other))
+    different = np.flatnonzero(one[:n] != other[:n])
+    return int(different[0]) if len(different) else n
+
+
+def counted_in(sentence: str) -> float:
+    """Give the seconds that `record` says were lost, in the last sentence that it says."""
+    said = re.search(r"(nothing|([0-9.]+) s)( more)?( were)? lost( on the way)?$", sentence)
+    assert said is not None, sentence
+    return float(said[2] or 0)
+
+
 def pcm_noise(path: Path, seconds: float, seed: int = 0) -> Samples:
     """Write noise of 16 bits, and give its samples."""
     pcm = np.clip(np.round(noise(seconds, 0.1, seed) * 32768), -32768, 32767).astype(np.int16)
@@ -97,6 +153,15 @@ def samples_of(path: Path) -> Samples:
     steps = samples[:, 0] * 32768
     assert np.array_equal(steps, np.round(steps))
     return steps.astype(np.int64)
+
+
+def seconds_of(path: Path) -> float:
+    """The length of a recording, which may still be growing and have nothing in it yet."""
+    try:
+        with SoundReader(path) as reader:
+            return reader.duration
+    except AudioError:
+        return 0.0
 
 
 def place_of(part: Samples, whole: Samples) -> int:

@@ -11,7 +11,7 @@ from engine.presets.files import DEFAULT_PRESET, load_preset
 
 preset = load_preset(DEFAULT_PRESET)
 for _ in range(int(sys.argv[1])):
-    deadline = time.monotonic() + 20
+    deadline = time.monotonic() + 120
     listener = Listener(preset)
     while not listener.status.listening and time.monotonic() < deadline:
         time.sleep(0.002)

@@ -1,16 +1,17 @@
 """The window on a real sound server that dies while it records, and comes back."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from phonemeanalyser.cli import DEMO
-from tests.devices.programs import HERE, Program, samples_of
-from tests.devices.test_server_trouble import check_whole, play
+from tests.devices.programs import HERE, PATIENCE, Program, followed, samples_of
+from tests.devices.test_server_trouble import AWAY, SLACK, play
 from tests.virtual_sound import VirtualSound
 
 
@@ -27,47 +28,46 @@ def wait_for(program: Program, true: Callable[[dict[str, Any]], bool]) -> dict[s
 
 
 @pytest.fixture
-def window(card: VirtualSound, takes: Path, monkeypatch: pytest.MonkeyPatch) -> Program:
+def window(card: VirtualSound, takes: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Program]:
     """A window that records."""
     monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
     program = Program(takes.parent, card, HERE / "window_on_card.py", takes, DEMO)
     wait_for(program, lambda line: line["label"].startswith("● ") and line["late_ms"] is not None)
-    return program
+    yield program
+    program.process.kill()
+    program.process.wait(PATIENCE)
 
 
 def test_the_window_says_what_it_hears_and_how_late_it_is(window: Program, card: VirtualSound, takes: Path) -> None:
     line = wait_for(window, lambda line: bool(line["devices"]) and "ms late" in line["right"])
     assert line["left"].strip().startswith("microphone: ")
     assert "44 100 Hz" in line["left"]
-    assert "0.00 s lost" in line["right"]
-    assert line["banner"] == ""
-    pcm = play(card, takes.parent, 1)
+    assert f"{line['lost']:.2f} s lost" in line["right"]
+    assert line["banner"] == "" or line["banner"].startswith("The microphone is there: ")
+    play(card, window, *takes.glob("*.wav"), 1)
     assert window.end() == 0, window.errors
     assert window.log[-1]["banner"].startswith("Recorded ")
-    (take,) = takes.iterdir()
-    check_whole(pcm, samples_of(take))
 
 
 def test_a_server_that_dies_is_said_and_recording_goes_on_by_itself(
     window: Program, card: VirtualSound, takes: Path
 ) -> None:
-    before = play(card, takes.parent, 1)
+    (take,) = takes.glob("*.wav")
+    before = play(card, window, take, 1)
     card.kill()
     killed = time.monotonic()
-    trouble = wait_for(window, lambda line: line["label"].startswith("waiting ") and bool(line["banner"]))
-    assert trouble["banner"].endswith("; the recording waits for it.")
+    trouble = wait_for(window, lambda line: line["banner"].endswith("; the recording waits for it."))
+    assert trouble["label"].startswith("waiting ")
     assert trouble["late_ms"] is None
-    time.sleep(1)
+    time.sleep(AWAY)
     card.restart()
+    restarted = time.monotonic()
     well = wait_for(window, lambda line: line["label"].startswith("● ") and "is there" in line["banner"])
-    gap = well["time"] - killed
-    after = play(card, takes.parent, 2)
+    after = play(card, window, take, 2)
     assert window.end() == 0, window.errors
     lines = said(window, killed, lambda line: line["time"] < well["time"])
     pauses = [b["time"] - a["time"] for a, b in pairwise(lines)]
-    print(f"gap {gap:.2f} s, lost {well['lost']:.2f} s, longest pause of the window {max(pauses):.2f} s")
-    assert max(pauses) < 1.0
-    assert well["lost"] == pytest.approx(gap, abs=0.7)
-    (take,) = takes.iterdir()
-    recorded = samples_of(take)
-    assert check_whole(before, recorded) < check_whole(after, recorded)
+    print(f"lost {well['lost']:.2f} s, longest pause of the window {max(pauses):.2f} s")
+    assert max(pauses) < AWAY  # it did not stand still until the server was there again
+    assert restarted - killed - SLACK < well["lost"] < well["time"] - killed + SLACK
+    followed(np.concatenate([before, after]), samples_of(take))

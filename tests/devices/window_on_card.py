@@ -53,7 +53,7 @@ while not ending:
     live(0.05)
     say()
 window.transport.source.activated.emit(window.transport.source.findData(Source.FILE))
-until = time.monotonic() + 20
+until = time.monotonic() + 60
 while not say().startswith("Recorded") and time.monotonic() < until:
     live(0.05)
 window.close()

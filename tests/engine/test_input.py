@@ -111,7 +111,7 @@ def test_the_callback_takes_no_lock_and_says_nothing(
     with stream._door:  # another thread lists devices at this very time
         monkeypatch.setattr(logging.Logger, "_log", refuse)
         bringing.start()
-        bringing.join(10)
+        bringing.join(60)
         assert not bringing.is_alive()
     assert capfd.readouterr() == ("", "")
     assert len(card.read(0)) == 441

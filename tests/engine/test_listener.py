@@ -29,7 +29,7 @@ def test_what_is_heard_gives_the_same_as_a_file_of_it_however_it_comes(hear: Hea
     assert frames_of(hearing.taken) == list(range(frames_in(len(SPEECH))))
     agree(hearing.taken, offline(SPEECH))
     assert (hearing.listener.n_dropped, hearing.listener.lost_seconds) == (0, 0)
-    assert hearing.listener.seconds == pytest.approx(len(SPEECH) / SAMPLE_RATE)
+    wait_for(lambda: hearing.listener.seconds == pytest.approx(len(SPEECH) / SAMPLE_RATE), "what makes no frame")
 
 
 def test_without_pitch_everything_else_is_the_same(hear: Hear) -> None:
@@ -103,7 +103,8 @@ def test_a_listener_tells_its_preset(hear: Hear) -> None:
     assert listener.preset is PRESET
 
 
-def test_polling_gives_the_newest_phoneme_and_its_intensity(hear: Hear) -> None:
+def test_polling_gives_the_newest_phoneme_and_its_intensity(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
+    Clock(monkeypatch)
     microphone = HandDrivenMicrophone()
     hearing = hear(microphone)
     assert hearing.listener.poll() == (Phoneme.SILENCE, 0.0)
@@ -112,7 +113,8 @@ def test_polling_gives_the_newest_phoneme_and_its_intensity(hear: Hear) -> None:
     whole = offline(SPEECH[: 30 * HOP])
     k = frames_in(30 * HOP) - 1
     assert whole.intensities[k] > 0
-    assert hearing.listener.poll() == (whole.phonemes[k], pytest.approx(whole.intensities[k], abs=1e-4))
+    wanted = (whole.phonemes[k], pytest.approx(whole.intensities[k], abs=1e-4))
+    wait_for(lambda: hearing.listener.poll() == wanted, "the newest")
 
 
 def test_a_mouth_does_not_stay_open_when_nothing_comes_any_more(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -121,7 +123,7 @@ def test_a_mouth_does_not_stay_open_when_nothing_comes_any_more(hear: Hear, monk
     hearing = hear(microphone)
     microphone.give(SPEECH[: 30 * HOP])
     hearing.wait(frames_in(30 * HOP))
-    assert hearing.listener.poll().intensity > 0
+    wait_for(lambda: hearing.listener.poll().intensity > 0, "a voice")
     clock.now += 0.6
     assert hearing.listener.poll() == (Phoneme.SILENCE, 0.0)
 

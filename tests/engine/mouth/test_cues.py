@@ -149,7 +149,7 @@ def test_the_mouth_is_never_late_nor_more_than_120_ms_early(parts: list[tuple[Ph
             assert one.start == other.start
 
 
-def test_an_hour_is_cleaned_in_a_moment() -> None:
+def test_an_hour_has_no_cue_that_is_too_short() -> None:
     generator = np.random.default_rng(0)
     parts = [(Phoneme(int(generator.integers(0, 11))), int(generator.integers(1, 20)) * 10) for _ in range(36_000)]
     cues = cues_of(said(*parts), TABLE)

@@ -72,11 +72,9 @@ def test_a_receiver_hears_phonemes_and_mouth_shapes(receiver: Receiver) -> None:
 
 
 def test_a_vtuber_program_opens_the_mouth_for_a_and_shuts_it_at_the_end(receiver: Receiver) -> None:
-    with mouth_to(receiver) as mouth:
-        with speaking(mouth, Phoneme.A):
-            wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an open mouth")
-            assert max(value for name, value in receiver.weights().items() if name != "A") < 0.05
-        assert receiver.weights()["A"] > 0.3
+    with mouth_to(receiver) as mouth, speaking(mouth, Phoneme.A):
+        wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an open mouth")
+        assert max(value for name, value in receiver.weights().items() if name != "A") < 0.05
     wait_for(lambda: receiver.weights()["A"] == 0, "a shut mouth")
     assert set(receiver.weights()) == set(VRM)
 
@@ -164,7 +162,7 @@ def test_nobody_waits_for_the_network(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(osc, "_opened", lambda _address: (Hanging(), None))
     mouth = OscMouth(OscAddress("127.0.0.1", 9), load_table("vrm"))
-    assert hanging.wait(2)
+    assert hanging.wait(60)
     for _ in range(3000):
         mouth.follow(heard(Phoneme.A))
     assert len(mouth._frames) == osc.MOST_WAITING
