@@ -8,9 +8,10 @@ from hypothesis import settings
 
 from tests.plug_ins import Shelf, install_example
 
-for number in signal.Signals:
-    if number.name in {"SIGINT", "SIGHUP"} and signal.getsignal(number) is signal.SIG_IGN:
-        signal.signal(number, signal.SIG_DFL)  # a shell's background jobs ignore them, and so would what they start
+# A shell's background jobs ignore Ctrl-C and the terminal's end, and so would the programs that tests start.
+for number, handler in (("SIGINT", signal.default_int_handler), ("SIGHUP", signal.SIG_DFL)):
+    if hasattr(signal, number) and signal.getsignal(signal.Signals[number]) is signal.SIG_IGN:
+        signal.signal(signal.Signals[number], handler)
 
 settings.register_profile("house", deadline=None)  # a busy machine is no failure
 settings.load_profile("house")
