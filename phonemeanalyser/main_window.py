@@ -43,7 +43,7 @@ from phonemeanalyser.views.threshold_view import ThresholdView
 from phonemeanalyser.views.transport import Transport
 from phonemeanalyser.window_state import WindowState
 
-FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 268, 310, 230
+FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 280, 310, 230
 USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
 """What the window likes to have, and what window managers put around it, pixels."""
 NARROW = 1200

@@ -120,6 +120,7 @@ class GuideView(QWidget):
         self.cancel, self.refuse, self.accept = QToolButton(), QToolButton(), QToolButton()
         self._lay_out()
         self._connect()
+        self._show()
 
     def refresh(self) -> None:
         """Show how far it is."""

@@ -98,7 +98,7 @@ AFTER_THE_FILTERS: dict[str, tuple[tuple[str, str], tuple[str, ...]]] = {
 }
 
 
-FIELD_WIDTH, RESET_WIDTH = 112, 18
+FIELD_WIDTH, RESET_WIDTH = 124, 18
 
 
 class FilterColumn(QScrollArea):

@@ -57,7 +57,7 @@ class TalkPage(QWidget):
         self.bars = MovestateBars(talking, theme)
         self.osc = OscPanel(talking.osc, theme)
         self.keys = HeldKeys(talking, self)
-        self.open = _button("Load a Sound…", "Open a sound file, and have the head say it at once")
+        self.open = _button("Open Sound…", "Open a sound file, and have the head say it at once")
         self.play = _button("Play", "Play or pause (Space)")
         self.stop = _button("Stop", "Stop (Escape)")
         self.preset = _button("Load Preset…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")

@@ -27,7 +27,7 @@ from phonemeanalyser.theme import Theme
 from phonemeanalyser.views.keys import KeysOfNumbers
 from phonemeanalyser.views.number_field import NumberField
 
-LABEL_WIDTH = 88
+LABEL_WIDTH = 104
 LARGEST = 1e6
 """A number that is typed lies within ± this."""
 CURVATURE = 2.5

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from engine.audio.output import ClockOutput
 from engine.tones import Tone, ToneKind
 from phonemeanalyser.app import Desktop
+from phonemeanalyser.models.calibration_guide import Phase
 from phonemeanalyser.models.session import Source
 from tests.desktop.hands import click, followed, shown
 
@@ -129,9 +130,11 @@ def test_every_page_fits_on_a_small_screen_whatever_is_heard(desktop, qtbot, pag
     assert {name_of(w): room_and_need(w) for w in texts(bar) if room_and_need(w)[0] < room_and_need(w)[1]} == {}
 
 
-def test_the_guided_calibration_fits_on_a_small_screen(desktop, qtbot):
+@pytest.mark.parametrize("phase", Phase)
+def test_the_guided_calibration_fits_on_a_small_screen(desktop, qtbot, phase):
     window = shown(desktop, qtbot, None)
     window.show_page(1)
+    desktop.calibration.guide._show(phase)
     page = window.calibration
     page.right.setCurrentWidget(page.guide)
     qtbot.waitUntil(lambda: fits(window))
