@@ -114,11 +114,11 @@ def _best_peak(strength: NDArray[np.float32], loud: NDArray[np.bool_]) -> NDArra
     tilt = right - left
     shift = tilt / np.maximum(4 * top - 2 * (left + right), np.finfo(np.float32).eps)
     height = top + tilt * shift / 4
-    height = np.where(height > 1, 1 / np.maximum(height, 1), height)
+    height = np.minimum(height, 1 / np.maximum(height, 1))
     score = np.where((top >= left) & (top >= right), height + _BONUS, np.float32(-1))
     best = score.argmax(axis=1)
     chosen = (np.arange(len(strength)), best)
     frequency = _LAG_RATE / np.maximum(_LAGS[1] + best + shift[chosen], _LAGS[0])
     in_range = (frequency > LOWEST * (1 - TOLERANCE)) & (frequency < HIGHEST * (1 + TOLERANCE))
     voiced = loud & in_range & (height[chosen] > VOICING_THRESHOLD) & (score[chosen] > 0)
-    return np.where(voiced, np.clip(frequency, LOWEST, HIGHEST), 0).astype(np.float32)
+    return np.where(voiced, np.minimum(np.maximum(frequency, LOWEST), HIGHEST), 0).astype(np.float32)
