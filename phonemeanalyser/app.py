@@ -28,6 +28,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from engine.audio.output import ClockOutput, Output, open_output
 from engine.errors import EngineError
 from engine.settings import Channel
+from phonemeanalyser.collecting import WindowThreadCollector
 from phonemeanalyser.keeping import Keeper
 from phonemeanalyser.main_window import MainWindow
 from phonemeanalyser.models.calibration import Calibration
@@ -154,7 +155,7 @@ def run(file: Path | None, demo: Path, preset: Path | None = None, channel: Chan
     """Open the window on a file, or on the last one, or on the demo; returns the exit code when it is closed."""
     app = make_application()
     sys.excepthook = _report_bug
-    settings = QSettings()
+    settings, collector = QSettings(), WindowThreadCollector()
     desktop = Desktop(app, settings)
     dialogs, unsaved = desktop.window.dialogs, UnsavedChanges(desktop.preset, _data_folder(), settings)
     keeper = Keeper(app, desktop.save, unsaved)
@@ -169,6 +170,7 @@ def run(file: Path | None, demo: Path, preset: Path | None = None, channel: Chan
     code = app.exec()
     keeper.close()
     desktop.close()
+    collector.close()
     return code
 
 

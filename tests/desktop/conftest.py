@@ -24,6 +24,7 @@ from engine.live import listener
 from engine.presets.files import THESIS_PRESET, save_preset
 from engine.presets.preset import Preset
 from phonemeanalyser.app import Desktop
+from phonemeanalyser.collecting import WindowThreadCollector
 from phonemeanalyser.models.microphone import Microphone
 from phonemeanalyser.models.preset import PresetModel
 from phonemeanalyser.models.session import Session
@@ -96,6 +97,21 @@ def mine(qapp: QApplication, tmp_path: Path) -> PresetModel:
     """A model on a user's own file."""
     save_preset(Preset(name="mine", variables=(Variable("own", 50, 90),)), tmp_path / "mine.toml")
     return PresetModel(tmp_path / "mine.toml")
+
+
+@pytest.fixture(scope="package")
+def collector(qapp: QApplication) -> Iterator[WindowThreadCollector]:
+    """Keeps the collecting of windows to the thread of the tests, as the program does."""
+    collector = WindowThreadCollector()
+    yield collector
+    collector.close()
+
+
+@pytest.fixture(autouse=True)
+def collected(collector: WindowThreadCollector) -> Iterator[None]:
+    """Collects after each test what is due, since no event loop runs between tests."""
+    yield
+    collector.collect()
 
 
 @pytest.fixture

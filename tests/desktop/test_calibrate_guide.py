@@ -1,7 +1,6 @@
 """The guided calibration: it hears a person out, says what to repeat, and gives a preset that knows the voice."""
 
-import gc
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -25,14 +24,6 @@ from tests.microphones import HandDrivenMicrophone
 from tests.sounds import noise, silence, tone
 
 Open = Callable[..., Booth]
-
-
-@pytest.fixture(autouse=True)
-def closed_windows_left_alone() -> Iterator[None]:
-    """Keep the windows of earlier tests from being collected by a thread that learns: Qt does not bear that."""
-    gc.freeze()
-    yield
-    gc.unfreeze()
 
 
 @pytest.fixture
