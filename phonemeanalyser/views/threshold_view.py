@@ -89,7 +89,7 @@ class ThresholdSlider(QWidget):
         if self.live is not None:
             good = (self.live > self.value) == (self._sign == ">") and self.live != self.value
             colour = QColor(self._theme.good if good else self._theme.bad)
-            painter.fillRect(QRectF(self._mark_at - 1.5, 1, 3, self.height() - 2), colour)
+            painter.fillRect(QRectF(round(self._x_of(self.live)) - 1.5, 1, 3, self.height() - 2), colour)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QColor(self._theme.base))
         handles = self._theme.text if self.isEnabled() else self._theme.faint

@@ -169,6 +169,19 @@ def test_the_marks_move_with_the_sound(desktop, qtbot):
     qtbot.waitUntil(moved)
 
 
+def test_a_mark_lies_at_its_value_however_wide_the_slider_becomes_meanwhile(window, qtbot):
+    slider = window.thresholds.rows["sz_s1"].slider
+    slider.set_live(slider.value)
+    for width in (slider.width() + 40, slider.width() - 20):
+        slider.resize(width, slider.height())
+        colours = {
+            slider.grab().toImage().pixelColor(x, 2).name()
+            for x in range(slider.width())
+            if abs(x - slider._x_of(slider.value)) < 2
+        }
+        assert window.theme.bad in colours
+
+
 def test_a_mark_is_green_where_the_comparison_holds_and_red_where_it_fails(window):
     slider = window.thresholds.rows["sz_s1"].slider
     slider.set_value(20)
