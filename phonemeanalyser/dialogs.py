@@ -159,7 +159,7 @@ class Dialogs(QObject):
     def load_preset(self, path: Path) -> None:
         """Load a preset, after asking what is to become of unsaved changes."""
         if self.may_go_on() and self._try(lambda: self._preset.load(path)):
-            self._remember_preset(path)
+            self._remember_preset(self._preset.path)
 
     def choose_recogniser(self, name: str) -> None:
         """Recognise with another recogniser."""

@@ -54,6 +54,11 @@ def test_all_factory_presets_are_one_click_apart_and_say_what_they_are(desktop, 
         assert window.preset_box.text() == preset.name
 
 
+def test_a_preset_that_is_named_is_remembered_by_its_file(desktop, window, settings):
+    window.dialogs.load_preset(Path("templates"))
+    assert Path(str(settings.value("preset"))) == files.FACTORY / "templates.toml"
+
+
 def test_the_one_in_use_is_ticked(window):
     choose(window, "Templates")
     window.preset_box.menu().aboutToShow.emit()
