@@ -42,6 +42,6 @@ screenshots: setup
 CORPUS ?= ../shared/corpus
 MORE ?=
 fit: setup
-	$(BIN)/python -m engine.calibration.fits.fit_thesis $(CORPUS) -o presets
-	$(BIN)/python -m engine.calibration.fits.fit_rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o presets
-	$(BIN)/python -m engine.calibration.fits.templates_of $(CORPUS) -o presets
+	$(BIN)/python -m phonemeengine.calibration.fits.fit_thesis $(CORPUS) -o presets
+	$(BIN)/python -m phonemeengine.calibration.fits.fit_rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o presets
+	$(BIN)/python -m phonemeengine.calibration.fits.fit_templates $(CORPUS) -o presets

@@ -2,7 +2,7 @@
 
 import sys
 
-from phonemeanalyser.cli import main
+from phonemeanalyser.cli.main import main
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from engine.phonemes import Phoneme
+from phonemeengine.phonemes import Phoneme
 
 
 @dataclass(frozen=True)

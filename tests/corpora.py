@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from engine.analyser import analyses_of
-from engine.calibration.labels.files import write_labels
-from engine.calibration.labels.label import Label, labels_of
-from engine.presets.preset import Preset
-from engine.settings import SAMPLE_RATE
+from phonemeengine.analyser import analyses_of
+from phonemeengine.labels.files import write_labels
+from phonemeengine.labels.label import Label, labels_of
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import Sound, noise, silence, vowel
 
 MANIFEST = ("corpus", "speaker", "wav", "labels")

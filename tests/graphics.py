@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from engine.mouth.face import Figure
-from engine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.mesh import Mesh, mesh_of
 from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
-from phonemeanalyser.rendering.pictures import Photographer
+from phonemeanalyser.rendering.offscreen import Photographer
 
 Picture = NDArray[np.uint8]
 LIGHT, DARK, MAGENTA = (0.95, 0.955, 0.965), (0.12, 0.13, 0.16), (1.0, 0.0, 1.0)

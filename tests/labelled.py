@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from engine.calibration.labels.label import Label
-from engine.calibration.scores.corpus import Utterance
-from engine.phonemes import Phoneme
-from engine.settings import SAMPLE_RATE
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import Sound, noise, silence, vowel
 
 FORMANTS = {

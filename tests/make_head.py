@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.mouth.mesh import normals_of
+from phonemeengine.mouth.mesh import normals_of
 from tests.head_colours import brow_region, eye_colours, painted
 
 Floats = NDArray[np.float32]

@@ -6,9 +6,9 @@ import json
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.mouth.face import Figure
-from engine.mouth.mesh import Mesh, mesh_of
-from engine.mouth.movestate import movestate_of
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.movestate import movestate_of
 
 CORNERS = np.array([(x, y, z) for z in (1, -1) for y in (1, -1) for x in (-1, 1)], np.float32)
 """Top left in front, top right, bottom left, bottom right; then the same behind."""

@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from engine.analyser import Analysis, analyses_of
-from engine.audio.devices import InputChoice
-from engine.dsp.framing import LEAD
-from engine.errors import DeviceError
-from engine.live import listener as live
-from engine.live.listener import Listener
-from engine.presets.preset import Preset
-from engine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
+from phonemeengine.analyser import Analysis, analyses_of
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.dsp.framing import LEAD
+from phonemeengine.errors import DeviceError
+from phonemeengine.live import listener as live
+from phonemeengine.live.listener import Listener
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
 from tests.players import PRESET, joined, wait_for
 
 SILENCE = np.zeros(SAMPLE_RATE // 10, np.float32)

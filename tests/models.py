@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from engine.dsp.log_mel import FLOOR, N_BANDS, log_mels_of
-from engine.phonemes import Phoneme
-from engine.recognition.model import Head, Model
-from engine.recognition.network import TAPS, Layer
-from engine.settings import SAMPLE_RATE, WINDOW
+from phonemeengine.dsp.log_mel import FLOOR, N_BANDS, log_mels_of
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.model import Head, Model
+from phonemeengine.recognition.network import TAPS, Layer
+from phonemeengine.settings import SAMPLE_RATE, WINDOW
 
 QUIET = np.float32(np.log10(FLOOR))
 HEARD = -6.0

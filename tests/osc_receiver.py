@@ -5,7 +5,7 @@ import threading
 from pythonosc.dispatcher import Dispatcher
 from pythonosc.osc_server import BlockingOSCUDPServer
 
-from engine.mouth.osc import OscAddress
+from phonemeengine.mouth.osc import OscAddress
 
 Message = tuple[str, tuple[object, ...]]
 

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy as np
 
-from engine.analyser import Analysis, analyses_of
-from engine.audio.files import SoundReader
-from engine.live import player as live
-from engine.live.player import Player
-from engine.presets.preset import Preset
-from engine.settings import HOP, AnalysisSettings, Channel
+from phonemeengine.analyser import Analysis, analyses_of
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.live import player as live
+from phonemeengine.live.player import Player
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import HOP, AnalysisSettings, Channel
 from tests.outputs import HandDrivenOutput
 from tests.sounds import noise, silence, tone, vowel
 

@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from engine.recognition.plug_ins import GROUP
+from phonemeengine.recognition.plug_ins import GROUP
 
 EXAMPLE = Path(__file__).parent / "plugin_package"
 HEAD = """
 import numpy as np
-from engine.phonemes import Phoneme
-from engine.recognition.trace import Comparison, Trace
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.trace import Comparison, Trace
 
 
 class Plain:

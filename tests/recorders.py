@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import soundfile
 
-from engine.audio.files import SoundReader
-from engine.audio.recording import Recording
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.recording import Recording
 
 
 def samples_of_16_bits(first: int, n: int, n_channels: int = 1) -> np.ndarray:

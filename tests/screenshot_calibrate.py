@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QSettings
 
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.app import Desktop, make_application
-from phonemeanalyser.models.calibration import Calibration
-from phonemeanalyser.models.microphone import Microphone
-from phonemeanalyser.models.preset import PresetModel
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.desktop.app import Desktop, make_application
+from phonemeanalyser.desktop.calibrate.model import Calibration
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.preset import PresetModel
 from tests.bench.desktop import live_for
 from tests.sounds import noise, silence, vowel
 

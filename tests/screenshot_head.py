@@ -6,16 +6,16 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from engine.mouth.head import load_head
-from engine.mouth.head_motion import HeadPose
-from engine.mouth.movestate_set import MovestateSet
-from engine.mouth.table import load_table
-from engine.phonemes import Phoneme
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
 from phonemeanalyser.colours import DARK, LIGHT
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.pictures import Photographer, Picture
+from phonemeanalyser.rendering.offscreen import Photographer, Picture
 from phonemeanalyser.rendering.renderer import colour_of
-from phonemeanalyser.rendering.smoothing import smoothed
+from phonemeanalyser.rendering.subdivision import smoothed
 
 SAID = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U, Phoneme.M)
 N_COLUMNS, SIZE, LABEL_AT = 3, 400, (16, 8)

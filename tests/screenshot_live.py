@@ -6,9 +6,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QEventLoop, QSettings, QTimer
 
-from phonemeanalyser.app import Desktop, make_application
-from phonemeanalyser.models.microphone import Microphone
-from phonemeanalyser.models.session import Session, Source
+from phonemeanalyser.desktop.app import Desktop, make_application
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.session import Session, Source
 from tests.bench.desktop import live_for
 
 PATIENCE_MS = 15_000

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QSettings
 
-from engine.audio.output import ClockOutput
-from phonemeanalyser.app import Desktop, make_application
-from phonemeanalyser.models.microphone import Microphone
+from phonemeengine.audio.output import ClockOutput
+from phonemeanalyser.desktop.app import Desktop, make_application
+from phonemeanalyser.desktop.session.microphone import Microphone
 from tests.bench.desktop import live_for
 
 DEMO = Path(__file__).resolve().parents[1] / "phonemeanalyser" / "demo" / "demo.flac"

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.settings import SAMPLE_RATE
+from phonemeengine.settings import SAMPLE_RATE
 
 Sound = NDArray[np.float32]
 

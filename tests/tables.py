@@ -5,8 +5,8 @@ from itertools import pairwise
 
 import pytest
 
-from engine.phonemes import Phoneme
-from phonemeanalyser.cli import main
+from phonemeengine.phonemes import Phoneme
+from phonemeanalyser.cli.main import main
 
 LABELS = {phoneme.label for phoneme in Phoneme}
 HEADER = "start_s,end_s,phoneme,intensity"

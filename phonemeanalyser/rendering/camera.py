@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.mouth.mesh import Mesh
+from phonemeengine.mouth.mesh import Mesh
 
 FIELD_OF_VIEW = math.radians(24)
 """The angle between the upper and the lower edge of the picture; narrower in pictures that are taller than wide."""

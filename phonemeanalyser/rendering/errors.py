@@ -1,6 +1,6 @@
 """What can go wrong with pictures."""
 
-from engine.errors import EngineError
+from phonemeengine.errors import EngineError
 
 
 class RenderingError(EngineError):

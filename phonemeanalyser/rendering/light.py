@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.mouth.mesh import Mesh
+from phonemeengine.mouth.mesh import Mesh
 from phonemeanalyser.rendering.camera import Camera, Matrix, Point
 
 MORE = 1.12

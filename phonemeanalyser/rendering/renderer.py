@@ -5,18 +5,18 @@ from dataclasses import dataclass
 import moderngl
 import numpy as np
 
-from engine.mouth.face import Figure
-from engine.mouth.head_motion import HeadPose
-from engine.mouth.mesh import Vectors
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.mesh import Vectors
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.canvas import Canvas
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import LIGHT, Light, Room, direction_of
-from phonemeanalyser.rendering.openness import openness_of
-from phonemeanalyser.rendering.programs import fields_of, program_of, set_uniforms
+from phonemeanalyser.rendering.ambient_occlusion import openness_of
+from phonemeanalyser.rendering.shader_programs import fields_of, program_of, set_uniforms
 from phonemeanalyser.rendering.shadow import Shadow, taps_of
 from phonemeanalyser.rendering.surface import Surface, wetness_of
-from phonemeanalyser.rendering.turning import Neck, turn_of
+from phonemeanalyser.rendering.head_rotation import Neck, turn_of
 
 PROGRAMS = {
     "wire": ("head", "wire"),

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
 
-from engine.mouth.mesh import Mesh, Vectors
+from phonemeengine.mouth.mesh import Mesh, Vectors
 
 ROUND = 0.03
 """A part is a ball, an eye, where the distances from its centre vary by less than this share of them."""

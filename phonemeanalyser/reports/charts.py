@@ -6,10 +6,10 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.scores.comparison import Comparison
-from engine.calibration.scores.evaluation import GroupScores
-from engine.calibration.scores.scoring import TEN, Counts
-from engine.phonemes import Phoneme
+from phonemeengine.calibration.scores.comparison import Comparison
+from phonemeengine.calibration.scores.evaluation import GroupScores
+from phonemeengine.calibration.scores.scoring import TEN, Counts
+from phonemeengine.phonemes import Phoneme
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.markup import element, text
 from phonemeanalyser.reports.report import CLASSES, signed, written

@@ -7,9 +7,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.calibration.scores.evaluation import Answers
-from engine.phonemes import Phoneme
-from engine.settings import FRAME_PERIOD
+from phonemeengine.calibration.scores.evaluation import Answers
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.charts import short
 from phonemeanalyser.reports.markup import element, text

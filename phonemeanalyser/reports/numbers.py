@@ -5,11 +5,11 @@ import math
 from dataclasses import asdict
 from typing import Any
 
-from engine.calibration.scores.comparison import Comparison, Difference, Stretch
-from engine.calibration.scores.evaluation import Answers, GroupScores
-from engine.calibration.scores.scoring import Counts, scores_of
-from engine.phonemes import Phoneme
-from engine.settings import FRAME_PERIOD
+from phonemeengine.calibration.scores.comparison import Comparison, Difference, Stretch
+from phonemeengine.calibration.scores.evaluation import Answers, GroupScores
+from phonemeengine.calibration.scores.scoring import Counts, scores_of
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 from phonemeanalyser.reports.report import Report, ScoredPreset
 
 

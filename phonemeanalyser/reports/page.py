@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from engine.calibration.scores.comparison import Comparison
-from engine.calibration.scores.evaluation import Answers, GroupScores
-from engine.calibration.scores.scoring import TEN
-from engine.phonemes import Phoneme
-from engine.settings import FRAME_PERIOD
+from phonemeengine.calibration.scores.comparison import Comparison
+from phonemeengine.calibration.scores.evaluation import Answers, GroupScores
+from phonemeengine.calibration.scores.scoring import TEN
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 from phonemeanalyser.reports.charts import difference_map, f1_bars, heat_map
 from phonemeanalyser.reports.lanes import drawn_seconds, time_lines
 from phonemeanalyser.reports.markup import element, text

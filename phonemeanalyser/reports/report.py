@@ -4,13 +4,13 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
-from engine.calibration.scores.added_noise import Noise
-from engine.calibration.scores.comparison import Comparison
-from engine.calibration.scores.corpus import Utterance
-from engine.calibration.scores.evaluation import CorpusScores, GroupScores
-from engine.calibration.scores.scoring import TEN
-from engine.phonemes import Phoneme
-from engine.settings import FRAME_PERIOD
+from phonemeengine.calibration.scores.added_noise import Noise
+from phonemeengine.calibration.scores.comparison import Comparison
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
+from phonemeengine.calibration.scores.scoring import TEN
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 
 CLASSES = (*TEN, Phoneme.UNIDENTIFIED)
 """The order in which phonemes are listed."""

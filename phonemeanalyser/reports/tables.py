@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from engine.calibration.scores.comparison import Comparison, Stretch
-from engine.calibration.scores.evaluation import GroupScores
-from engine.calibration.scores.scoring import TEN
-from engine.phonemes import Phoneme
+from phonemeengine.calibration.scores.comparison import Comparison, Stretch
+from phonemeengine.calibration.scores.evaluation import GroupScores
+from phonemeengine.calibration.scores.scoring import TEN
+from phonemeengine.phonemes import Phoneme
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.markup import element, text
 from phonemeanalyser.reports.report import CLASSES, FIGURES, Report, clock, flicker_of, signed, written

@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, fields
 
-from engine.calibration.scores.comparison import Comparison, Stretch
-from engine.calibration.scores.evaluation import CorpusScores, GroupScores
-from engine.calibration.scores.scoring import Scores
+from phonemeengine.calibration.scores.comparison import Comparison, Stretch
+from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
+from phonemeengine.calibration.scores.scoring import Scores
 from phonemeanalyser.reports.report import (
     CLASSES,
     Report,

@@ -5,9 +5,9 @@ from pathlib import Path
 import soundfile
 from PySide6.QtCore import QEventLoop, QSettings, QTimer
 
-from engine.audio.output import ClockOutput
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.app import Desktop, make_application
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.desktop.app import Desktop, make_application
 from tests.bench.figures import speech
 
 

@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from engine.audio.files import SoundReader
-from engine.calibration.bench.workbench import Workbench
-from engine.calibration.labels.files import read_labels
-from engine.calibration.scores.corpus import Utterance
-from engine.presets.files import FACTORY, load_preset
-from engine.presets.preset import Preset
-from engine.settings import SAMPLE_RATE
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.labels.files import read_labels
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bench.figures import ROOT, Absolute, Figure, shown
 
 SECONDS = 3600

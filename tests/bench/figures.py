@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 import phonemeanalyser
-from engine.audio.files import SoundReader
-from engine.settings import SAMPLE_RATE
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bench import PINS
 from tests.sounds import Sound
 

@@ -7,15 +7,15 @@ from collections.abc import Callable
 import moderngl
 import numpy as np
 
-from engine.mouth.head import load_head
-from engine.mouth.movestate_set import MovestateSet
-from engine.mouth.table import load_table
-from engine.phonemes import Phoneme
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.contexts import offscreen_context
-from phonemeanalyser.rendering.pictures import Photographer
+from phonemeanalyser.rendering.offscreen import Photographer
 from phonemeanalyser.rendering.renderer import HeadRenderer
-from phonemeanalyser.rendering.smoothing import smoothed
+from phonemeanalyser.rendering.subdivision import smoothed
 from tests.bench.figures import Absolute, Figure
 
 GREY = (0.5, 0.5, 0.5)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QTimer
 
-from engine.settings import SAMPLE_RATE
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bench.desktop import live_for, shown_desktop
 from tests.bench.figures import Figure, answer_of, speech
 

@@ -7,16 +7,16 @@ from pathlib import Path
 
 import numpy as np
 
-from engine.analyser import analyses_of
-from engine.audio.files import SoundReader
-from engine.mouth.exports.exporter import Exporter, Wishes
-from engine.mouth.exports.formats import FORMATS
-from engine.mouth.morpher import Morpher
-from engine.mouth.names import ARKIT
-from engine.mouth.speech import Speech, speech_of
-from engine.mouth.table import load_table
-from engine.presets.files import DEFAULT_PRESET, load_preset
-from engine.settings import FRAME_PERIOD
+from phonemeengine.analyser import analyses_of
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.mouth.exports.exporter import Exporter, Wishes
+from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.morpher import Morpher
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.utterance import Speech, speech_of
+from phonemeengine.mouth.table import load_table
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.settings import FRAME_PERIOD
 from tests.bench.figures import DEMO, Absolute, Figure, interleaved, shown
 from tests.glb_faces import face_with_targets
 

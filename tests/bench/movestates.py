@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from engine.mouth.face import face_of
-from engine.mouth.files.threedm import format_3dm, parse_3dm
-from engine.mouth.mesh import Mesh, mesh_of
-from engine.mouth.movestate import Movestate, movestate_of
-from engine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.morph_mesh import face_of
+from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
+from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.movestate import Movestate, movestate_of
+from phonemeengine.mouth.movestate_set import MovestateSet
 from tests.bench.figures import Absolute, Figure, interleaved, shown
 
 N_VERTICES, N_ACTIVE, N_STATES = 5000, 12, 100

@@ -2,9 +2,9 @@
 
 import scipy.fft
 
-from engine.analyser import Analyser
-from engine.presets.files import THESIS_PRESET, load_preset
-from engine.settings import HOP
+from phonemeengine.analyser import Analyser
+from phonemeengine.presets.files import THESIS_PRESET, load_preset
+from phonemeengine.settings import HOP
 from tests.bench.figures import Figure, interleaved, ratio_of, shown, speech
 
 N_FRAMES = 1000

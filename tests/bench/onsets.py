@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from engine.audio.stream import CardStream
-from engine.settings import SAMPLE_RATE
+from phonemeengine.audio.stream import CardStream
+from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import Sound, vowel
 
 LENGTH = 0.2

@@ -8,11 +8,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject
 
-from engine.analyser import Analyser, Analysis
-from engine.live.player import STEP
-from engine.settings import FRAME_PERIOD
-from phonemeanalyser.app import Desktop
-from phonemeanalyser.models.session import Session
+from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.live.player import STEP
+from phonemeengine.settings import FRAME_PERIOD
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.session.session import Session
 from tests.bench.desktop import live_for, shown_desktop, written_speech
 from tests.bench.figures import Absolute, Figure, answer_of, speech
 

@@ -13,10 +13,10 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QDockWidget
 
-from engine.settings import FRAME_PERIOD
-from phonemeanalyser.app import Desktop
-from phonemeanalyser.main_window import ANALYSE, TALK
-from phonemeanalyser.views.head_view import HeadView
+from phonemeengine.settings import FRAME_PERIOD
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.window import ANALYSE, TALK
+from phonemeanalyser.desktop.talk.head_view import HeadView
 from tests.bench.desktop import live_for, shown_desktop, written_speech
 from tests.bench.figures import Absolute, Figure, answer_of
 

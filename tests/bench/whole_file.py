@@ -4,9 +4,9 @@ import librosa
 import numpy as np
 import scipy.fft
 
-from engine.analyser import BLOCK, analyses_of
-from engine.presets.files import THESIS_PRESET, load_preset
-from engine.settings import HOP, WINDOW
+from phonemeengine.analyser import BLOCK, analyses_of
+from phonemeengine.presets.files import THESIS_PRESET, load_preset
+from phonemeengine.settings import HOP, WINDOW
 from tests.bench.figures import Figure, interleaved, ratio_of, shown, speech
 from tests.sounds import Sound
 

@@ -10,11 +10,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from engine.calibration.takes.take import Take
-from engine.phonemes import Phoneme
-from engine.settings import HOP, SAMPLE_RATE
-from phonemeanalyser.models.calibration import Calibration
-from phonemeanalyser.views.calibration_page import CalibrationPage
+from phonemeengine.calibration.takes.take import Take
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import HOP, SAMPLE_RATE
+from phonemeanalyser.desktop.calibrate.model import Calibration
+from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from tests.desktop.hands import press
 from tests.desktop.studio import Booth
 from tests.microphones import HandDrivenMicrophone

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.settings import SAMPLE_RATE
+from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import noise, silence, vowel
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -18,16 +18,16 @@ from PySide6.QtCore import QEvent, QSettings
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from engine.audio.output import ClockOutput
-from engine.features.variables import Variable
-from engine.live import listener
-from engine.presets.files import THESIS_PRESET, save_preset
-from engine.presets.preset import Preset
-from phonemeanalyser.app import Desktop
-from phonemeanalyser.collecting import WindowThreadCollector
-from phonemeanalyser.models.microphone import Microphone
-from phonemeanalyser.models.preset import PresetModel
-from phonemeanalyser.models.session import Session
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.features.variables import Variable
+from phonemeengine.live import listener
+from phonemeengine.presets.files import THESIS_PRESET, save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.garbage import WindowThreadCollector
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
 from tests.desktop.hands import shown
 from tests.desktop.studio import DESK, Booth, Studio
 from tests.microphones import HandDrivenMicrophone

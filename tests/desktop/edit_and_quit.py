@@ -14,9 +14,9 @@ from pathlib import Path
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QDockWidget, QMessageBox
 
-from phonemeanalyser.app import make_application
-from phonemeanalyser.cli import main
-from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.desktop.app import make_application
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.desktop.window import MainWindow
 
 DIALOG = 9
 LOOK_EVERY_MS = 20

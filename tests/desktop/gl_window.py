@@ -7,11 +7,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QSettings
 
-from engine.audio.output import ClockOutput
-from phonemeanalyser.app import Desktop, make_application
-from phonemeanalyser.main_window import TALK
-from phonemeanalyser.models.microphone import Microphone
-from phonemeanalyser.views import head_view
+from phonemeengine.audio.output import ClockOutput
+from phonemeanalyser.desktop.app import Desktop, make_application
+from phonemeanalyser.desktop.window import TALK
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.talk import head_view
 from tests.bench.desktop import live_for
 
 PATIENCE = 60

@@ -21,10 +21,10 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from engine.settings import BIN_WIDTH, SAMPLE_RATE
-from phonemeanalyser.app import Desktop
-from phonemeanalyser.main_window import MainWindow
-from phonemeanalyser.views.plot_menu import PlotMenu
+from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
 from tests.conftest import ROOT
 
 CARDS = ROOT / "tests" / "data" / "cards.flac"

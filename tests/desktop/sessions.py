@@ -2,9 +2,9 @@
 
 from pytestqt.qtbot import QtBot
 
-from engine.settings import HOP, SAMPLE_RATE
-from phonemeanalyser.models.history import NOWHERE
-from phonemeanalyser.models.session import Session
+from phonemeengine.settings import HOP, SAMPLE_RATE
+from phonemeanalyser.desktop.session.history import NOWHERE
+from phonemeanalyser.desktop.session.session import Session
 from tests.desktop.conftest import SPEECH
 
 N_FRAMES = -(-len(SPEECH) // HOP)

@@ -7,10 +7,10 @@ import numpy as np
 import soundfile
 from pytestqt.qtbot import QtBot
 
-from engine.phonemes import Phoneme
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.models.session import Session
-from phonemeanalyser.models.talking import Talking
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.talk.model import Talking
 from tests.desktop.conftest import AHEAD, STEP, ended
 from tests.outputs import Outputs
 from tests.sounds import silence, vowel

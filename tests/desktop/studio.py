@@ -12,16 +12,16 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox
 from pytestqt.qtbot import QtBot
 
-from engine.analyser import Analysis
-from engine.audio.devices import Device
-from engine.audio.output import ClockOutput
-from engine.live.listener import Listener
-from engine.presets.files import THESIS_PRESET
-from phonemeanalyser.app import Desktop
-from phonemeanalyser.main_window import MainWindow
-from phonemeanalyser.models.history import NOWHERE
-from phonemeanalyser.models.microphone import Microphone
-from phonemeanalyser.models.preset import PresetModel
+from phonemeengine.analyser import Analysis
+from phonemeengine.audio.devices import Device
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.live.listener import Listener
+from phonemeengine.presets.files import THESIS_PRESET
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.desktop.session.history import NOWHERE
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.preset import PresetModel
 from tests.desktop.hands import press
 from tests.microphones import HandDrivenMicrophone, Microphones, frames_in
 from tests.players import wait_for

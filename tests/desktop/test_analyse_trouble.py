@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 import soundfile
 
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.cli import main
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.cli.main import main
 from tests.bad_files import BAD_FILES, HOSTILE
 from tests.sounds import vowel
 from tests.tables import analysed, gapless, refused, rows_of

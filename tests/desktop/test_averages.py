@@ -8,12 +8,12 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from engine.analyser import Analyser, Analysis, analyses_of
-from engine.curves import load_curve
-from engine.errors import CurveError
-from engine.presets.preset import Preset
-from engine.settings import AnalysisSettings, Filter
-from phonemeanalyser.models.averages import AveragesModel
+from phonemeengine.analyser import Analyser, Analysis, analyses_of
+from phonemeengine.averaged_spectrum import load_curve
+from phonemeengine.errors import CurveError
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import AnalysisSettings, Filter
+from phonemeanalyser.desktop.session.averages import AveragesModel
 from tests.sounds import Sound, noise, tone, vowel
 
 SETTINGS = AnalysisSettings(filters=frozenset({Filter.QUANTISE}))

@@ -10,16 +10,16 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from engine.calibration.bench.workbench import Workbench
-from engine.calibration.scores.corpus import read_recordings
-from engine.features.variables import Kind
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.recognition.rules import Condition, Rule
-from phonemeanalyser import dialogs
-from phonemeanalyser.views.calibration_bench import BenchView
-from phonemeanalyser.views.calibration_confusion import SAID, TAKEN
-from phonemeanalyser.views.calibration_mapping import MappingDialog
+from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.calibration.scores.corpus import read_recordings
+from phonemeengine.features.variables import Kind
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.recognition.rules import Condition, Rule
+from phonemeanalyser.desktop import dialogs
+from phonemeanalyser.desktop.calibrate.bench_view import BenchView
+from phonemeanalyser.desktop.calibrate.confusion_view import SAID, TAKEN
+from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from tests.desktop.calibrating import CONTROL, Calibrator, corpus
 from tests.desktop.hands import LEFT, click, copied, press
 from tests.desktop.hands import choose as choose_entry

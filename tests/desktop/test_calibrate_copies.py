@@ -5,8 +5,8 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMenu
 
-from engine.calibration.labels.files import read_labels
-from engine.phonemes import Phoneme
+from phonemeengine.labels.files import read_labels
+from phonemeengine.phonemes import Phoneme
 from tests.desktop.calibrating import Calibrator
 from tests.desktop.hands import click
 

@@ -7,16 +7,16 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from engine.audio.files import SoundReader
-from engine.calibration.calibrating import calibrate
-from engine.calibration.guard import price_of
-from engine.calibration.scores.corpus import read_labels, read_recordings
-from engine.calibration.sentences import SENTENCES
-from engine.calibration.takes.onset import onset_in
-from engine.phonemes import Phoneme
-from engine.presets.files import DEFAULT_PRESET, load_preset
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.models.calibration_guide import READING, STEPS, Phase
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.calibration.calibrate import calibrate
+from phonemeengine.calibration.guard import price_of
+from phonemeengine.calibration.scores.corpus import read_labels, read_recordings
+from phonemeengine.calibration.sentences import SENTENCES
+from phonemeengine.calibration.takes.onset import onset_in
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.desktop.calibrate.guide_model import READING, STEPS, Phase
 from tests.desktop.calibrating import Calibrator, in_room, said
 from tests.desktop.hands import click, press
 from tests.desktop.studio import Booth
@@ -138,7 +138,7 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
     better = load_preset(DEFAULT_PRESET)  # whatever the takes teach: the learned one hears this voice better
     learn = calibrate
     monkeypatch.setattr(
-        "phonemeanalyser.models.calibration_guide.calibrate",
+        "phonemeanalyser.desktop.calibrate.guide_model.calibrate",
         lambda preset, takes, **given: replace(learn(preset, takes, **given), preset=better),
     )
     for k in range(1, 4):
@@ -162,7 +162,7 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
     assert guided.booth.desktop.talking.watched  # the head follows it
     saved = tmp_path / "mine.toml"
     monkeypatch.setattr(
-        "phonemeanalyser.dialogs.QFileDialog.getSaveFileName", lambda *_args: (str(saved), "Preset (*.toml)")
+        "phonemeanalyser.desktop.dialogs.QFileDialog.getSaveFileName", lambda *_args: (str(saved), "Preset (*.toml)")
     )
     click(view.save)
     assert not guide.running

@@ -8,24 +8,24 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.calibration.calibrating import calibrate
-from engine.calibration.guard import MOST_LOSS, price_of
-from engine.calibration.labels.label import CORE, Label
-from engine.calibration.labels.table import format_table
-from engine.calibration.learners import LEARNERS
-from engine.calibration.scores.corpus import Utterance
-from engine.calibration.scores.evaluation import answers_to
-from engine.calibration.scores.scoring import Scores, scores_of
-from engine.calibration.takes.check import check_take
-from engine.calibration.takes.project import TakeProject
-from engine.calibration.takes.room_noise import measure_room
-from engine.errors import CorpusError, PresetError
-from engine.phonemes import Phoneme
-from engine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
-from engine.presets.preset import Preset
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.cli import main
-from phonemeanalyser.models.calibration_guide import STEPS
+from phonemeengine.calibration.calibrate import calibrate
+from phonemeengine.calibration.guard import MOST_LOSS, price_of
+from phonemeengine.labels.label import CORE, Label
+from phonemeengine.labels.table import format_table
+from phonemeengine.calibration.learners import LEARNERS
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.evaluation import answers_to
+from phonemeengine.calibration.scores.scoring import Scores, scores_of
+from phonemeengine.calibration.takes.quality import check_take
+from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.room_noise import measure_room
+from phonemeengine.errors import CorpusError, PresetError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.desktop.calibrate.guide_model import STEPS
 from tests.desktop.calibrating import ROOM, in_room, said
 from tests.sounds import silence
 

@@ -9,13 +9,13 @@ from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget
 
-from engine.calibration.labels.label import CORE
-from engine.calibration.scores.corpus import read_corpus
-from engine.phonemes import Phoneme
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.models.calibration_takes import AROUND
-from phonemeanalyser.models.session import Source
-from phonemeanalyser.views.calibration_keys import KEYS
+from phonemeengine.labels.label import CORE
+from phonemeengine.calibration.scores.corpus import read_corpus
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.desktop.calibrate.takes_model import AROUND
+from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from tests.desktop.calibrating import CONTROL, Calibrator, in_room, said
 from tests.desktop.hands import DEMO, LEFT, click, drag, press
 from tests.desktop.studio import Booth

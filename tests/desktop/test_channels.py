@@ -9,15 +9,15 @@ import pytest
 import soundfile
 from PySide6.QtCore import Qt
 
-from engine.audio.files import SoundReader
-from engine.calibration.labels.files import write_labels
-from engine.calibration.labels.label import Label
-from engine.calibration.scores.corpus import read_recordings
-from engine.errors import AudioError
-from engine.phonemes import Phoneme
-from engine.settings import SAMPLE_RATE, Channel
-from phonemeanalyser import cli
-from phonemeanalyser.cli import main
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.labels.files import write_labels
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.scores.corpus import read_recordings
+from phonemeengine.errors import AudioError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE, Channel
+from phonemeanalyser.cli import main as cli
+from phonemeanalyser.cli.main import main
 from tests.desktop.conftest import SPEECH
 from tests.desktop.hands import press, shown
 from tests.sounds import silence, tone

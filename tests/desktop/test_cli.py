@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 import soundfile
 
-from phonemeanalyser.cli import DEMO, main
+from phonemeanalyser.cli.main import DEMO, main
 from tests.bad_files import HOSTILE
 from tests.tables import LABELS, gapless, rows_of
 

@@ -4,7 +4,7 @@ import gc
 import threading
 import weakref
 
-from phonemeanalyser.collecting import WindowThreadCollector
+from phonemeanalyser.desktop.garbage import WindowThreadCollector
 
 
 class Ring:

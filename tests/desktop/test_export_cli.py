@@ -8,12 +8,12 @@ import pytest
 import soundfile
 from pygltflib import GLTF2
 
-from engine.mouth.exports.formats import FORMATS
-from engine.mouth.head import load_head
-from engine.mouth.names import ARKIT
-from engine.mouth.table import TABLES
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.cli import DEMO, main
+from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.table import TABLES
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.cli.main import DEMO, main
 from tests.bad_files import ODD_FILES
 from tests.glb_faces import face_with_targets
 from tests.sounds import silence

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.analyser import Analyser, Analysis
-from engine.features.measure import Features
-from engine.features.variables import Variable
-from engine.presets.preset import Preset
-from engine.settings import BIN_WIDTH, AnalysisSettings, Filter
-from phonemeanalyser.models.history import CAPACITY, GAP, MOST_BINS, NOWHERE, History, shown_spectra
+from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Variable
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Filter
+from phonemeanalyser.desktop.session.history import CAPACITY, GAP, MOST_BINS, NOWHERE, History, shown_spectra
 from tests.sounds import tone
 
 NAMES = ("one", "two")

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.analyser import Analyser, analyses_of
-from engine.audio.files import SoundReader
-from engine.calibration.labels.label import Label
-from engine.phonemes import Phoneme
-from engine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
-from engine.recognition.model import load_model
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.cli import main
+from phonemeengine.analyser import Analyser, analyses_of
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.labels.label import Label
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
+from phonemeengine.recognition.model import load_model
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.cli.main import main
 from tests.corpora import put
 from tests.sounds import noise, vowel
 from tests.tables import refused

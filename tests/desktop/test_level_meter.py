@@ -9,9 +9,9 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from engine.audio.level import Level
-from phonemeanalyser.theme import DARK, LIGHT, Theme
-from phonemeanalyser.views.level_meter import LIGHT_WIDTH, LOWEST_DB, LevelMeter, words_of
+from phonemeengine.audio.level import Level
+from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme
+from phonemeanalyser.desktop.session.level_meter import LIGHT_WIDTH, LOWEST_DB, LevelMeter, words_of
 
 WIDTH = 500
 TRACK = WIDTH - LIGHT_WIDTH - 8

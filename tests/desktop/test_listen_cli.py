@@ -13,18 +13,18 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.audio import stream
-from engine.audio.devices import InputChoice
-from engine.errors import RecordingError
-from engine.live.ear import live
-from engine.live.tape import Tape
-from engine.phonemes import Phoneme
-from engine.presets.files import DEFAULT_PRESET, load_preset
-from engine.presets.preset import Preset
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser import listening
-from phonemeanalyser.cli import main
-from phonemeanalyser.listening import _as_json, _as_text, _Changes
+from phonemeengine.audio import stream
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.errors import RecordingError
+from phonemeengine.live.microphone_analyser import live
+from phonemeengine.live.recorder import Tape
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.cli import listen as listening
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.cli.listen import _as_json, _as_text, _Changes
 from tests.microphones import Clock, HandDrivenMicrophone, Microphones, frames_in, offline
 from tests.players import SPEECH
 from tests.portaudio import FakePortAudio

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.audio.devices import Device, InputChoice
-from engine.errors import DeviceError
-from engine.settings import HOP
+from phonemeengine.audio.devices import Device, InputChoice
+from phonemeengine.errors import DeviceError
+from phonemeengine.settings import HOP
 from tests.desktop.studio import DESK, HEADSET, Studio
 from tests.microphones import HandDrivenMicrophone, offline
 from tests.players import PRESET, SPEECH, joined
@@ -23,7 +23,7 @@ CUT_OFF = """
 import os, sys, time
 from pathlib import Path
 import numpy as np
-from engine.audio.recording import Recording
+from phonemeengine.audio.recording import Recording
 take, journal = map(Path, sys.argv[1:])
 recording = Recording(take, 44_100, 1, journal=journal, rescue=take.parent)
 recording.write(np.full((44_100, 1), 0.25, np.float32))

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from pygltflib import GLTF2
 
-from engine.mouth.face import Figure, face_of
-from engine.mouth.files.gltf_writing import format_glb
-from engine.mouth.files.obj import format_obj
-from engine.mouth.files.opening import load_face, load_figure, save_face
-from engine.mouth.head import load_head
-from engine.mouth.mesh import mesh_of
-from phonemeanalyser.cli import main
+from phonemeengine.mouth.morph_mesh import Figure, face_of
+from phonemeengine.mouth.files.gltf_writing import format_glb
+from phonemeengine.mouth.files.obj import format_obj
+from phonemeengine.mouth.files.io import load_face, load_figure, save_face
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeanalyser.cli.main import main
 from tests.meshes import CORNERS, GLTF_TEXT, TRIANGLES, figure_of_cube, moved_by
 
 SMILE, OPEN = moved_by((1, 3), (0.5, 0, 0.25)), moved_by((2,), (0, -1, 0))
@@ -158,7 +158,7 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
 
 
 def test_the_command_needs_no_qt(folder: Path):
-    program = "import sys; from phonemeanalyser.cli import main; main(sys.argv[1:]); print('PySide6' in sys.modules)"
+    program = "import sys; from phonemeanalyser.cli.main import main; main(sys.argv[1:]); print('PySide6' in sys.modules)"
     words = ["movestates", "info", str(folder / "base.obj")]
     done = subprocess.run([sys.executable, "-c", program, *words], capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "False"

@@ -6,13 +6,13 @@ import parselmouth
 import pytest
 import soundfile
 
-from engine.mouth.exports.formats import FORMATS
-from engine.mouth.files.gltf_writing import format_glb
-from engine.mouth.head import load_head
-from engine.mouth.names import ARKIT
-from engine.settings import SAMPLE_RATE
-from engine.tables import TABLES
-from phonemeanalyser.cli import main
+from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.files.gltf_writing import format_glb
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.analysis_tables import TABLES
+from phonemeanalyser.cli.main import main
 from tests.desktop.conftest import SPEECH
 from tests.tables import analysed, refused
 

@@ -4,7 +4,7 @@ import numpy as np
 import pyqtgraph as pg
 import pytest
 
-from phonemeanalyser.views.plot import LiveCurve
+from phonemeanalyser.desktop.widgets.plot import LiveCurve
 
 
 def test_what_is_drawn_beyond_the_old_range_is_painted(qtbot):

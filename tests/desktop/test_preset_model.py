@@ -6,12 +6,12 @@ from dataclasses import fields
 import pytest
 from pytestqt.qtbot import QtBot
 
-from engine.errors import EngineError
-from engine.features.variables import Variable
-from engine.presets.files import THESIS_PRESET, load_preset
-from engine.recognition.phoneme_data import PhonemeData
-from engine.settings import BIN_WIDTH, Filter
-from phonemeanalyser.models.preset import FILTER_PARAMETERS, PresetModel
+from phonemeengine.errors import EngineError
+from phonemeengine.features.variables import Variable
+from phonemeengine.presets.files import THESIS_PRESET, load_preset
+from phonemeengine.recognition.phoneme_data import PhonemeData
+from phonemeengine.settings import BIN_WIDTH, Filter
+from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS, PresetModel
 
 # one small change of each kind
 EDITS: dict[str, Callable[[PresetModel], None]] = {

@@ -9,13 +9,13 @@ import pytest
 import soundfile
 from PIL import Image
 
-from engine.mouth.face import Figure, face_of
-from engine.mouth.files.opening import save_face
-from engine.mouth.names import ARKIT
-from engine.mouth.table import TABLES
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.cli import main
-from phonemeanalyser.rendering import films
+from phonemeengine.mouth.morph_mesh import Figure, face_of
+from phonemeengine.mouth.files.io import save_face
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.table import TABLES
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.rendering import video as films
 from tests.glb_faces import face_with_targets
 from tests.graphics import context_or_skip
 from tests.meshes import CUBE_OBJ, figure_of_cube
@@ -221,7 +221,7 @@ def test_without_the_packages_of_previews_one_sentence_says_which_extra_has_them
     real = importlib.import_module
 
     def missing(name: str, package: str | None = None) -> object:
-        if name == "phonemeanalyser.preview":
+        if name == "phonemeanalyser.cli.preview":
             raise ModuleNotFoundError("No module named 'moderngl'")
         return real(name, package)
 

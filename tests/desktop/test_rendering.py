@@ -9,22 +9,22 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import binary_fill_holes
 
-from engine.errors import EngineError
-from engine.mouth.face import Figure
-from engine.mouth.head import HEAD, load_head
-from engine.mouth.head_motion import HeadPose
-from engine.mouth.mesh import Vectors, mesh_of
-from engine.mouth.movestate_set import MovestateSet
-from engine.mouth.table import load_table
-from engine.phonemes import Phoneme
+from phonemeengine.errors import EngineError
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.head import HEAD, load_head
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.mesh import Vectors, mesh_of
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
 from phonemeanalyser.rendering import contexts
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
-from phonemeanalyser.rendering.pictures import Photographer
+from phonemeanalyser.rendering.offscreen import Photographer
 from phonemeanalyser.rendering.renderer import HeadRenderer, colour_of
-from phonemeanalyser.rendering.smoothing import smoothed
+from phonemeanalyser.rendering.subdivision import smoothed
 from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined, photographer, seen
 from tests.meshes import cube, figure_of_cube
 

@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.calibration.labels.label import Label
-from engine.calibration.scores.scoring import Scores
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset, save_preset
-from engine.settings import SAMPLE_RATE
-from phonemeanalyser.cli import main
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset, save_preset
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeanalyser.cli.main import main
 from tests.conftest import CORPUS
 from tests.corpora import put, speech, write_corpus, write_manifest
 from tests.tables import refused

@@ -11,8 +11,8 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from phonemeanalyser.cli import main
-from phonemeanalyser.main_window import MainWindow
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.desktop.window import MainWindow
 from tests.bad_files import BAD_FILES
 from tests.tables import refused
 

@@ -8,10 +8,10 @@ import pytest
 import soundfile
 from pytestqt.qtbot import QtBot
 
-from engine.features.variables import Variable
-from engine.settings import SAMPLE_RATE, Filter
-from phonemeanalyser.models.preset import PresetModel
-from phonemeanalyser.models.session import Session
+from phonemeengine.features.variables import Variable
+from phonemeengine.settings import SAMPLE_RATE, Filter
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
 from tests.bad_files import BAD_FILES, HOSTILE
 from tests.desktop.sessions import DURATION, N_FRAMES, frames, settled
 from tests.outputs import Outputs

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from engine.audio.output import ClockOutput
-from engine.phonemes import Phoneme
-from engine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
-from phonemeanalyser.models.history import GAP
-from phonemeanalyser.models.preset import PresetModel
-from phonemeanalyser.models.session import Session
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
+from phonemeanalyser.desktop.session.history import GAP
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
 from tests.desktop.sessions import DURATION, N_FRAMES, frames, settled
 from tests.outputs import Outputs
 

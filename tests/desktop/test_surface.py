@@ -4,13 +4,13 @@ import moderngl
 import numpy as np
 import pytest
 
-from engine.mouth.face import Figure
-from engine.mouth.head import load_head
-from engine.mouth.mesh import mesh_of
-from engine.mouth.movestate import movestate_of
-from engine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.movestate import movestate_of
+from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeanalyser.rendering.renderer import HeadRenderer
-from phonemeanalyser.rendering.smoothing import MOST_TRIANGLES, smoothed
+from phonemeanalyser.rendering.subdivision import MOST_TRIANGLES, smoothed
 from phonemeanalyser.rendering.surface import Surface, wetness_of
 from tests.graphics import ball, context, joined
 from tests.meshes import cube, figure_of_cube, volume

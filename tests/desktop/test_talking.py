@@ -8,21 +8,21 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from engine.analyser import Analysis
-from engine.mouth.face import Face
-from engine.mouth.files.opening import save_face
-from engine.mouth.head import load_head
-from engine.mouth.head_motion import HeadPose
-from engine.mouth.morpher import Detail
-from engine.mouth.movestate import movestate_of
-from engine.mouth.osc import OscAddress, OscMouth
-from engine.mouth.percentages import Mode
-from engine.mouth.table import MouthTable, load_table
-from engine.phonemes import Phoneme
-from engine.tones import Tone, ToneKind
-from phonemeanalyser.models import talking_osc
-from phonemeanalyser.models.session import Session, Source
-from phonemeanalyser.models.talking_face import FaceFiles
+from phonemeengine.analyser import Analysis
+from phonemeengine.mouth.morph_mesh import Face
+from phonemeengine.mouth.files.io import save_face
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.movestate import movestate_of
+from phonemeengine.mouth.osc import OscAddress, OscMouth
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.table import MouthTable, load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.audio.tone.settings import Tone, ToneKind
+from phonemeanalyser.desktop.talk import osc_model as talking_osc
+from phonemeanalyser.desktop.session.session import Session, Source
+from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from tests.desktop.sessions import settled
 from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
 from tests.glb_faces import face_with_targets
@@ -364,7 +364,7 @@ def test_movestates_may_lie_in_a_file_of_their_own(stage: Stage, tmp_path: Path)
 
 
 def stage_mesh(path: Path):
-    from engine.mouth.files.opening import load_figure
+    from phonemeengine.mouth.files.io import load_figure
 
     return load_figure(path).mesh.positions
 

@@ -8,9 +8,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QWidget
 from pytestqt.qtbot import QtBot
 
-from engine.tones import VOWELS, Formant, Tone, ToneKind
-from phonemeanalyser.theme import DARK
-from phonemeanalyser.views.tone_bar import OF_KIND, SLIDER_STEPS, ToneBar
+from phonemeengine.audio.tone.settings import VOWELS, Formant, Tone, ToneKind
+from phonemeanalyser.desktop.theme import DARK
+from phonemeanalyser.desktop.analyse.tone_bar import OF_KIND, SLIDER_STEPS, ToneBar
 from tests.desktop.hands import type_number
 
 Shown = Callable[[Tone], ToneBar]

@@ -19,12 +19,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from engine.analyser import Analysis, analyses_of
-from engine.presets.preset import Preset
-from engine.settings import AnalysisSettings, Filter
-from phonemeanalyser.models.preset import FILTER_PARAMETERS
-from phonemeanalyser.views.filter_column import FIELDS
-from phonemeanalyser.views.threshold_view import ThresholdSlider
+from phonemeengine.analyser import Analysis, analyses_of
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import AnalysisSettings, Filter
+from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS
+from phonemeanalyser.desktop.analyse.filter_column import FIELDS
+from phonemeanalyser.desktop.analyse.threshold_view import ThresholdSlider
 from tests.desktop.hands import CARDS, click, press, shown, type_number
 from tests.sounds import noise
 

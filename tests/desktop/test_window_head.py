@@ -16,23 +16,23 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QFileDialog, QSlider
 from pytestqt.qtbot import QtBot
 
-from engine.audio.output import ClockOutput
-from engine.mouth.face import face_of
-from engine.mouth.files.opening import save_face
-from engine.mouth.mesh import mesh_of
-from engine.mouth.movestate import movestate_of
-from engine.mouth.percentages import Mode
-from engine.mouth.table import TABLES, load_table
-from engine.phonemes import Phoneme
-from engine.presets.files import THESIS_PRESET
-from phonemeanalyser.app import Desktop
-from phonemeanalyser.main_window import MainWindow
-from phonemeanalyser.models.microphone import Microphone
-from phonemeanalyser.models.preset import PresetModel
-from phonemeanalyser.rendering import pictures
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.mouth.morph_mesh import face_of
+from phonemeengine.mouth.files.io import save_face
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.movestate import movestate_of
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.table import TABLES, load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import THESIS_PRESET
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.rendering import offscreen as pictures
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.errors import RenderingError
-from phonemeanalyser.views.head_view import HeadView
+from phonemeanalyser.desktop.talk.head_view import HeadView
 from tests.conftest import ROOT
 from tests.desktop.hands import LEFT, button, click, press, shown, wav
 from tests.desktop.stage import AN_A

@@ -8,13 +8,13 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QImage
 from PySide6.QtWidgets import QApplication, QComboBox, QDockWidget, QMessageBox
 
-from engine.audio.output import ClockOutput
-from engine.phonemes import Phoneme
-from engine.settings import Channel
-from phonemeanalyser.app import Desktop
-from phonemeanalyser.main_window import MainWindow
-from phonemeanalyser.views.calibration_mapping import MappingDialog
-from phonemeanalyser.views.shortcuts import ShortcutsDialog
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import Channel
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
+from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from tests.desktop.hands import click, followed, press, shown, type_number
 
 

@@ -7,12 +7,12 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 
-from engine.audio.devices import Device
-from engine.phonemes import Phoneme
-from engine.settings import BIN_WIDTH, HOP
-from phonemeanalyser.app import Desktop
-from phonemeanalyser.models.session import Source
-from phonemeanalyser.views.level_meter import words_of
+from phonemeengine.audio.devices import Device
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, HOP
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.session.level_meter import words_of
 from tests.desktop.hands import CARDS, DEMO, ON_BIN, TimeEyes, click, drag, press
 from tests.desktop.studio import DESK, HEADSET, Booth, Studio, choose
 from tests.microphones import HandDrivenMicrophone, offline
@@ -133,7 +133,7 @@ def test_opening_a_file_while_it_listens_lets_the_microphone_go(
     booth: Booth, mic: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
 ):
     booth.hear(mic, A)
-    monkeypatch.setattr("phonemeanalyser.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(DEMO), ""))
+    monkeypatch.setattr("phonemeanalyser.desktop.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(DEMO), ""))
     press(booth.window, Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
     assert booth.desktop.session.source is Source.FILE
     assert booth.window.transport.source.currentText() == "file"

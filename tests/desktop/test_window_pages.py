@@ -2,9 +2,9 @@
 
 from PySide6.QtCore import Qt
 
-from phonemeanalyser.app import FirstPaint
-from phonemeanalyser.views.calibration_page import CalibrationPage
-from phonemeanalyser.views.talk_page import TalkPage
+from phonemeanalyser.desktop.app import FirstPaint
+from phonemeanalyser.desktop.calibrate.page import CalibrationPage
+from phonemeanalyser.desktop.talk.page import TalkPage
 from tests.desktop.hands import click, press, shown
 
 CONTROL = Qt.KeyboardModifier.ControlModifier

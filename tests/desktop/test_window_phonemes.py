@@ -8,13 +8,13 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
 
-from engine.calibration.labels.files import read_labels
-from engine.phonemes import Phoneme
-from engine.presets.files import THESIS_PRESET
-from engine.settings import Channel
-from phonemeanalyser import dialogs
-from phonemeanalyser.models import phoneme_writer
-from phonemeanalyser.models.session import Source
+from phonemeengine.labels.files import read_labels
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import THESIS_PRESET
+from phonemeengine.settings import Channel
+from phonemeanalyser.desktop import dialogs
+from phonemeanalyser.desktop.session import phoneme_writer
+from phonemeanalyser.desktop.session.session import Source
 from tests.desktop.hands import CARDS, press, shown
 from tests.tables import analysed
 

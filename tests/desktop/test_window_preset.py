@@ -6,9 +6,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
-from engine.presets.files import THESIS_PRESET, load_preset, save_preset
-from engine.presets.phonemedata import parse_phoneme_data
-from phonemeanalyser import dialogs
+from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
+from phonemeengine.presets.phonemedata import parse_phoneme_data
+from phonemeanalyser.desktop import dialogs
 from tests.desktop.hands import answer, click, press, shown, type_number
 
 BUTTON = QMessageBox.StandardButton

@@ -6,10 +6,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
-from engine.presets import files
-from engine.presets.files import FACTORY_PRESETS, load_preset, save_preset
-from engine.presets.preset import Preset
-from phonemeanalyser import dialogs
+from phonemeengine.presets import files
+from phonemeengine.presets.files import FACTORY_PRESETS, load_preset, save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeanalyser.desktop import dialogs
 from tests.desktop.hands import answer, press, shown, type_number
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier

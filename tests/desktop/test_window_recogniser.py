@@ -11,14 +11,14 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from engine.phonemes import Phoneme
-from engine.presets.files import DEFAULT_PRESET, FACTORY, THESIS_PRESET, load_preset, save_preset
-from engine.presets.preset import Preset
-from engine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
-from engine.recognition.recogniser import RECOGNISERS
-from engine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
-from phonemeanalyser.models.preset import PresetModel
-from phonemeanalyser.models.session import Session
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, THESIS_PRESET, load_preset, save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
+from phonemeengine.recognition.recogniser import RECOGNISERS
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
 from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number
 from tests.plug_ins import Shelf
 from tests.tables import rows_of

@@ -14,8 +14,8 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QColor, QDropEvent
 from PySide6.QtTest import QTest
 
-from engine.settings import HOP
-from phonemeanalyser.models.session import Source
+from phonemeengine.settings import HOP
+from phonemeanalyser.desktop.session.session import Source
 from tests.desktop.hands import CARDS, DEMO, click, press
 from tests.desktop.studio import DESK, Booth
 from tests.desktop.test_microphone import CUT_OFF
@@ -214,7 +214,7 @@ def test_the_recordings_folder_is_chosen_shown_and_kept(
     booth: Booth, mic: HandDrivenMicrophone, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     chosen = tmp_path / "mine"
-    monkeypatch.setattr("phonemeanalyser.dialogs.QFileDialog.getExistingDirectory", lambda *_a: str(chosen))
+    monkeypatch.setattr("phonemeanalyser.desktop.dialogs.QFileDialog.getExistingDirectory", lambda *_a: str(chosen))
     record = booth.window.transport.record
     record.folder.trigger()
     record.menu().aboutToShow.emit()

@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from engine.audio.output import ClockOutput
-from engine.tones import Tone, ToneKind
-from phonemeanalyser.app import Desktop
-from phonemeanalyser.models.calibration_guide import Phase
-from phonemeanalyser.models.session import Source
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.audio.tone.settings import Tone, ToneKind
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.calibrate.guide_model import Phase
+from phonemeanalyser.desktop.session.session import Source
 from tests.desktop.hands import click, followed, shown
 
 SMALLEST = (1016, 660)

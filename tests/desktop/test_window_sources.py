@@ -7,10 +7,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QApplication, QComboBox, QLabel, QSlider, QWidget
 
-from engine.audio.devices import Device
-from engine.tones import ToneKind
-from phonemeanalyser.main_window import MainWindow
-from phonemeanalyser.views.shortcuts import ShortcutsDialog
+from phonemeengine.audio.devices import Device
+from phonemeengine.audio.tone.settings import ToneKind
+from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from tests.desktop.hands import press
 from tests.desktop.studio import Booth, choose
 from tests.desktop.test_window_sizes import name_of, room_and_need

@@ -10,10 +10,10 @@ from PySide6.QtGui import QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
-from engine.curves import load_curve
-from engine.settings import BIN_WIDTH, Filter
-from phonemeanalyser import dialogs
-from phonemeanalyser.views.plot_menu import PlotMenu
+from phonemeengine.averaged_spectrum import load_curve
+from phonemeengine.settings import BIN_WIDTH, Filter
+from phonemeanalyser.desktop import dialogs
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
 from tests.desktop.hands import LEFT, ON_BIN, button, choose, click, copied, followed, hover, press, shown, wav
 from tests.sounds import noise, tone
 

@@ -7,11 +7,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 
-from engine.phonemes import Phoneme
-from engine.recognition.phoneme_data import LAYOUT, PhonemeData
-from engine.recognition.rules import CONDITIONS
-from engine.settings import BIN_WIDTH
-from phonemeanalyser.views.threshold_view import CURVATURE
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
+from phonemeengine.recognition.rules import CONDITIONS
+from phonemeengine.settings import BIN_WIDTH
+from phonemeanalyser.desktop.analyse.threshold_view import CURVATURE
 from tests.desktop.hands import click, drag, followed, press, shown, type_number
 
 CONTROL = Qt.KeyboardModifier.ControlModifier

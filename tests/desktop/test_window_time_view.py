@@ -10,15 +10,15 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from engine.analyser import analyses_of
-from engine.features.variables import BUILT_IN_NAMES
-from engine.phonemes import Phoneme
-from engine.recognition.rules import CONDITIONS
-from engine.settings import FRAME_PERIOD
-from phonemeanalyser.models.history import CAPACITY
-from phonemeanalyser.theme import PHONEME_COLOURS
-from phonemeanalyser.views.colour_bar import ColourBar
-from phonemeanalyser.views.sonagram import COLOUR_MAPS, colours_of
+from phonemeengine.analyser import analyses_of
+from phonemeengine.features.variables import BUILT_IN_NAMES
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.rules import CONDITIONS
+from phonemeengine.settings import FRAME_PERIOD
+from phonemeanalyser.desktop.session.history import CAPACITY
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS
+from phonemeanalyser.desktop.widgets.colour_bar import ColourBar
+from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, colours_of
 from tests.desktop.hands import (
     ON_BIN,
     TimeEyes,

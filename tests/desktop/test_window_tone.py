@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from engine.phonemes import Phoneme
-from engine.settings import BIN_WIDTH
-from engine.tones import VOWELS, ToneKind
-from phonemeanalyser.main_window import MainWindow
-from phonemeanalyser.models.session import Source
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH
+from phonemeengine.audio.tone.settings import VOWELS, ToneKind
+from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.desktop.session.session import Source
 from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, type_number
 from tests.desktop.studio import choose
 

@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from engine.settings import Channel
+from phonemeengine.settings import Channel
 from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, wav
 from tests.sounds import silence, tone
 
@@ -216,6 +216,6 @@ def test_clear_empties_the_views(desktop, window):
 
 
 def test_the_window_opens_the_sound_that_is_asked_for(desktop, window, monkeypatch):
-    monkeypatch.setattr("phonemeanalyser.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(CARDS), ""))
+    monkeypatch.setattr("phonemeanalyser.desktop.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(CARDS), ""))
     click(window.transport.open)
     assert desktop.session.path == CARDS

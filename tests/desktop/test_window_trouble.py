@@ -5,11 +5,11 @@ from collections.abc import Callable
 import pytest
 from PySide6.QtCore import Qt
 
-from engine.audio import stream
-from engine.errors import EngineError
-from engine.live.ear import Ear
-from phonemeanalyser.models import click_test
-from phonemeanalyser.models.session import Source
+from phonemeengine.audio import stream
+from phonemeengine.errors import EngineError
+from phonemeengine.live.microphone_analyser import Ear
+from phonemeanalyser.desktop.session import latency_test as click_test
+from phonemeanalyser.desktop.session.session import Source
 from tests.desktop.hands import press
 from tests.desktop.studio import DESK, Booth, choose
 from tests.desktop.test_microphone_trouble import MEASURED

@@ -8,10 +8,10 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialogButtonBox, QInputDialog
 
-from engine.features.variables import Kind, Spectrum, Variable
-from engine.presets.files import load_preset
-from engine.settings import BIN_WIDTH
-from phonemeanalyser.views.variable_dialog import VariableDialog
+from phonemeengine.features.variables import Kind, Spectrum, Variable
+from phonemeengine.presets.files import load_preset
+from phonemeengine.settings import BIN_WIDTH
+from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
 from tests.desktop.hands import LEFT, click, followed, place, press
 
 

@@ -3,9 +3,9 @@
 import json
 import sys
 
-from engine.audio.devices import InputChoice
-from engine.audio.input import CardInput
-from engine.audio.stream import devices
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.input import CardInput
+from phonemeengine.audio.stream import devices
 
 microphone = CardInput(InputChoice())
 n_heard = 0

@@ -6,10 +6,10 @@ import sys
 import time
 from pathlib import Path
 
-from engine.audio.devices import InputChoice
-from engine.live.listener import Listener
-from engine.live.tape import Tape
-from engine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.live.listener import Listener
+from phonemeengine.live.recorder import Tape
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 ending: list[int] = []
 signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))

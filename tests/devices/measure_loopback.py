@@ -3,9 +3,9 @@
 import json
 from dataclasses import asdict
 
-from engine.audio.devices import InputChoice
-from engine.errors import EngineError
-from engine.live.loopback import measure_loopback
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.errors import EngineError
+from phonemeengine.live.loopback import measure_loopback
 
 try:
     print(json.dumps(asdict(measure_loopback(InputChoice()))))

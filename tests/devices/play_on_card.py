@@ -5,9 +5,9 @@ import sys
 import time
 from pathlib import Path
 
-from engine.audio.files import SoundReader
-from engine.live.player import Player
-from engine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.live.player import Player
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 player = Player(SoundReader(Path(sys.argv[1])), load_preset(DEFAULT_PRESET))
 seen: list[tuple[float, float]] = []

@@ -5,8 +5,8 @@ import sys
 import time
 from pathlib import Path
 
-from engine.live.sound import Sound
-from engine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.live.sound import Sound
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 SECONDS = 4.0
 

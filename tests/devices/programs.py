@@ -18,8 +18,8 @@ import numpy as np
 import soundfile
 from numpy.typing import NDArray
 
-from engine.audio.files import SoundReader
-from engine.errors import AudioError
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.errors import AudioError
 from tests.sounds import noise
 from tests.virtual_sound import VirtualSound
 

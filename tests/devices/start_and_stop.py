@@ -6,8 +6,8 @@ import threading
 import time
 from pathlib import Path
 
-from engine.live.listener import Listener
-from engine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.live.listener import Listener
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 preset = load_preset(DEFAULT_PRESET)
 for _ in range(int(sys.argv[1])):

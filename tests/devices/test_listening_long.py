@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeanalyser.cli import DEMO
+from phonemeanalyser.cli.main import DEMO
 from tests.devices.programs import HERE, Program
 from tests.virtual_sound import VirtualSound
 

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from engine.live.loopback import EVERY
+from phonemeengine.live.loopback import EVERY
 from tests.virtual_sound import VirtualSound
 
 DRIVER = Path(__file__).with_name("measure_loopback.py")

@@ -14,13 +14,13 @@ import pytest
 import soundfile
 import soxr
 
-from engine.analyser import analyses_of
-from engine.audio.files import SoundReader
-from engine.live.ear import live
-from engine.phonemes import Phoneme
-from engine.presets.files import DEFAULT_PRESET, load_preset
-from engine.settings import HOP, SAMPLE_RATE
-from phonemeanalyser.cli import DEMO
+from phonemeengine.analyser import analyses_of
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.live.microphone_analyser import live
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.settings import HOP, SAMPLE_RATE
+from phonemeanalyser.cli.main import DEMO
 from tests.conftest import CORPUS
 from tests.devices.programs import PATIENCE, SETTLED, Program, counted_in, listener
 from tests.virtual_sound import VirtualSound

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from engine.audio.journal import unfinished
+from phonemeengine.audio.journal import unfinished
 from tests.devices.conftest import Minute
 from tests.devices.programs import (
     PATIENCE,

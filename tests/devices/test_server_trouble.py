@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from engine.audio.files import SoundReader
+from phonemeengine.audio.files import SoundReader
 from tests.devices.programs import (
     PATIENCE,
     SETTLED,

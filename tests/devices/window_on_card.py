@@ -8,9 +8,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QSettings
 
-from phonemeanalyser.app import Desktop, make_application
-from phonemeanalyser.models.microphone import Microphone
-from phonemeanalyser.models.session import Source
+from phonemeanalyser.desktop.app import Desktop, make_application
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.session import Source
 
 ending: list[int] = []
 signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 import soundfile
 
-from engine.settings import SAMPLE_RATE
+from phonemeengine.settings import SAMPLE_RATE
 from tests.microphones import HandDrivenMicrophone, Hear, Hearing
 from tests.players import SPEECH, Rig
 

@@ -5,19 +5,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.audio.files import SoundReader
-from engine.calibration.alignment import aligned
-from engine.calibration.labels.label import Label
-from engine.calibration.labels.table import format_table
-from engine.calibration.scores.corpus import frame_labels_of, read_labels, read_recordings
-from engine.calibration.sentences import SENTENCES, Sentence
-from engine.calibration.takes.onset import quiet_at_end
-from engine.calibration.takes.project import TakeProject
-from engine.calibration.takes.spoken import keep_sentence
-from engine.calibration.takes.take import TRIMMED
-from engine.errors import CorpusError, TakeError
-from engine.phonemes import Phoneme
-from engine.settings import SAMPLE_RATE
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.calibration.alignment import aligned
+from phonemeengine.labels.label import Label
+from phonemeengine.labels.table import format_table
+from phonemeengine.calibration.scores.corpus import frame_labels_of, read_labels, read_recordings
+from phonemeengine.calibration.sentences import SENTENCES, Sentence
+from phonemeengine.calibration.takes.onset import quiet_at_end
+from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.spoken import keep_sentence
+from phonemeengine.calibration.takes.take import TRIMMED
+from phonemeengine.errors import CorpusError, TakeError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import Sound, noise, silence, tone
 
 DEMO = Path(__file__).parents[2] / "phonemeanalyser" / "demo" / "demo.flac"

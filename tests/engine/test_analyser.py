@@ -7,13 +7,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine.analyser import Analyser, Analysis, analyses_of
-from engine.features.variables import Kind, Spectrum, Variable
-from engine.phonemes import Phoneme
-from engine.presets.preset import Preset
-from engine.recognition.intensity import intensities_of
-from engine.recognition.phoneme_data import Thresholds
-from engine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.analyser import Analyser, Analysis, analyses_of
+from phonemeengine.features.variables import Kind, Spectrum, Variable
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.intensity import intensities_of
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.sounds import Sound, noise, silence, tone, vowel
 
 EVERYTHING = AnalysisSettings(

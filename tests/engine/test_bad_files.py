@@ -11,17 +11,17 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.audio import files
-from engine.audio.files import SoundReader
-from engine.errors import AudioError
-from engine.settings import SAMPLE_RATE, Channel
+from phonemeengine.audio import files
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.errors import AudioError
+from phonemeengine.settings import SAMPLE_RATE, Channel
 from tests.bad_files import BAD_FILES, CUT_OFF, DAMAGED, FMT, HOSTILE, LYING, ODD_FILES, SAMPLES, a_sound, chunk, riff
 
 READ_ALL = """
 import sys
 from pathlib import Path
-from engine.audio.files import SoundReader
-from engine.errors import AudioError
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.errors import AudioError
 try:
     with SoundReader(Path(sys.argv[1])) as reader:
         for _ in reader.blocks(10_000): pass
@@ -63,7 +63,7 @@ def test_sizes_that_lie_are_named_before_the_sound_is_opened(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = LYING[name](tmp_path)
-    monkeypatch.setattr("engine.audio.files.Decoder", None)
+    monkeypatch.setattr("phonemeengine.audio.files.Decoder", None)
     with pytest.raises(AudioError, match=r"the sizes in its header do not match the file .*export it again"):
         SoundReader(path)
 

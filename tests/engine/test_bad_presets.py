@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.errors import PresetError
-from engine.features.variables import Variable
-from engine.presets.document import preset_from_toml, preset_to_toml
-from engine.presets.files import load_preset
-from engine.presets.preset import Preset
+from phonemeengine.errors import PresetError
+from phonemeengine.features.variables import Variable
+from phonemeengine.presets.document import preset_from_toml, preset_to_toml
+from phonemeengine.presets.files import load_preset
+from phonemeengine.presets.preset import Preset
 
 GOOD = preset_to_toml(Preset(variables=(Variable("mine", 100.0, 200.0),)))
 

@@ -12,19 +12,19 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.analyser import Analyser, analyses_of
-from engine.calibration.fits import fit_thesis
-from engine.calibration.scores.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
-from engine.calibration.scores.scoring import TEN, Scores, confusion_of, scores_of
-from engine.errors import CorpusError
-from engine.features.measure import Features
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.presets.preset import Preset
-from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.rules import CONDITIONS, ThesisRules
-from engine.recognition.statistics import SUCCESSORS
-from engine.settings import SAMPLE_RATE, Decimation
+from phonemeengine.analyser import Analyser, analyses_of
+from phonemeengine.calibration.fits import fit_thesis
+from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
+from phonemeengine.calibration.scores.scoring import TEN, Scores, confusion_of, scores_of
+from phonemeengine.errors import CorpusError
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
+from phonemeengine.recognition.smoothing import SUCCESSORS
+from phonemeengine.settings import SAMPLE_RATE, Decimation
 from tests.conftest import ROOT
 from tests.sounds import noise, silence, vowel
 

@@ -6,9 +6,9 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.bench.calmer import Calmer
-from engine.phonemes import Phoneme
-from engine.recognition.statistics import Statistics
+from phonemeengine.calibration.workbench.batch_smoother import Calmer
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.smoothing import Statistics
 
 A, E, M, SILENCE, UNKNOWN = Phoneme.A, Phoneme.E, Phoneme.M, Phoneme.SILENCE, Phoneme.UNIDENTIFIED
 STAY = {p: p for p in Phoneme}

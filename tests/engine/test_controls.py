@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.analyser import Analyser, Analysis
-from engine.features.variables import DEFICITS
-from engine.phonemes import Phoneme
-from engine.presets.controls import Control, Moment, controls_of, unused_settings
-from engine.presets.files import load_preset
-from engine.presets.preset import Preset
-from engine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS
-from engine.recognition.recogniser import recogniser_of
-from engine.recognition.scores import deficits_of, scores_in
-from engine.settings import SAMPLE_RATE, Filter
+from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.features.variables import DEFICITS
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.controls import Control, Moment, controls_of, unused_settings
+from phonemeengine.presets.files import load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS
+from phonemeengine.recognition.recogniser import recogniser_of
+from phonemeengine.recognition.scores import deficits_of, scores_in
+from phonemeengine.settings import SAMPLE_RATE, Filter
 from tests.conftest import ROOT
 from tests.sounds import Sound, noise, silence, vowel
 

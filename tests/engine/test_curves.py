@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.analyser import analyses_of
-from engine.curves import Curve, SpectrumAverage, distance_of, load_curve, save_curve
-from engine.errors import CurveError
-from engine.presets.preset import Preset
-from engine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.analyser import analyses_of
+from phonemeengine.averaged_spectrum import Curve, SpectrumAverage, distance_of, load_curve, save_curve
+from phonemeengine.errors import CurveError
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.sounds import Sound, noise, tone, vowel
 
 COARSE = AnalysisSettings(filters=frozenset({Filter.QUANTISE}), quantise=4, decimation=Decimation.ANTI_ALIASED)

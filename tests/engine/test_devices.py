@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from engine.audio import stream
-from engine.audio.devices import Device, InputChoice, chosen_input, inputs_of
-from engine.audio.stream import CardStream, devices, devices_to_open
-from engine.errors import DeviceError, SettingsError
+from phonemeengine.audio import stream
+from phonemeengine.audio.devices import Device, InputChoice, chosen_input, inputs_of
+from phonemeengine.audio.stream import CardStream, devices, devices_to_open
+from phonemeengine.errors import DeviceError, SettingsError
 from tests.portaudio import FakePortAudio
 
 

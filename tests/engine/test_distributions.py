@@ -5,14 +5,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.bench.distributions import N_BINS, distribution_of, ranked_variables
-from engine.calibration.bench.separation import best_threshold, mean_separation, separation_of, separations_of
-from engine.calibration.bench.workbench import Workbench
-from engine.calibration.heed import Cancelled
-from engine.calibration.labels.label import Label
-from engine.errors import CorpusError
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
+from phonemeengine.calibration.workbench.distributions import N_BINS, distribution_of, ranked_variables
+from phonemeengine.calibration.workbench.separability import best_threshold, mean_separation, separation_of, separations_of
+from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.progress import Cancelled
+from phonemeengine.labels.label import Label
+from phonemeengine.errors import CorpusError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
 from tests.labelled import recording, recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.analyser import Analyser
-from engine.errors import PresetError
-from engine.presets import files
-from engine.presets.files import (
+from phonemeengine.analyser import Analyser
+from phonemeengine.errors import PresetError
+from phonemeengine.presets import files
+from phonemeengine.presets.files import (
     FACTORY,
     FACTORY_PRESET_OF,
     FACTORY_PRESETS,
@@ -19,9 +19,9 @@ from engine.presets.files import (
     own_presets,
     save_preset,
 )
-from engine.presets.preset import Preset
-from engine.recognition.recogniser import RECOGNISERS
-from engine.settings import AnalysisSettings, Filter
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.recogniser import RECOGNISERS
+from phonemeengine.settings import AnalysisSettings, Filter
 from tests.sounds import noise, vowel
 
 SOUND = (vowel((750.0, 1250.0, 2500.0), 0.5) + noise(0.5, 0.02, seed=1)).astype(np.float32)

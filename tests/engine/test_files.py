@@ -11,8 +11,8 @@ import soundfile
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from engine.audio.files import SUFFIXES, SoundReader, mono_of
-from engine.settings import SAMPLE_RATE, Channel
+from phonemeengine.audio.files import SUFFIXES, SoundReader, mono_of
+from phonemeengine.settings import SAMPLE_RATE, Channel
 
 RATES = [1000, 8000, 11_025, 16_000, 22_050, 32_000, 44_099, 44_100, 48_000, 96_000, 192_000, 767_999, 768_000]
 

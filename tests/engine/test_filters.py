@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.dsp.filters import (
+from phonemeengine.dsp.filters import (
     FrequencyShaper,
     TimeSmoother,
     denoise,
@@ -16,9 +16,9 @@ from engine.dsp.filters import (
     normalise,
     pre_emphasis,
 )
-from engine.dsp.spectrum import Transform
-from engine.errors import SettingsError
-from engine.settings import BIN_WIDTH, WINDOW, AnalysisSettings
+from phonemeengine.dsp.spectrum import Transform
+from phonemeengine.errors import SettingsError
+from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings
 from tests.sounds import Sound, tone
 
 

@@ -7,17 +7,18 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.analyser import analyses_of
-from engine.calibration.fits import fit_rules, templates_of
-from engine.calibration.fits.rule_material import candidates, voice_of
-from engine.calibration.fits.rule_search import MOST_CONDITIONS
-from engine.calibration.labels.label import CORE
-from engine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
-from engine.calibration.scores.scoring import Scores, scores_of
-from engine.features.variables import check_user_variables
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.presets.preset import Preset
+from phonemeengine.analyser import analyses_of
+from phonemeengine.calibration.fits import fit_rules
+from phonemeengine.calibration.fits import fit_templates as templates_of
+from phonemeengine.calibration.fits.rule_features import candidates, voice_of
+from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS
+from phonemeengine.labels.label import CORE
+from phonemeengine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
+from phonemeengine.calibration.scores.scoring import Scores, scores_of
+from phonemeengine.features.variables import check_user_variables
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.preset import Preset
 from tests.corpora import put, speech, write_manifest
 
 TIMES = (0.0, 0.2, 0.5, 0.7, 1.0, 1.3, 1.5)

@@ -5,19 +5,19 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 
-from engine.calibration.bench.workbench import Workbench
-from engine.calibration.fits.fitting import fit_preset
-from engine.calibration.fits.folds import groups_of, held_out
-from engine.calibration.fits.limit_search import LimitSearch
-from engine.calibration.heed import Cancelled
-from engine.calibration.scores.confusion import Confusion
-from engine.calibration.scores.scoring import TEN, confusion_of, macro_f1_of
-from engine.errors import CorpusError
-from engine.features.measure import Features
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.rules import Condition, Rule, RuleRecogniser
+from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.calibration.fits.fitting import fit_preset
+from phonemeengine.calibration.fits.cross_validation import groups_of, held_out
+from phonemeengine.calibration.fits.limit_search import LimitSearch
+from phonemeengine.progress import Cancelled
+from phonemeengine.calibration.scores.confusion import Confusion
+from phonemeengine.calibration.scores.scoring import TEN, confusion_of, macro_f1_of
+from phonemeengine.errors import CorpusError
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
 from tests.labelled import recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.dsp.framing import LEAD, Framer, frame_count
-from engine.settings import HOP, WINDOW
+from phonemeengine.dsp.framing import LEAD, Framer, frame_count
+from phonemeengine.settings import HOP, WINDOW
 from tests.sounds import Sound, noise
 
 

@@ -12,15 +12,15 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.audio.chapters import ROOM
-from engine.audio.files import SoundReader
-from engine.audio.gaps import MOST_MARKED, Gap, gaps_in_words
-from engine.audio.journal import unfinished
-from engine.audio.recording import MOST_WAITING
-from engine.audio.wav import HEADER, WavEncoder
-from engine.live import listener as live
-from engine.live.tape import Tape
-from engine.settings import HOP, SAMPLE_RATE
+from phonemeengine.audio.chapters import ROOM
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.gaps import MOST_MARKED, Gap, gaps_in_words
+from phonemeengine.audio.journal import unfinished
+from phonemeengine.audio.recording import MOST_WAITING
+from phonemeengine.audio.wav import HEADER, WavEncoder
+from phonemeengine.live import listener as live
+from phonemeengine.live.recorder import Tape
+from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.engine.test_tape import record, rows_beside, rows_of, same, tape_to
 from tests.microphones import Clock, HandDrivenMicrophone, Hear, frames_in, offline
 from tests.players import SPEECH, wait_for
@@ -210,7 +210,7 @@ def test_silence_longer_than_may_wait_for_the_disk_takes_the_place_of_a_gap(suff
 
 
 def test_the_takes_of_a_calibration_have_no_room_for_marks(tmp_path: Path) -> None:
-    from engine.audio.flac import write_flac
+    from phonemeengine.audio.flac import write_flac
 
     write_flac(tmp_path / "take.flac", samples_of_16_bits(0, 441)[:, 0], SAMPLE_RATE)
     assert (tmp_path / "take.flac").stat().st_size < ROOM

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from engine.audio import input as inputs
-from engine.audio import stream
-from engine.audio.devices import InputChoice
-from engine.audio.input import CardInput
-from engine.errors import DeviceError
+from phonemeengine.audio import input as inputs
+from phonemeengine.audio import stream
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.input import CardInput
+from phonemeengine.errors import DeviceError
 from tests.portaudio import FakePortAudio, FakeStream, PortAudioError
 
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.audio.journal import Note, unfinished
-from engine.audio.takes import journal_folder, new_take, recordings_folder
-from engine.errors import RecordingError
-from engine.settings import SAMPLE_RATE
+from phonemeengine.audio.journal import Note, unfinished
+from phonemeengine.paths import journal_folder, new_take, recordings_folder
+from phonemeengine.errors import RecordingError
+from phonemeengine.settings import SAMPLE_RATE
 from tests.recorders import begun, samples_of_16_bits
 
 

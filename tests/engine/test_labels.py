@@ -9,12 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from parselmouth.praat import call, run
 
-from engine.calibration.labels.files import read_labels, write_labels
-from engine.calibration.labels.label import Label, labels_of
-from engine.calibration.labels.names import Mapping
-from engine.calibration.scores.corpus import frame_labels_of
-from engine.errors import CorpusError
-from engine.phonemes import Phoneme
+from phonemeengine.labels.files import read_labels, write_labels
+from phonemeengine.labels.label import Label, labels_of
+from phonemeengine.labels.phoneme_map import Mapping
+from phonemeengine.calibration.scores.corpus import frame_labels_of
+from phonemeengine.errors import CorpusError
+from phonemeengine.phonemes import Phoneme
 
 ENCODINGS = ("utf-8", "utf-8-sig", "utf-16", "utf-16-be", "utf-16-le")
 MICROSECOND = 1e-6

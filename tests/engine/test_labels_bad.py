@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.labels import textfile
-from engine.calibration.labels.files import read_labels, write_labels
-from engine.calibration.labels.label import Label
-from engine.errors import CorpusError
-from engine.phonemes import Phoneme
+from phonemeengine.labels import text_io as textfile
+from phonemeengine.labels.files import read_labels, write_labels
+from phonemeengine.labels.label import Label
+from phonemeengine.errors import CorpusError
+from phonemeengine.phonemes import Phoneme
 
 HEAD = 'File type = "ooTextFile"\nObject class = "TextGrid"\n\n'
 GRID = HEAD + '0\n2\n<exists>\n1\n"IntervalTier"\n"phones"\n0\n2\n2\n0\n1\n"a"\n1\n2\n"m"\n'

@@ -4,10 +4,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.labels.files import read_labels
-from engine.calibration.labels.names import Mapping, load_mapping, save_mapping
-from engine.errors import CorpusError, UnknownPhonemes
-from engine.phonemes import Phoneme
+from phonemeengine.labels.files import read_labels
+from phonemeengine.labels.phoneme_map import Mapping, load_mapping, save_mapping
+from phonemeengine.errors import CorpusError, UnknownPhonemes
+from phonemeengine.phonemes import Phoneme
 
 
 def meanings(names, mapping=None):

@@ -10,16 +10,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine.analyser import Analyser, Analysis
-from engine.dsp.log_mel import N_BANDS, bank_of, log_mels_of
-from engine.errors import ModelError, PresetError
-from engine.features.variables import SCORES
-from engine.phonemes import Phoneme
-from engine.presets.files import load_preset, save_preset
-from engine.presets.preset import Preset
-from engine.recognition.model import FORMAT, Model, load_model, save_model
-from engine.recognition.recogniser import Tuning, recogniser_of
-from engine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
+from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.dsp.log_mel import N_BANDS, bank_of, log_mels_of
+from phonemeengine.errors import ModelError, PresetError
+from phonemeengine.features.variables import SCORES
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import load_preset, save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.model import FORMAT, Model, load_model, save_model
+from phonemeengine.recognition.recogniser import Tuning, recogniser_of
+from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
 from tests.models import band_of, tone_model
 from tests.sounds import silence, tone
 

@@ -6,23 +6,23 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.calibration.adaptation import adapt
-from engine.calibration.labels.label import Label
-from engine.calibration.learning.disturbed import disturbed
-from engine.calibration.learning.lesson_book import Voice
-from engine.calibration.learning.lessons import Lesson, lesson_of
-from engine.calibration.learning.optimiser import Average, Optimiser
-from engine.calibration.learning.trained_layer import TrainedLayer
-from engine.calibration.learning.trained_network import TrainedNetwork
-from engine.calibration.learning.training import Course, train
-from engine.calibration.learning.validation import anchors_of, folds_of
-from engine.calibration.learning.varied import Variation, varied
-from engine.dsp.log_mel import N_BANDS, silence_of
-from engine.errors import CorpusError
-from engine.phonemes import Phoneme
-from engine.recognition.model import Model
-from engine.recognition.network import Network
-from engine.settings import SAMPLE_RATE
+from phonemeengine.calibration.adaptation import adapt
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.learning.augment_spectrum import disturbed
+from phonemeengine.calibration.learning.example_cache import Voice
+from phonemeengine.calibration.learning.training_examples import Lesson, lesson_of
+from phonemeengine.calibration.learning.optimiser import Average, Optimiser
+from phonemeengine.calibration.learning.trainable_layer import TrainedLayer
+from phonemeengine.calibration.learning.trainable_network import TrainedNetwork
+from phonemeengine.calibration.learning.training import Course, train
+from phonemeengine.calibration.learning.validation import anchors_of, folds_of
+from phonemeengine.calibration.learning.augment_waveform import Variation, varied
+from phonemeengine.dsp.log_mel import N_BANDS, silence_of
+from phonemeengine.errors import CorpusError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.model import Model
+from phonemeengine.recognition.network import Network
+from phonemeengine.settings import SAMPLE_RATE
 from tests.models import tone_model
 from tests.sounds import noise, tone, vowel
 
@@ -210,7 +210,7 @@ def test_too_little_to_adapt_to_is_refused_with_what_to_give(lessons):
 
 
 def test_what_is_trained_fits_into_its_file(model, tmp_path: Path):
-    from engine.recognition.model import load_model, save_model
+    from phonemeengine.recognition.model import load_model, save_model
 
     trained, _ = model
     save_model(trained, tmp_path / "m.npz")

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from engine.audio import level
-from engine.audio.level import Level, LevelMeter
+from phonemeengine.audio import level
+from phonemeengine.audio.level import Level, LevelMeter
 
 
 def block(peak: float, n: int = 441) -> np.ndarray:

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.audio.devices import InputChoice
-from engine.live import listener as live
-from engine.phonemes import Phoneme
-from engine.recognition.phoneme_data import Thresholds
-from engine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.live import listener as live
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 from tests.microphones import Clock, HandDrivenMicrophone, Hear, frames_in, middle_of, offline
 from tests.players import PRESET, SPEECH, agree, frames_of, joined, wait_for
 from tests.sounds import silence, tone

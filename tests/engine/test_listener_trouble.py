@@ -6,10 +6,10 @@ import time
 import numpy as np
 import pytest
 
-from engine.analyser import Analyser
-from engine.audio.devices import InputChoice
-from engine.live import listener as live
-from engine.settings import HOP, SAMPLE_RATE
+from phonemeengine.analyser import Analyser
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.live import listener as live
+from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.microphones import REFUSAL, Clock, HandDrivenMicrophone, Hear, frames_in, offline
 from tests.players import SPEECH, agree, frames_of, wait_for
 

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.analyser import Analysis
-from engine.audio.files import SoundReader
-from engine.audio.output import ClockOutput
-from engine.live import player as live
-from engine.live.player import Player
-from engine.presets.preset import Preset
-from engine.recognition.phoneme_data import Thresholds
-from engine.settings import HOP, SAMPLE_RATE, AnalysisSettings, Channel
+from phonemeengine.analyser import Analysis
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.live import player as live
+from phonemeengine.live.player import Player
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.settings import HOP, SAMPLE_RATE, AnalysisSettings, Channel
 from tests.bad_files import ODD_FILES
 from tests.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, joined, offline, wait_for
 

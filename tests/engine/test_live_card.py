@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.analyser import Analysis
-from engine.audio.files import SoundReader
-from engine.audio.output import ClockOutput, Output
-from engine.live import player as live
-from engine.live.player import Player
-from engine.settings import HOP, SAMPLE_RATE
+from phonemeengine.analyser import Analysis
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.output import ClockOutput, Output
+from phonemeengine.live import player as live
+from phonemeengine.live.player import Player
+from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.outputs import HandDrivenOutput
 from tests.players import PRESET, SPEECH, agree, frames_of, offline, wait_for
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from engine.settings import FRAME_PERIOD
+from phonemeengine.settings import FRAME_PERIOD
 from tests.players import N_FRAMES, PATIENCE, Rig, agree, frames_of, offline, wait_for
 
 

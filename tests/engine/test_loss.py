@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.audio.loss import LEAST, LossMeter
+from phonemeengine.audio.dropouts import LEAST, LossMeter
 
 RATE = 48_000
 BLOCK = 480

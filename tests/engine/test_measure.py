@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from engine.analyser import Analyser, Analysis
-from engine.dsp.mel import mel_edges
-from engine.errors import SettingsError
-from engine.features.measure import BandMeter, Features, peak_levels_of, zero_crossings_of
-from engine.features.variables import BAND_VARIABLES, BUILT_IN_NAMES, Kind, Spectrum, Variable, check_user_variables
-from engine.presets.preset import Preset
-from engine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings, Filter
+from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.dsp.mel import mel_edges
+from phonemeengine.errors import SettingsError
+from phonemeengine.features.measure import BandMeter, Features, peak_levels_of, zero_crossings_of
+from phonemeengine.features.variables import BAND_VARIABLES, BUILT_IN_NAMES, Kind, Spectrum, Variable, check_user_variables
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings, Filter
 from tests.sounds import Sound, noise, tone, vowel
 
 BINS = np.arange(256) * BIN_WIDTH

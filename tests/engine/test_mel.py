@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.dsp.mel import frequency_of, mel_bank, mel_edges, mel_of, mel_spectra_of
-from engine.settings import BIN_WIDTH
+from phonemeengine.dsp.mel import frequency_of, mel_bank, mel_edges, mel_of, mel_spectra_of
+from phonemeengine.settings import BIN_WIDTH
 
 
 @pytest.mark.parametrize(("hertz", "mel"), [(0, 0), (700, 781.17), (1000, 999.99), (4000, 2146.06), (8000, 2840.02)])

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from engine.dsp.log_mel import N_BANDS
-from engine.presets.files import DEFAULT_PRESET, load_preset
-from engine.recognition.network import FEW, Network
+from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.recognition.network import FEW, Network
 
 LAYERS = load_preset(DEFAULT_PRESET).model.layers
 HEARD = np.random.default_rng(3).normal(-5, 2, (300, N_BANDS)).astype(np.float32)

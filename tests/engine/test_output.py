@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from engine.audio import output, stream
-from engine.audio.output import AHEAD, CardOutput, ClockOutput, open_output
-from engine.errors import DeviceError
-from engine.settings import SAMPLE_RATE
+from phonemeengine.audio import output
+from phonemeengine.audio import stream
+from phonemeengine.audio.output import AHEAD, CardOutput, ClockOutput, open_output
+from phonemeengine.errors import DeviceError
+from phonemeengine.settings import SAMPLE_RATE
 
 SECOND = np.zeros((AHEAD, 1), np.float32)
 

@@ -7,12 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.errors import PresetError
-from engine.features.measure import Features
-from engine.phonemes import Phoneme
-from engine.presets.preset import Preset
-from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.rules import Condition, Rule, RuleRecogniser
+from phonemeengine.errors import PresetError
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
 
 NAMES = ("x", "y", "z")
 RULES = (

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.errors import PresetError
-from engine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
-from engine.recognition.phoneme_data import PhonemeData
+from phonemeengine.errors import PresetError
+from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
+from phonemeengine.recognition.phoneme_data import PhonemeData
 
 NAMES = (
     "time_smooth", "frequency_smooth", "high_pass_start", "high_pass_end", "denoise_threshold",

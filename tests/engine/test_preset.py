@@ -9,14 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.errors import PresetError, SettingsError
-from engine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, Variable
-from engine.phonemes import Phoneme
-from engine.presets.document import preset_from_toml, preset_to_toml
-from engine.presets.files import load_preset, save_preset
-from engine.presets.preset import Preset
-from engine.recognition.phoneme_data import PhonemeData, Thresholds
-from engine.settings import BIN_WIDTH, LIMITS, AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.errors import PresetError, SettingsError
+from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, Variable
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.document import preset_from_toml, preset_to_toml
+from phonemeengine.presets.files import load_preset, save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
+from phonemeengine.settings import BIN_WIDTH, LIMITS, AnalysisSettings, Decimation, Filter, WindowFunction
 
 COUNTING = "0.5,0.25,3,4,0.125\n6,7,8,9\n10,11\n12,13,14,15\n16,17\n18,19,20,21\n"
 ORDERED = (

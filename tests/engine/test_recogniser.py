@@ -9,16 +9,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.analyser import Analyser
-from engine.errors import EngineError, PresetError, RecogniserError
-from engine.features.measure import Features
-from engine.phonemes import Phoneme
-from engine.presets.files import load_preset, save_preset
-from engine.presets.preset import Preset
-from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.recogniser import RECOGNISERS, Tuning, recogniser_names, recogniser_of
-from engine.recognition.rules import CONDITIONS, ThesisRules
-from engine.settings import HOP, Filter
+from phonemeengine.analyser import Analyser
+from phonemeengine.errors import EngineError, PresetError, RecogniserError
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import load_preset, save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.recogniser import RECOGNISERS, Tuning, recogniser_names, recogniser_of
+from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
+from phonemeengine.settings import HOP, Filter
 from tests.plug_ins import Shelf
 from tests.sounds import silence, tone
 
@@ -27,7 +27,7 @@ COURSE = (0.05, 0.2, 0.07, 0.04, 0.07, 0.3, 0.06)
 A, S = Phoneme.A, Phoneme.SILENCE
 LISTED = """
 import sys
-from engine.recognition.recogniser import recogniser_names
+from phonemeengine.recognition.recogniser import recogniser_names
 print(*recogniser_names(), "phonemeanalyser_loudness" in sys.modules)
 """
 

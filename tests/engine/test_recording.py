@@ -13,10 +13,10 @@ import soundfile
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.audio.files import SoundReader
-from engine.audio.pcm import whole_numbers_of
-from engine.audio.wav import HEADER, WavEncoder
-from engine.settings import SAMPLE_RATE
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.pcm import whole_numbers_of
+from phonemeengine.audio.wav import HEADER, WavEncoder
+from phonemeengine.settings import SAMPLE_RATE
 from tests.recorders import begun, digest, samples_in, samples_of_16_bits
 
 FORMS = [

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from engine.audio.takefile import trouble_of
-from engine.errors import AudioError, RecordingError
+from phonemeengine.audio.recording_file import trouble_of
+from phonemeengine.errors import AudioError, RecordingError
 from tests.recorders import begun
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from engine.audio import recording as recording_room
-from engine.audio.wav import HEADER
+from phonemeengine.audio import recording as recording_room
+from phonemeengine.audio.wav import HEADER
 from tests.recorders import begun, check_kept, check_sentence, samples_of_16_bits, wait_for
 
 SUFFIXES = [".wav", ".flac"]
@@ -39,7 +39,7 @@ class Gate:
 @pytest.fixture
 def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
     gate = Gate()
-    monkeypatch.setattr("engine.audio.takefile._made", gate.made)
+    monkeypatch.setattr("phonemeengine.audio.recording_file._made", gate.made)
     yield gate
     gate.opened.set()
 

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from engine.audio.journal import unfinished
-from engine.audio.wav import HEADER
-from engine.errors import RecordingError
+from phonemeengine.audio.journal import unfinished
+from phonemeengine.audio.wav import HEADER
+from phonemeengine.errors import RecordingError
 from tests.recorders import begun, check_kept, check_sentence, samples_of_16_bits, wait_for
 
 SUFFIXES = [".wav", ".flac"]

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.calibration.labels.files import write_labels
-from engine.calibration.labels.label import Label
-from engine.calibration.labels.names import Mapping
-from engine.calibration.scores.corpus import read_corpus, read_recordings
-from engine.errors import AudioError, CorpusError, UnknownPhonemes
-from engine.phonemes import Phoneme
-from engine.settings import SAMPLE_RATE
+from phonemeengine.labels.files import write_labels
+from phonemeengine.labels.label import Label
+from phonemeengine.labels.phoneme_map import Mapping
+from phonemeengine.calibration.scores.corpus import read_corpus, read_recordings
+from phonemeengine.errors import AudioError, CorpusError, UnknownPhonemes
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import noise
 
 LABELS = (Label(0.1, 0.3, "a", Phoneme.A), Label(0.3, 0.5, "m", Phoneme.M))

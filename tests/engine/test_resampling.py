@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.audio.resampling import Resampler
-from engine.settings import SAMPLE_RATE
+from phonemeengine.audio.resampling import Resampler
+from phonemeengine.settings import SAMPLE_RATE
 
 RATES = [48_000, 16_000, 96_000, 8_000, 22_050, 192_000]
 CLICK = 1.0

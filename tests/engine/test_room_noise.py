@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.analyser import Analyser
-from engine.calibration.takes.room_noise import MARGIN, SHARE, measure_room
-from engine.errors import TakeError
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.presets.preset import Preset
-from engine.settings import AnalysisSettings, Decimation, Filter
+from phonemeengine.analyser import Analyser
+from phonemeengine.calibration.takes.room_noise import MARGIN, SHARE, measure_room
+from phonemeengine.errors import TakeError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import AnalysisSettings, Decimation, Filter
 from tests.sounds import noise, silence, tone, vowel
 
 ROOM = 0.001

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from engine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
-from engine.features.measure import Features
-from engine.phonemes import Phoneme
-from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.rules import Rule, RuleRecogniser
+from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Rule, RuleRecogniser
 
 N = 4000
 

@@ -4,11 +4,11 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.fits.rule_sheet import RuleSheet
-from engine.features.measure import Features
-from engine.phonemes import Phoneme
-from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.rules import RULES, Condition, Rule, RuleRecogniser
+from phonemeengine.calibration.workbench.rule_cache import RuleSheet
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import RULES, Condition, Rule, RuleRecogniser
 
 NAMES = ("x", "y", "z")
 GRID = [k / 4 for k in range(-4, 5)]  # so that values meet their limits

@@ -7,12 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.errors import PresetError, SettingsError
-from engine.features.measure import Features
-from engine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
-from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.recogniser import Tuning, recogniser_of
-from engine.recognition.rules import ThesisRules
+from phonemeengine.errors import PresetError, SettingsError
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.recogniser import Tuning, recogniser_of
+from phonemeengine.recognition.rules import ThesisRules
 
 THRESHOLD_NAMES = tuple(f.name for f in fields(Thresholds))
 ROUND = Thresholds(**dict.fromkeys(THRESHOLD_NAMES, 0.5))

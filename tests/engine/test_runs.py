@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.phonemes import Phoneme
-from engine.recognition.runs import Run, RunJoiner, runs_of
-from engine.settings import FRAME_PERIOD
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Run, RunJoiner, runs_of
+from phonemeengine.settings import FRAME_PERIOD
 
 CODES = st.lists(st.integers(0, 10), min_size=1, max_size=80)
 

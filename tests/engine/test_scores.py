@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from engine.errors import SettingsError
-from engine.features.measure import Features
-from engine.features.variables import Variable, check_user_variables
-from engine.phonemes import Phoneme
-from engine.recognition.scores import SCORES, scores_in, shortfalls_of_scores, trace_of_scores
+from phonemeengine.errors import SettingsError
+from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Variable, check_user_variables
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.scores import SCORES, scores_in, shortfalls_of_scores, trace_of_scores
 
 
 def scored(**scores: float) -> Features:

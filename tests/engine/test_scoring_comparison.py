@@ -5,14 +5,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.calibration.scores.comparison import Stretch, compare
-from engine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
-from engine.calibration.scores.evaluation import Answers, CorpusScores, group_scores_of, score_corpus
-from engine.calibration.scores.scoring import TEN
-from engine.errors import CorpusError
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.presets.preset import Preset
+from phonemeengine.calibration.scores.comparison import Stretch, compare
+from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
+from phonemeengine.calibration.scores.evaluation import Answers, CorpusScores, group_scores_of, score_corpus
+from phonemeengine.calibration.scores.scoring import TEN
+from phonemeengine.errors import CorpusError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.preset import Preset
 from tests.corpora import write_corpus
 
 THESIS = load_preset(FACTORY / "thesis.toml")

@@ -11,18 +11,18 @@ import soundfile
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.calibration.labels.label import Label
-from engine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
-from engine.calibration.scores.evaluation import Answers, group_scores_of, kind_of, score_corpus
-from engine.calibration.scores.scoring import scores_of
-from engine.errors import AudioError, CorpusError
-from engine.features.measure import Features
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.recognition.recogniser import RECOGNISERS, Tuning
-from engine.recognition.recognition import Recognition
-from engine.recognition.rules import ThesisRules
-from engine.settings import SAMPLE_RATE
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
+from phonemeengine.calibration.scores.evaluation import Answers, group_scores_of, kind_of, score_corpus
+from phonemeengine.calibration.scores.scoring import scores_of
+from phonemeengine.errors import AudioError, CorpusError
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.recognition.recogniser import RECOGNISERS, Tuning
+from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.rules import ThesisRules
+from phonemeengine.settings import SAMPLE_RATE
 from tests.corpora import put, write_corpus
 from tests.sounds import silence, tone
 

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.calibration.labels.label import Label
-from engine.calibration.scores.added_noise import Noise, NoiseAdder, NoiseKind, speech_level_of
-from engine.calibration.scores.corpus import Utterance, read_corpus
-from engine.calibration.scores.evaluation import score_corpus
-from engine.errors import CorpusError, SettingsError
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.settings import SAMPLE_RATE
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.scores.added_noise import Noise, NoiseAdder, NoiseKind, speech_level_of
+from phonemeengine.calibration.scores.corpus import Utterance, read_corpus
+from phonemeengine.calibration.scores.evaluation import score_corpus
+from phonemeengine.errors import CorpusError, SettingsError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.settings import SAMPLE_RATE
 from tests.corpora import write_corpus
 from tests.sounds import silence, tone
 

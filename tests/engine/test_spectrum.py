@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import scipy.signal.windows
 
-from engine.dsp.spectrum import Transform, decimate
-from engine.dsp.windows import window_of
-from engine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.dsp.spectrum import Transform, decimate
+from phonemeengine.dsp.windows import window_of
+from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.sounds import Sound, noise, tone
 
 STEPS = (1, 2, 4)

@@ -15,7 +15,7 @@ class Refusal:
 
 sys.meta_path.insert(0, Refusal())
 
-import engine
+import phonemeengine
 
 def fail(name):
     raise ImportError(name)
@@ -26,8 +26,8 @@ for name in names:
         importlib.import_module(name)
 
 import numpy as np
-from engine.analyser import analyses_of
-from engine.presets.preset import Preset
+from phonemeengine.analyser import analyses_of
+from phonemeengine.presets.preset import Preset
 
 sound = np.sin(2 * np.pi * 1000 * np.arange(44_100) / 44_100).astype(np.float32)
 analyses = list(analyses_of([sound], Preset(), pitch=True))

@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.analyser import Analyser
-from engine.phonemes import Phoneme
-from engine.presets.preset import Preset
-from engine.recognition.statistics import Statistics
-from engine.settings import AnalysisSettings
+from phonemeengine.analyser import Analyser
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.smoothing import Statistics
+from phonemeengine.settings import AnalysisSettings
 from tests.sounds import noise, silence, vowel
 
 CODES = {"_": Phoneme.SILENCE, "?": Phoneme.UNIDENTIFIED, "a": Phoneme.A, "e": Phoneme.E, "m": Phoneme.M}

@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.calibration.bench.distributions import distribution_of
-from engine.calibration.bench.separation import separation_of
-from engine.calibration.bench.workbench import Workbench
-from engine.calibration.fits.spectrum_sample import MOST_FRAMES, sampled_spectra
-from engine.calibration.fits.suggestions import MOST_SUGGESTIONS, suggested_variables, suggestions_from
-from engine.calibration.heed import Cancelled
-from engine.calibration.labels.label import Label
-from engine.calibration.scores.corpus import Utterance
-from engine.errors import CorpusError
-from engine.features.variables import Spectrum, Variable, check_user_variables
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.settings import SAMPLE_RATE, Filter
+from phonemeengine.calibration.workbench.distributions import distribution_of
+from phonemeengine.calibration.workbench.separability import separation_of
+from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.calibration.fits.spectrum_sample import MOST_FRAMES, sampled_spectra
+from phonemeengine.calibration.fits.suggestions import MOST_SUGGESTIONS, suggested_variables, suggestions_from
+from phonemeengine.progress import Cancelled
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.errors import CorpusError
+from phonemeengine.features.variables import Spectrum, Variable, check_user_variables
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.settings import SAMPLE_RATE, Filter
 from tests.labelled import recordings
 from tests.sounds import noise, tone
 

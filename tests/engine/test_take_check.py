@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from engine.calibration.takes.check import Fault, check_take
-from engine.phonemes import Phoneme
+from phonemeengine.calibration.takes.quality import Fault, check_take
+from phonemeengine.phonemes import Phoneme
 from tests.sounds import noise, silence, tone, vowel
 
 ROOM = 0.001

@@ -10,14 +10,14 @@ import parselmouth
 import pytest
 from parselmouth.praat import call
 
-from engine.calibration.labels.files import read_labels, write_labels
-from engine.calibration.labels.label import Label
-from engine.calibration.scores.corpus import read_recordings
-from engine.calibration.takes.check import check_take
-from engine.calibration.takes.copies import COPY_SUFFIXES
-from engine.calibration.takes.project import TakeProject
-from engine.errors import EngineError
-from engine.phonemes import Phoneme
+from phonemeengine.labels.files import read_labels, write_labels
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.scores.corpus import read_recordings
+from phonemeengine.calibration.takes.quality import check_take
+from phonemeengine.calibration.takes.label_exports import COPY_SUFFIXES
+from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.errors import EngineError
+from phonemeengine.phonemes import Phoneme
 from tests.sounds import noise, silence, vowel
 
 SOUND = (np.concatenate([silence(0.4), vowel((750, 1250), 1.0), silence(0.3)]) + noise(1.7, 0.001)).astype(np.float32)

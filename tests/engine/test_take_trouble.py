@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 import soundfile
 
-from engine.calibration.scores.corpus import read_corpus
-from engine.calibration.takes.project import TakeProject
-from engine.errors import EngineError, TakeError
-from engine.phonemes import Phoneme
+from phonemeengine.calibration.scores.corpus import read_corpus
+from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.errors import EngineError, TakeError
+from phonemeengine.phonemes import Phoneme
 from tests.sounds import noise, vowel
 
 SOUND = vowel((750, 1250), 0.3)

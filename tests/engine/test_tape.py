@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.analyser import Analyser, Analysis
-from engine.audio.takes import free_path
-from engine.live.tape import Tape
-from engine.recognition.runs import runs_of
-from engine.settings import HOP, SAMPLE_RATE
+from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.paths import free_path
+from phonemeengine.live.recorder import Tape
+from phonemeengine.recognition.segments import runs_of
+from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.microphones import HandDrivenMicrophone, Hear, frames_in, offline
 from tests.players import PRESET, SPEECH, wait_for
 from tests.recorders import samples_in, samples_of_16_bits

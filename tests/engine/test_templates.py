@@ -7,20 +7,20 @@ import numpy as np
 import pytest
 import soundfile
 
-from engine.analyser import Analyser
-from engine.calibration.fits.templates_of import heard_in, preset_of, templates_from, templates_of
-from engine.calibration.labels.label import CORE
-from engine.calibration.scores.corpus import Label, Utterance
-from engine.dsp.cepstra import N_CEPSTRA, cepstra_of
-from engine.dsp.log_mel import N_BANDS
-from engine.errors import CorpusError, EngineError, PresetError, SettingsError
-from engine.phonemes import Phoneme
-from engine.presets.document import preset_from_toml, preset_to_toml
-from engine.presets.preset import Preset
-from engine.recognition.recogniser import Tuning, recogniser_of
-from engine.recognition.scores import SCORES
-from engine.recognition.templates import Templates
-from engine.settings import SAMPLE_RATE
+from phonemeengine.analyser import Analyser
+from phonemeengine.calibration.fits.fit_templates import heard_in, preset_of, templates_from, templates_of
+from phonemeengine.labels.label import CORE
+from phonemeengine.calibration.scores.corpus import Label, Utterance
+from phonemeengine.dsp.cepstra import N_CEPSTRA, cepstra_of
+from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.errors import CorpusError, EngineError, PresetError, SettingsError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.document import preset_from_toml, preset_to_toml
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.recogniser import Tuning, recogniser_of
+from phonemeengine.recognition.scores import SCORES
+from phonemeengine.recognition.templates import Templates
+from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import Sound, silence, vowel
 
 FORMANTS = {

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.calibration.fits.successors import counted_table, last_identified, successors_of
-from engine.calibration.fits.threshold_search import LEAST_FOUND, Fit, ThresholdSearch
-from engine.calibration.scores.scoring import TEN, confusion_of, macro_f1_of
-from engine.features.measure import Features
-from engine.phonemes import Phoneme
-from engine.recognition.phoneme_data import Thresholds
-from engine.recognition.rules import CONDITIONS, ThesisRules
-from engine.recognition.statistics import Statistics
+from phonemeengine.calibration.workbench.successors import counted_table, last_identified, successors_of
+from phonemeengine.calibration.fits.threshold_search import LEAST_FOUND, Fit, ThresholdSearch
+from phonemeengine.calibration.scores.scoring import TEN, confusion_of, macro_f1_of
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
+from phonemeengine.recognition.smoothing import Statistics
 
 NAMES = tuple(dict.fromkeys(c.variable for c in CONDITIONS))
 HALVES = Thresholds(**dict.fromkeys((c.threshold for c in CONDITIONS), 0.5))

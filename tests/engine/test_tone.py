@@ -11,13 +11,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.analyser import analyses_of
-from engine.audio.tone import FADE, ToneReader
-from engine.audio.waveforms import NOISE_SAMPLES
-from engine.errors import SettingsError
-from engine.presets.preset import Preset
-from engine.settings import BIN_WIDTH, SAMPLE_RATE, AnalysisSettings
-from engine.tones import VOWELS, Formant, Tone, ToneKind, vowel_of
+from phonemeengine.analyser import analyses_of
+from phonemeengine.audio.tone.reader import FADE, ToneReader
+from phonemeengine.audio.tone.waveforms import NOISE_SAMPLES
+from phonemeengine.errors import SettingsError
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE, AnalysisSettings
+from phonemeengine.audio.tone.settings import VOWELS, Formant, Tone, ToneKind, vowel_of
 from tests.sounds import Sound
 
 RAW = Preset(settings=AnalysisSettings(filters=frozenset()))

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.analyser import analyses_of
-from engine.dsp.log_mel import N_BANDS, bank_of, log_mels_of, mel_powers_of
-from engine.errors import ModelError
-from engine.phonemes import Phoneme
-from engine.presets.preset import Preset
-from engine.recognition.model import load_model, save_model
-from engine.recognition.tracts import TractJudge
-from engine.settings import WINDOW, AnalysisSettings
+from phonemeengine.analyser import analyses_of
+from phonemeengine.dsp.log_mel import N_BANDS, bank_of, log_mels_of, mel_powers_of
+from phonemeengine.errors import ModelError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.model import load_model, save_model
+from phonemeengine.recognition.vtln import TractJudge
+from phonemeengine.settings import WINDOW, AnalysisSettings
 from tests.models import tone_model
 from tests.sounds import noise, tone
 

@@ -9,22 +9,22 @@ import soundfile
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from engine.calibration.bench.workbench import Workbench
-from engine.calibration.heed import Cancelled
-from engine.calibration.scores.confusion import Passage
-from engine.calibration.scores.corpus import Utterance
-from engine.calibration.scores.evaluation import answers_to, score_corpus
-from engine.calibration.scores.scoring import confusion_of
-from engine.dsp.log_mel import N_BANDS
-from engine.errors import AudioError, CorpusError
-from engine.features.variables import Variable
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.presets.preset import Preset
-from engine.recognition.model import Head, Model
-from engine.recognition.network import TAPS, Layer
-from engine.recognition.rules import Condition, Rule
-from engine.settings import Filter
+from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.progress import Cancelled
+from phonemeengine.calibration.scores.confusion import Passage
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.evaluation import answers_to, score_corpus
+from phonemeengine.calibration.scores.scoring import confusion_of
+from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.errors import AudioError, CorpusError
+from phonemeengine.features.variables import Variable
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.model import Head, Model
+from phonemeengine.recognition.network import TAPS, Layer
+from phonemeengine.recognition.rules import Condition, Rule
+from phonemeengine.settings import Filter
 from tests.labelled import SAID, recording, recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")

@@ -9,18 +9,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
-from engine.mouth.face import face_of
-from engine.mouth.files.gltf import parse_gltf
-from engine.mouth.files.gltf_writing import format_glb, format_points
-from engine.mouth.files.obj import parse_obj
-from engine.mouth.files.threedm import format_3dm, parse_3dm
-from engine.mouth.files.threedma import format_3dma, parse_3dma
-from engine.mouth.files.x_file import parse_x
-from engine.mouth.movestate_set import MovestateSet
-from engine.mouth.table import TABLES, load_table
-from engine.phonemes import Phoneme
-from engine.presets.files import FACTORY, load_preset
-from engine.recognition.model import load_model, save_model
+from phonemeengine.mouth.morph_mesh import face_of
+from phonemeengine.mouth.files.gltf import parse_gltf
+from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
+from phonemeengine.mouth.files.obj import parse_obj
+from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
+from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
+from phonemeengine.mouth.files.x_file import parse_x
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import TABLES, load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.recognition.model import load_model, save_model
 from tests.fuzz.mutation import mutated
 from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, figure_of_cube
 from tests.models import tone_model

@@ -11,7 +11,7 @@ import warnings
 from pathlib import Path
 from random import Random
 
-from engine.errors import EngineError
+from phonemeengine.errors import EngineError
 from tests.fuzz.kinds import Kind, kinds
 
 MOST_MEMORY = 200 << 20

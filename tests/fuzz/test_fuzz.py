@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from engine.errors import MeshError
+from phonemeengine.errors import MeshError
 from tests.fuzz import running
 from tests.fuzz.kinds import Kind, kinds
 from tests.fuzz.mutation import mutated

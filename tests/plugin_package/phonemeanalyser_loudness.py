@@ -5,8 +5,8 @@ It opens above one energy and shuts below half of it, so a voice that hovers bet
 
 import numpy as np
 
-from engine.phonemes import Phoneme
-from engine.recognition.trace import Comparison, Trace
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.trace import Comparison, Trace
 
 
 class Loudness:

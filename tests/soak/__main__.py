@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from engine.settings import SAMPLE_RATE
+from phonemeengine.settings import SAMPLE_RATE
 from tests.soak.known_sound import KnownPlayer, KnownSound, heard_exactly
 from tests.virtual_sound import VirtualSound
 

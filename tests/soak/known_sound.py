@@ -10,8 +10,8 @@ import soundfile
 from numpy.typing import NDArray
 
 import phonemeanalyser
-from engine.audio.files import SoundReader
-from engine.settings import SAMPLE_RATE
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.settings import SAMPLE_RATE
 from tests.recorders import samples_of_16_bits
 from tests.virtual_sound import VirtualSound
 

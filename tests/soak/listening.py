@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
-from engine.analyser import Analysis
-from engine.live.listener import Listener
-from engine.live.tape import Tape
-from engine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.analyser import Analysis
+from phonemeengine.live.listener import Listener
+from phonemeengine.live.recorder import Tape
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 TICK = 1 / 60
 """Seconds between two looks at what has been heard, as a window has it."""

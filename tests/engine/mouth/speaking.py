@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from engine.mouth.speech import Speech
-from engine.phonemes import Phoneme
-from engine.recognition.runs import Run
-from engine.settings import FRAME_PERIOD
+from phonemeengine.mouth.utterance import Speech
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Run
+from phonemeengine.settings import FRAME_PERIOD
 
 PARTS = (
     (Phoneme.SILENCE, 0.30), (Phoneme.M, 0.09), (Phoneme.A, 0.21), (Phoneme.SZ, 0.02), (Phoneme.A, 0.12),

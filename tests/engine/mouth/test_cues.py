@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine.errors import MouthError
-from engine.mouth.cues import VOWELS, Cue, cues_of, joined_by_shape
-from engine.mouth.table import load_table
-from engine.phonemes import Phoneme
-from engine.recognition.runs import Run
+from phonemeengine.errors import MouthError
+from phonemeengine.mouth.cues import VOWELS, Cue, cues_of, joined_by_shape
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Run
 
 TABLE = load_table("eleven")
 FIVE = load_table("five")

@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pygltflib import GLTF2
 
-from engine.errors import ExportError
-from engine.mouth.animation import Life
-from engine.mouth.exports.exporter import Exporter, Wishes
-from engine.mouth.exports.glb import read_glb
-from engine.mouth.names import ARKIT
+from phonemeengine.errors import ExportError
+from phonemeengine.mouth.animation import Life
+from phonemeengine.mouth.exports.exporter import Exporter, Wishes
+from phonemeengine.mouth.exports.glb import read_glb
+from phonemeengine.mouth.blendshape_names import ARKIT
 from tests.engine.mouth.speaking import DURATION, speech
 from tests.glb_faces import face_with_targets, glb_of
 

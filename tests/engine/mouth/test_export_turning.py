@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from engine.errors import ExportError
-from engine.mouth.animation import Life
-from engine.mouth.exports.exporter import Exporter, Wishes
-from engine.mouth.exports.glb import read_glb
-from engine.mouth.exports.gltf_turning import inverse, product, rotated, turnings_of
-from engine.mouth.head_motion import quaternions_of
-from engine.mouth.names import ARKIT
+from phonemeengine.errors import ExportError
+from phonemeengine.mouth.animation import Life
+from phonemeengine.mouth.exports.exporter import Exporter, Wishes
+from phonemeengine.mouth.exports.glb import read_glb
+from phonemeengine.mouth.exports.gltf_rotation import inverse, product, rotated, turnings_of
+from phonemeengine.mouth.head_motion import quaternions_of
+from phonemeengine.mouth.blendshape_names import ARKIT
 from tests.engine.mouth.speaking import speech
 from tests.glb_faces import face_with_targets
 

@@ -12,18 +12,18 @@ import numpy as np
 import pytest
 from praatio import textgrid
 
-from engine.calibration.labels.audacity import marks_of
-from engine.errors import ExportError
-from engine.mouth.animation import Life
-from engine.mouth.exports.exporter import Exporter, Wishes
-from engine.mouth.exports.formats import FORMATS
-from engine.mouth.exports.livelink import timecode_of
-from engine.mouth.morpher import Detail
-from engine.mouth.names import ARKIT, OCULUS
-from engine.mouth.speech import Speech
-from engine.mouth.table import TABLES, load_table
-from engine.phonemes import Phoneme
-from engine.recognition.runs import Run
+from phonemeengine.labels.audacity import marks_of
+from phonemeengine.errors import ExportError
+from phonemeengine.mouth.animation import Life
+from phonemeengine.mouth.exports.exporter import Exporter, Wishes
+from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.exports.livelink import timecode_of
+from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS
+from phonemeengine.mouth.utterance import Speech
+from phonemeengine.mouth.table import TABLES, load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Run
 from tests.engine.mouth.speaking import DURATION, speech
 
 GOLDEN = Path(__file__).resolve().parents[2] / "data" / "exports"

@@ -7,12 +7,12 @@ import numpy as np
 import pygltflib
 import pytest
 
-from engine.errors import MeshError
-from engine.mouth.face import Figure, face_of
-from engine.mouth.files.gltf import linear_of, parse_gltf, srgb_of
-from engine.mouth.files.gltf_writing import format_glb, format_points
-from engine.mouth.mesh import mesh_of
-from engine.mouth.movestate import movestate_of
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import Figure, face_of
+from phonemeengine.mouth.files.gltf import linear_of, parse_gltf, srgb_of
+from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.movestate import movestate_of
 from tests.meshes import (
     CORNERS,
     GLTF,

@@ -3,11 +3,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.errors import MeshError
-from engine.mouth import head
-from engine.mouth.face import Figure
-from engine.mouth.head import HEAD, load_head
-from engine.mouth.movestate_set import MovestateSet
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth import head
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.head import HEAD, load_head
+from phonemeengine.mouth.movestate_set import MovestateSet
 
 
 @pytest.fixture(scope="module")

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from engine.mouth.blinks import CLOSING, OPENING, Blinker
-from engine.mouth.head_motion import FOLLOWING, NOD, PER_SEMITONE, HeadMotion
+from phonemeengine.mouth.blinks import CLOSING, OPENING, Blinker
+from phonemeengine.mouth.head_motion import FOLLOWING, NOD, PER_SEMITONE, HeadMotion
 
 
 def closures(rate: float, seconds: float, seed: int = 0) -> np.ndarray:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from engine import MeshError, Mode, MovestateSet, load_head, movestate_at
+from phonemeengine import MeshError, Mode, MovestateSet, load_head, movestate_at
 from tests.meshes import CORNERS, cube
 
 

@@ -3,14 +3,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.errors import MeshError
-from engine.mouth.face import Figure
-from engine.mouth.files.gltf import parse_gltf
-from engine.mouth.files.gltf_writing import format_glb
-from engine.mouth.files.obj import format_obj, parse_obj
-from engine.mouth.files.opening import load_figure
-from engine.mouth.files.x_file import parse_x
-from engine.mouth.mesh import Material, mesh_of, normals_of
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.files.gltf import parse_gltf
+from phonemeengine.mouth.files.gltf_writing import format_glb
+from phonemeengine.mouth.files.obj import format_obj, parse_obj
+from phonemeengine.mouth.files.io import load_figure
+from phonemeengine.mouth.files.x_file import parse_x
+from phonemeengine.mouth.mesh import Material, mesh_of, normals_of
 from tests.meshes import (
     CORNERS,
     CUBE_OBJ,

@@ -9,15 +9,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from engine.errors import MouthError
-from engine.mouth.animation import animation_of
-from engine.mouth.cues import cues_of
-from engine.mouth.manner import Manner, Times
-from engine.mouth.morpher import HALF_OPEN, Detail, Morpher
-from engine.mouth.speech import Speech
-from engine.mouth.table import SPEAKING, MouthTable, load_table, shipped_tables
-from engine.phonemes import Phoneme
-from engine.recognition.runs import Run
+from phonemeengine.errors import MouthError
+from phonemeengine.mouth.animation import animation_of
+from phonemeengine.mouth.cues import cues_of
+from phonemeengine.mouth.motion_settings import Manner, Times
+from phonemeengine.mouth.morpher import HALF_OPEN, Detail, Morpher
+from phonemeengine.mouth.utterance import Speech
+from phonemeengine.mouth.table import SPEAKING, MouthTable, load_table, shipped_tables
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Run
 
 MACHINE = Manner(randomness=0, loudness=0)
 """A manner in which everything is known beforehand."""

@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.errors import MouthError
-from engine.mouth.manner import Manner, Times
-from engine.mouth.names import ARKIT, OCULUS, VRM
-from engine.mouth.table import SPEAKING, TABLES, MouthTable, load_table, shipped_tables, table_of
-from engine.phonemes import MOUTH_SHAPES, Phoneme
+from phonemeengine.errors import MouthError
+from phonemeengine.mouth.motion_settings import Manner, Times
+from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS, VRM
+from phonemeengine.mouth.table import SPEAKING, TABLES, MouthTable, load_table, shipped_tables, table_of
+from phonemeengine.phonemes import MOUTH_SHAPES, Phoneme
 
 GOOD = (TABLES / "vrm.toml").read_text(encoding="utf-8")
 UNTIMED = re.sub(r"\[times\][^\[]*", "", GOOD)

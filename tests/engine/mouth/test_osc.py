@@ -9,13 +9,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.analyser import Analysis
-from engine.errors import MouthError
-from engine.mouth import osc
-from engine.mouth.names import VRM
-from engine.mouth.osc import OscAddress, OscMouth
-from engine.mouth.table import load_table
-from engine.phonemes import Phoneme
+from phonemeengine.analyser import Analysis
+from phonemeengine.errors import MouthError
+from phonemeengine.mouth import osc
+from phonemeengine.mouth.blendshape_names import VRM
+from phonemeengine.mouth.osc import OscAddress, OscMouth
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
 from tests.microphones import offline
 from tests.osc_receiver import Receiver
 from tests.players import PRESET, wait_for

@@ -3,10 +3,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.errors import MeshError
-from engine.mouth.face import Face, face_of, fitted, reorganise
-from engine.mouth.mesh import Mesh, mesh_of
-from engine.mouth.movestate import movestate_of
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import Face, face_of, fitted, reorganise
+from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.movestate import movestate_of
 
 POINTS = np.random.default_rng(1).standard_normal((40, 3)).astype(np.float32)
 

@@ -6,13 +6,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.errors import MeshError
-from engine.mouth.face import Face, face_of
-from engine.mouth.files.opening import load_face, save_face
-from engine.mouth.files.threedm import format_3dm, parse_3dm
-from engine.mouth.files.threedma import format_3dma, parse_3dma
-from engine.mouth.mesh import mesh_of
-from engine.mouth.movestate import movestate_at
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import Face, face_of
+from phonemeengine.mouth.files.io import load_face, save_face
+from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
+from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.movestate import movestate_at
 from tests.meshes import figure_of_cube
 
 HUGE = 0xFFFF_FFFF

@@ -1,0 +1,129 @@
+"""The ear and the mouth of PhonemeAnalyser: sound in, phonemes, intensities and mouth shapes out, every 10 ms.
+
+A game plays a file, or listens to a microphone, and asks whenever it likes; no call waits for sound::
+
+    from phonemeengine import Listener, Sound, load_preset
+
+    preset = load_preset(path)
+    sound = Sound(speech, preset)           # or Listener(preset) for a microphone
+    sound.play()
+    phoneme, intensity = sound.poll()       # every 10 or 20 ms
+
+A program with samples of its own pushes them::
+
+    analyser = Analyser(preset)
+    analysis = analyser.push(samples)       # float32, mono, 44.1 kHz
+    analysis.phonemes, analysis.intensities  # one for each 10 ms that are complete
+
+A face follows what was heard, and may be looked at whenever a picture is drawn::
+
+    morpher = Morpher(load_table("arkit"), seed=character)
+    morpher.hear(now, phoneme, intensity)   # seconds, of a clock of yours
+    weights = morpher.weights(now)          # 0..1, one for each of morpher.movestates
+
+Movestates (morph targets) move the vertices of a mesh::
+
+    figure = load_figure(path)              # or load_head()
+    face = MovestateSet(figure.mesh, figure.states)
+    face.set_percentage("smile", 60, Mode.INTERACT)
+    positions = face.morphed()              # of all vertices
+"""
+
+from phonemeengine.analyser import Analyser, Analysis, analyses_of
+from phonemeengine.audio.devices import Device, InputChoice
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.recording import Recording
+from phonemeengine.audio.stream import devices
+from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
+from phonemeengine.errors import (
+    AudioError,
+    CurveError,
+    DeviceError,
+    EngineError,
+    MeshError,
+    MouthError,
+    PresetError,
+    RecogniserError,
+    RecordingError,
+    SettingsError,
+)
+from phonemeengine.live.reading import Heard
+from phonemeengine.live.listener import Listener
+from phonemeengine.live.sound import Sound
+from phonemeengine.live.recorder import Tape
+from phonemeengine.mouth.blinks import Blinker
+from phonemeengine.mouth.morph_mesh import Face, Figure, face_of, fitted
+from phonemeengine.mouth.files.io import load_face, load_figure, save_face
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.head_motion import HeadMotion
+from phonemeengine.mouth.motion_settings import Manner, Times
+from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.morpher import Detail, Morpher
+from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.table import MouthTable, load_table
+from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
+from phonemeengine.presets.files import load_preset, save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import BIN_WIDTH, Channel
+
+__all__ = [
+    "BIN_WIDTH",
+    "MOUTH_SHAPES",
+    "Analyser",
+    "Analysis",
+    "AudioError",
+    "Blinker",
+    "Channel",
+    "CurveError",
+    "Detail",
+    "Device",
+    "DeviceError",
+    "EngineError",
+    "Face",
+    "Figure",
+    "HeadMotion",
+    "Heard",
+    "InputChoice",
+    "Listener",
+    "Manner",
+    "Mesh",
+    "MeshError",
+    "Mode",
+    "Morpher",
+    "MouthError",
+    "MouthShape",
+    "MouthTable",
+    "Movestate",
+    "MovestateSet",
+    "Phoneme",
+    "Preset",
+    "PresetError",
+    "RecogniserError",
+    "Recording",
+    "RecordingError",
+    "SettingsError",
+    "Sound",
+    "SoundReader",
+    "Tape",
+    "Times",
+    "analyses_of",
+    "denoise",
+    "devices",
+    "face_of",
+    "fitted",
+    "high_pass_gains",
+    "load_face",
+    "load_figure",
+    "load_head",
+    "load_preset",
+    "load_table",
+    "low_pass_gains",
+    "mesh_of",
+    "movestate_at",
+    "movestate_of",
+    "normalise",
+    "save_face",
+    "save_preset",
+]

@@ -1,0 +1,291 @@
+"""The way of a sound, on one page: samples -> frames -> spectra -> features -> phonemes.
+
+Live and offline are the same: live pushes the few samples since the last tick, a file pushes blocks of 512
+frames, and the result does not depend on how the sound was cut.
+"""
+
+from collections import deque
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.dsp.framing import Framer
+from phonemeengine.features.measure import Features
+from phonemeengine.features.front_end import LevelPath, Measured, SpectrumPath, joined
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.intensity import intensities_of
+from phonemeengine.recognition.recogniser import HEARERS, Recogniser, recogniser_of
+from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.smoothing import Statistics
+from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
+
+BLOCK = 512
+"""Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
+
+PRE_ROLL = 100
+"""Frames before a place in a sound that are analysed unseen, so that the filters know their past."""
+
+Block = NDArray[np.float32]
+_SILENCE = int(Phoneme.SILENCE)  # which compares faster than the member does
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """What was found in a block of frames.
+
+    Attributes
+    ----------
+    start : number of the first frame, counted from the beginning of the sound.
+    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters, bin k at k x 21.53 Hz.
+    mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
+    waveforms : float32, shape (n_frames, n_samples): the windows after the filters of the time domain.
+    features : the measured variables.
+    recognised : uint8, shape (n_frames,): codes of `Phoneme`, as the recogniser says.
+    phonemes : uint8, shape (n_frames,): the same after the statistics.
+    intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
+    settings : with which all of this was found.
+    """
+
+    start: int
+    spectra: Block
+    mel: Block | None
+    waveforms: Block
+    features: Features
+    recognised: NDArray[np.uint8]
+    phonemes: NDArray[np.uint8]
+    intensities: Block
+    settings: AnalysisSettings
+
+    def __len__(self) -> int:
+        return len(self.phonemes)
+
+    @property
+    def times(self) -> NDArray[np.float64]:
+        """Middle of each frame in seconds, shape (n_frames,)."""
+        return (self.start + np.arange(len(self), dtype=float) + 0.5) * FRAME_PERIOD
+
+    def part(self, frames: slice) -> "Analysis":
+        """Give some of the frames of the block, as a block."""
+        first, last, _ = frames.indices(len(self))
+        return replace(
+            self,
+            start=self.start + first,
+            spectra=self.spectra[first:last],
+            mel=None if self.mel is None else self.mel[first:last],
+            waveforms=self.waveforms[first:last],
+            features=self.features.part(slice(first, last)),
+            recognised=self.recognised[first:last],
+            phonemes=self.phonemes[first:last],
+            intensities=self.intensities[first:last],
+        )
+
+
+class _Waiting:
+    """Holds measured frames until the recogniser has said what they are."""
+
+    def __init__(self) -> None:
+        self._blocks: deque[Measured] = deque()
+
+    def push(self, block: Measured, n: int) -> Measured:
+        """Take a block, and give the oldest `n` frames of all."""
+        if len(block.spectra):
+            self._blocks.append(block)
+        taken = []
+        while n > 0:
+            oldest = self._blocks.popleft()
+            if len(oldest.spectra) > n:
+                self._blocks.appendleft(oldest.part(slice(n, None)))
+                oldest = oldest.part(slice(n))
+            taken.append(oldest)
+            n -= len(oldest.spectra)
+        return taken[0] if len(taken) == 1 else joined(taken) if taken else block.part(slice(0))
+
+    def clear(self) -> Measured | None:
+        """Give up all frames."""
+        taken, self._blocks = [*self._blocks], deque()
+        return joined(taken) if taken else None
+
+
+class Analyser:
+    """Follows one sound: push its samples as they come, get what was found in the frames they complete.
+
+    A recogniser that looks ahead lets its last frames wait for the next samples, or for `finish`.
+
+    Parameters
+    ----------
+    preset : what to recognise with.
+    pitch : measure `f0` too, which no rule needs; without it `f0` reads 0.
+    start : number of the first frame, where the samples begin in the midst of a longer sound.
+    phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none; `volume` stays.
+    """
+
+    def __init__(
+        self, preset: Preset, *, pitch: bool = False, start: int = 0, phonemes_only: bool = False
+    ) -> None:  # fmt: skip
+        self._pitch = pitch
+        self._phonemes_only = phonemes_only
+        self._preset = preset
+        self._framer = Framer()
+        self._path = self._path_of(preset)
+        self._recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        self._statistics = _statistics_of(preset)
+        self._waiting = _Waiting()
+        self._unasked = False
+        self._next = start
+
+    @property
+    def preset(self) -> Preset:
+        """What is recognised with."""
+        return self._preset
+
+    @property
+    def recogniser(self) -> Recogniser:
+        """The recogniser in use; its `explain` says why."""
+        return self._recogniser
+
+    def use(self, preset: Preset) -> None:
+        """Go on with another preset from the next frame; what need not change remembers its past.
+
+        Raises
+        ------
+        EngineError : its recogniser cannot be made; everything stays as it was.
+        """
+        old, recogniser = self._preset, self._recogniser
+        if (preset.recogniser, preset.tuning) != (old.recogniser, old.tuning):
+            recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        self._preset = preset
+        if self._path_key(preset) != self._path_key(old):
+            self._change_path(preset)
+        if _statistics_key(preset) != _statistics_key(old):
+            self._statistics = _statistics_of(preset)
+        if recogniser is not self._recogniser:
+            self._change_recogniser(recogniser)
+
+    def push(self, samples: Block) -> Analysis:
+        """Take the next samples (float32, shape (n,), 44.1 kHz, ±1) and analyse the frames they complete."""
+        return self._analyse(self._framer.push(samples))
+
+    def push_windows(self, windows: Block) -> Analysis:
+        """Analyse windows that the caller cut, shape (n, 2048), as if they followed each other every 10 ms."""
+        return self._analyse(windows)
+
+    def finish(self) -> Analysis:
+        """Analyse the last frames, with silence after the end of the sound."""
+        last = self._analyse(self._framer.finish())
+        n = self._recogniser.look_ahead
+        if n == 0:
+            return last
+        silence = self._path.push(np.zeros((n, WINDOW), np.float32))
+        return self._join([last, self._recognise(silence)])
+
+    def _analyse(self, frames: Block) -> Analysis:
+        if 0 < len(frames) <= BLOCK and not self._unasked:
+            return self._recognise(self._path.push(frames))
+        waiting, self._unasked = self._waiting.clear() if self._unasked else None, False
+        ready = [] if waiting is None else [self._recognise(waiting)]
+        pushed = [self._path.push(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
+        return self._join([*ready, *(self._recognise(block) for block in pushed)])
+
+    def _recognise(self, measured: Measured) -> Analysis:
+        recognition = self._recogniser.recognise(measured.features)
+        if self._recogniser.look_ahead:
+            measured = self._waiting.push(measured, len(recognition.phonemes))
+        return self._completed(measured, recognition)
+
+    def _completed(self, measured: Measured, recognition: Recognition) -> Analysis:
+        settings = self._preset.settings
+        features, recognised = measured.features, recognition.phonemes
+        levels = features["volume"]
+        if recognition.scores is not None:
+            features = features.with_columns(self._recogniser.scores, recognition.scores)
+        phonemes = recognised
+        if settings.statistics:
+            wavers = self._statistics.wavers(recognised)
+            phonemes = self._statistics.push(recognised, self._recogniser.shortfalls(features) if wavers else None)
+        intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
+        intensities *= phonemes != _SILENCE
+        start, self._next = self._next, self._next + len(recognised)
+        return Analysis(
+            start, measured.spectra, measured.mel, measured.waveforms, features, recognised, phonemes, intensities,
+            settings,
+        )  # fmt: skip
+
+    def _path_of(self, preset: Preset) -> SpectrumPath | LevelPath:
+        if self._phonemes_only and preset.recogniser in HEARERS:
+            return LevelPath()
+        return SpectrumPath(preset.settings, preset.variables, pitch=self._pitch)
+
+    def _path_key(self, preset: Preset) -> object:
+        hears = self._phonemes_only and preset.recogniser in HEARERS
+        return hears, preset.settings, preset.variables
+
+    def _change_path(self, preset: Preset) -> None:
+        last = self._path.smoother.last
+        self._path = self._path_of(preset)
+        waiting = self._waiting.clear()
+        if waiting is not None:
+            self._waiting.push(self._path.push(waiting.features.windows), 0)
+        self._path.smoother.last = last
+
+    def _change_recogniser(self, recogniser: Recogniser) -> None:
+        """Have the new one asked, with the next frames, about those of which the old one has not said anything."""
+        self._recogniser = recogniser
+        self._unasked = True
+
+    def _join(self, blocks: list[Analysis]) -> Analysis:
+        if not blocks:
+            return self._recognise(self._path.nothing())
+        measured = joined([Measured(b.spectra, b.mel, b.waveforms, b.features) for b in blocks])
+        return Analysis(
+            blocks[0].start, measured.spectra, measured.mel, measured.waveforms, measured.features,
+            recognised=np.concatenate([b.recognised for b in blocks]),
+            phonemes=np.concatenate([b.phonemes for b in blocks]),
+            intensities=np.concatenate([b.intensities for b in blocks]),
+            settings=blocks[-1].settings,
+        )  # fmt: skip
+
+
+def _statistics_key(preset: Preset) -> object:
+    return preset.settings.statistics, preset.settings.minimum_hold, preset.settings.hysteresis, preset.successors
+
+
+def _statistics_of(preset: Preset) -> Statistics:
+    return Statistics(preset.settings.minimum_hold, preset.successors, preset.settings.hysteresis)
+
+
+def analyses_of(
+    blocks: Iterable[Block], preset: Preset, *, pitch: bool = False, start: int = 0
+) -> Iterator[Analysis]:
+    """Analyse a whole sound, given as consecutive blocks of samples; ends with the frames at its end.
+
+    `start` is the number of the first frame, where the blocks begin in the midst of a longer sound.
+    """
+    analyser = Analyser(preset, pitch=pitch, start=start)
+    for block in blocks:
+        analysis = analyser.push(block)
+        if len(analysis):
+            yield analysis
+    analysis = analyser.finish()
+    if len(analysis):
+        yield analysis
+
+
+def analyses_between(
+    reader: SoundReader, first: int, last: int, preset: Preset, *, pitch: bool = False
+) -> Iterator[Analysis]:
+    """Analyse frames first..last-1 of a file as if it had been followed from its beginning.
+
+    The frames before `first` that the filters remember are analysed too, but not given.
+    """
+    start = max(0, first - PRE_ROLL)
+    reader.seek(start * HOP)
+    for analysis in analyses_of(reader.blocks(BLOCK * HOP), preset, pitch=pitch, start=start):
+        wanted = analysis.part(slice(max(0, first - analysis.start), max(0, last - analysis.start)))
+        if len(wanted):
+            yield wanted
+        if analysis.start + len(analysis) >= last:
+            return

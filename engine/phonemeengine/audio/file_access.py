@@ -1,0 +1,85 @@
+"""Files as bytes on the disk: what may be opened, and under which name it is spoken of."""
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from phonemeengine.errors import AudioError
+
+
+def opened(path: Path, name: str) -> BinaryIO:
+    """Open a file for reading, and speak of it as `name`.
+
+    Raises
+    ------
+    AudioError : it is missing, a folder, a device, or not permitted.
+    """
+    try:
+        if path.is_dir():
+            raise AudioError(f"{name}: this is a folder, not a sound file; choose a file in it")
+        if path.exists() and not path.is_file():
+            raise AudioError(f"{name}: this is a device, not a sound file; choose a file")
+        file = path.open("rb")
+    except FileNotFoundError as error:
+        raise AudioError(f"{name}: there is no such file; check its name and folder") from error
+    except PermissionError as error:
+        raise AudioError(f"{name}: reading it is not permitted; change its permissions or copy it") from error
+    except (OSError, ValueError) as error:
+        raise AudioError(f"{name}: it cannot be opened ({_reason(error)}); check its name and folder") from error
+    return file
+
+
+class Part(io.RawIOBase):
+    """The beginning of a file as a file of its own; it has no name whose ending could mislead libsndfile.
+
+    Parameters
+    ----------
+    file : open for reading.
+    end : where the part ends, bytes.
+    corrections : bytes that stand in it instead of the file's, by their places.
+    """
+
+    def __init__(self, file: BinaryIO, end: int, corrections: Sequence[tuple[int, bytes]] = ()) -> None:
+        self._file = file
+        self._end = end
+        self._corrections = corrections
+        self._at = 0
+
+    def readable(self) -> bool:
+        """Say that it can be read."""
+        return True
+
+    def seekable(self) -> bool:
+        """Say that it has places to go to."""
+        return True
+
+    def tell(self) -> int:
+        """Give the place, bytes."""
+        return self._at
+
+    def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
+        """Go to a place, which may lie beyond the end."""
+        base = {io.SEEK_SET: 0, io.SEEK_CUR: self._at, io.SEEK_END: self._end}[whence]
+        self._at = max(0, base + offset)
+        return self._at
+
+    def readinto(self, buffer: Any) -> int:
+        """Fill a buffer as far as there are bytes, and say how many they were."""
+        view = memoryview(buffer).cast("B")
+        self._file.seek(self._at)
+        n = int(self._file.readinto(view[: max(0, self._end - self._at)]))  # type: ignore[attr-defined]
+        for place, content in self._corrections:
+            for k in range(max(place, self._at), min(place + len(content), self._at + n)):
+                view[k - self._at] = content[k - place]
+        self._at += n
+        return n
+
+
+def shown_name(path: Path) -> str:
+    """Give the file's name, without characters that would break the sentence it stands in."""
+    return "".join(c if c.isprintable() else "?" for c in path.name or str(path))
+
+
+def _reason(error: OSError | ValueError) -> str:
+    return (error.strerror if isinstance(error, OSError) else None) or str(error)

@@ -1,0 +1,338 @@
+"""Sound files, read from disk as a stream at 44.1 kHz."""
+
+import io
+import math
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from types import TracebackType
+from typing import BinaryIO, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.headers import ADVICE, Extent, extent_of, mp3_states_its_length
+from phonemeengine.audio.libsndfile import Decoder, DecodingError
+from phonemeengine.audio.file_access import Part, opened, shown_name
+from phonemeengine.audio.resampling import Resampler
+from phonemeengine.errors import AudioError
+from phonemeengine.settings import SAMPLE_RATE, WINDOW, Channel
+
+SUFFIXES = frozenset(
+    {".wav", ".wave", ".bwf", ".rf64", ".w64", ".aif", ".aiff", ".aifc", ".flac", ".ogg", ".oga", ".opus", ".mp3"}
+    | {".au", ".snd", ".caf", ".sph", ".nist", ".voc"}
+)
+"""Endings, in small letters, of the files that a walk through a folder takes for sounds."""
+
+LOWEST_RATE, HIGHEST_RATE = 1_000, 768_000
+"""Sample rates that are accepted, Hz."""
+
+READ_SECONDS = 0.2
+"""Sound that is read from the disk at once, seconds."""
+
+READ_VALUES = 1 << 18
+"""Most numbers that are read from the disk at once, over all channels."""
+
+WARM_UP = 0.05
+"""Sound before a place that the resampler must have heard to be right there, seconds."""
+
+DECODER_WARM_UP = 1.0
+"""The same for decoders of MP3 and Opus, whose frames lean on those before them, seconds."""
+
+MP3_SLACK = 0.1
+"""An MP3 file may lack this much of the length it announces, seconds: encoders count their padding differently."""
+
+Block = NDArray[np.float32]
+
+
+class SoundReader:
+    """Reads a sound file as a stream at 44.1 kHz; never holds the whole file.
+
+    A file of one or two channels keeps them. One of more is reduced to a single channel: the mean of all, or one.
+
+    Attributes
+    ----------
+    path : the file.
+    channel : what is analysed of a sound that has several.
+    file_rate : sample rate of the file, Hz.
+    n_file_channels : channels of the file.
+    n_channels : channels that `read` gives, 1 or 2.
+    n_samples : length at 44.1 kHz, samples; at least 1.
+    position : the next sample that `read` gives.
+
+    Raises
+    ------
+    AudioError : the file cannot be read, or is no sound, or says something impossible about itself, or lacks the
+        channel.
+    """
+
+    def __init__(self, path: Path, channel: Channel = Channel.MIX) -> None:
+        self.path = path
+        self._name = shown_name(path)
+        self._raw = opened(path, self._name)
+        with ExitStack() as unless_read:
+            unless_read.callback(self._raw.close)
+            self._extent = _extent(self._raw, self._name)
+            self._file = _decoder(self._raw, self._extent, self._name)
+            self._n_frames = _checked_length(self._file, self._raw, self._extent, self._name)
+            self.n_file_channels = int(self._file.channels)
+            self.choose(channel)
+            unless_read.pop_all()
+        self.file_rate = int(self._file.samplerate)
+        self.n_channels = 2 if self.n_file_channels == 2 else 1
+        self.n_samples = max(1, round(self._n_frames * SAMPLE_RATE / self.file_rate))
+        self._is_mp3 = _is_mp3(self._file)
+        self._is_vorbis = self._file.subtype == "VORBIS"
+        self._leans_back = self._is_mp3 or self._file.subtype == "OPUS"
+        self._read_frames = max(1, min(int(self.file_rate * READ_SECONDS), READ_VALUES // self.n_file_channels))
+        self.position = self._frame = 0
+        self._rest: Block = np.zeros((0, self.n_channels), np.float32)
+        self._start_at(0)
+
+    @property
+    def duration(self) -> float:
+        """Length of the sound in the file, seconds."""
+        return self._n_frames / self.file_rate
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Remarks for the user, a sentence each; mostly none."""
+        cut_off = [self.cut_off] if self.cut_off else []
+        return (*cut_off, *_notes(self.n_file_channels, self.n_samples, self.channel))
+
+    @property
+    def cut_off(self) -> str:
+        """What is missing of a file that ends before its header says, as a sentence; empty where it is whole."""
+        extent, there = self._extent, f"{self.duration:.3f} s are there"
+        if not extent.cut_off:
+            return ""
+        if extent.there == extent.announced:
+            return "it is cut off behind its sound, which is whole"
+        if not extent.share:
+            return f"its header does not say how long it is; {there}"
+        return f"it is cut off: of the {self.duration / extent.share:.3f} s that its header announces, {there}"
+
+    def choose(self, channel: Channel) -> None:
+        """Analyse another channel; not to be done once something was read.
+
+        Raises
+        ------
+        AudioError : the file does not have it.
+        """
+        if channel.number > self.n_file_channels:
+            n = self.n_file_channels
+            has, choice = ("only one channel", "") if n == 1 else (f"{n} channels", f"one of 1 to {n}, or ")
+            raise AudioError(f"{self._name}: it has {has} and so no channel {channel.number}; choose {choice}the mix")
+        self.channel = channel
+
+    def read(self, n: int) -> Block:
+        """Give the next samples, fewer than `n` only at the end of the sound and none after it.
+
+        Returns
+        -------
+        float32, shape (m, n_channels), C-contiguous, m <= n, ±1.
+
+        Raises
+        ------
+        AudioError : the file is cut off or damaged, or holds NaN or infinity.
+        """
+        n = max(0, min(n, self.n_samples - self.position))
+        parts, have = [self._rest], len(self._rest)
+        while have < n:
+            parts.append(self._next_part())
+            have += len(parts[-1])
+        whole = np.concatenate(parts) if len(parts) > 1 else parts[0]
+        self._rest = whole[n:]
+        self.position += n
+        return whole[:n]
+
+    def seek(self, sample: int) -> None:
+        """Go to a sample (44.1 kHz; beyond the ends means the ends), so that `read` goes on from there.
+
+        The resampler starts anew a little earlier, at a frame that falls exactly on a sample, so what follows is
+        what an uninterrupted reading gives, but for the resampler's rounding.
+
+        Raises
+        ------
+        AudioError : the place cannot be reached.
+        """
+        sample = min(max(sample, 0), self.n_samples)
+        step = self.file_rate // math.gcd(self.file_rate, SAMPLE_RATE)
+        earliest = sample * self.file_rate // SAMPLE_RATE - int(self._warm_up * self.file_rate)
+        frame = min(max(earliest, 0), self._n_frames) // step * step
+        self._start_at(frame)
+        while self.position < sample:
+            self.read(min(sample - self.position, SAMPLE_RATE // 4))
+
+    def blocks(self, n: int) -> Iterator[Block]:
+        """Give what is analysed, from the position to the end: float32 blocks of shape (m,), m <= n."""
+        while len(block := self.read(n)):
+            yield mono_of(block, self.channel)
+
+    def close(self) -> None:
+        """Let go of the file."""
+        self._file.close()
+        self._raw.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    @property
+    def _warm_up(self) -> float:
+        return (DECODER_WARM_UP if self._leans_back else 0.0) + (WARM_UP if self._resampler else 0.0)
+
+    def _start_at(self, frame: int) -> None:
+        try:
+            if self._is_vorbis:
+                self._decode_up_to(frame)
+            else:
+                self._file.seek(frame)
+        except DecodingError as error:
+            raise AudioError(f"{self._name}: it can only be read from its beginning; {ADVICE} as WAV") from error
+        self._frame = frame
+        self._ended = False
+        self._rest = np.zeros((0, self.n_channels), np.float32)
+        self.position = frame * SAMPLE_RATE // self.file_rate
+        rate = self.file_rate
+        self._resampler = Resampler(rate, self.n_channels) if rate != SAMPLE_RATE else None
+
+    def _decode_up_to(self, frame: int) -> None:
+        """Reach a frame by decoding all before it: libsndfile seeks in Vorbis up to a block beside it (issue 885)."""
+        if frame < self._frame:
+            self._frame = self._file.seek(0)
+        while n := len(self._file.read(min(frame - self._frame, READ_VALUES), dtype="float32")):
+            self._frame += n
+
+    def _next_part(self) -> Block:
+        """Read on in the file and give what the resampler makes of it; silence once there is nothing left."""
+        if self._ended:
+            return np.zeros((self.n_samples - self.position, self.n_channels), np.float32)
+        block = self._reduced(self._next_frames())
+        self._ended = self._frame >= self._n_frames
+        if self._resampler is None:
+            return block
+        return self._resampler.push(block, last=self._ended)
+
+    def _next_frames(self) -> Block:
+        """Read the next frames, shape (n, n_file_channels), n > 0 while there are any."""
+        n = min(self._read_frames, self._n_frames - self._frame)
+        try:
+            block: Block = self._file.read(n, dtype="float32", always_2d=True)
+        except DecodingError as error:
+            raise AudioError(
+                f"{self._name}: it is damaged after {self._seconds(0)}; copy or export it again"
+            ) from error
+        if len(block) < n:
+            block = self._filled_up(block)
+        bad = ~np.isfinite(block).all(axis=1)
+        if bad.any():
+            when = self._seconds(int(bad.argmax()))
+            raise AudioError(
+                f"{self._name}: samples must be finite numbers, found NaN or infinity at {when}; repair it in an "
+                "audio editor and export it again"
+            )
+        self._frame += len(block)
+        return block
+
+    def _filled_up(self, block: Block) -> Block:
+        """Replace by silence the little that an MP3 file may lack at its end; refuse a file that is cut off."""
+        missing = self._n_frames - self._frame - len(block)
+        if not (self._is_mp3 and missing < MP3_SLACK * self.file_rate):
+            raise AudioError(
+                f"{self._name}: it is cut off after {self._seconds(len(block))} of the {self.duration:.3f} s that "
+                "its header announces; copy or export it again"
+            )
+        return np.concatenate([block, np.zeros((missing, self.n_file_channels), np.float32)])
+
+    def _reduced(self, block: Block) -> Block:
+        if self.n_file_channels <= 2:
+            return block
+        return mono_of(block, self.channel)[:, np.newaxis]
+
+    def _seconds(self, n_frames: int) -> str:
+        return f"{(self._frame + n_frames) / self.file_rate:.3f} s"
+
+
+def mono_of(block: Block, channel: Channel) -> Block:
+    """Reduce a block of shape (m, n_channels) to shape (m,): the mean of all channels, or one of them.
+
+    What has one channel is given as it is.
+
+    Raises
+    ------
+    AudioError : there are several channels, and fewer than that.
+    """
+    n = block.shape[1]
+    if n == 1:
+        return np.ascontiguousarray(block[:, 0])
+    if channel is Channel.MIX:
+        return np.asarray(block.mean(axis=1), np.float32)
+    if channel.number > n:
+        raise AudioError(f"there are {n} channels here and so no channel {channel.number}; choose another")
+    return np.ascontiguousarray(block[:, channel.number - 1])
+
+
+def _extent(raw: BinaryIO, name: str) -> Extent:
+    if raw.seek(0, io.SEEK_END) == 0:
+        raise AudioError(f"{name}: the file is empty (0 bytes); copy or record it again")
+    return extent_of(raw, name)
+
+
+def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder:
+    try:
+        return Decoder(Part(raw, extent.end, extent.corrections))
+    except (DecodingError, TypeError) as error:
+        raise AudioError(
+            f"{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG or MP3 file"
+        ) from error
+
+
+def _checked_length(file: Decoder, raw: BinaryIO, extent: Extent, name: str) -> int:
+    """Give the number of frames, after the refusals that concern the file as a whole."""
+    rate, n_frames = int(file.samplerate), int(file.frames)
+    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
+        fault = "low to hold speech" if rate < LOWEST_RATE else "high"
+        raise AudioError(
+            f"{name}: its sample rate of {rate} Hz is too {fault}; it must lie in {LOWEST_RATE}..{HIGHEST_RATE} Hz, "
+            f"so export it again at {SAMPLE_RATE} Hz"
+        )
+    if n_frames >= 1 << 62:  # what libsndfile gives where the header names none
+        raise AudioError(f"{name}: its header does not say how long the sound is; {ADVICE}")
+    is_guess = extent.cut_off or (_is_mp3(file) and not mp3_states_its_length(raw))
+    if n_frames > 0 and is_guess:
+        n_frames = _frames_there(file, n_frames)
+    if n_frames <= 0:
+        raise AudioError(f"{name}: there are no samples in it; record or export it again")
+    return n_frames
+
+
+def _frames_there(file: Decoder, most: int) -> int:
+    """Count the frames of a file whose length is only guessed, by looking where it ends."""
+    here, beyond = -1, most
+    probe = most - 1
+    while here < beyond - 1:
+        file.seek(probe)
+        if len(file.read(1)):
+            here = probe
+        else:
+            beyond = probe
+        probe = (here + beyond) // 2
+    return beyond
+
+
+def _is_mp3(file: Decoder) -> bool:
+    return str(file.subtype).startswith("MPEG_LAYER")
+
+
+def _notes(n_file_channels: int, n_samples: int, channel: Channel) -> Iterator[str]:
+    if n_file_channels > 2 and channel is Channel.MIX:
+        yield f"{n_file_channels} channels are mixed to one"
+    elif n_file_channels > 2:
+        yield f"only channel {channel.number} of {n_file_channels} is used"
+    if n_samples < WINDOW:
+        yield f"shorter than one window ({1000 * WINDOW / SAMPLE_RATE:.0f} ms), so silence surrounds it"

@@ -1,0 +1,149 @@
+"""Where sound comes in: a microphone, followed sample by sample."""
+
+import queue
+import time
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.devices import Device, InputChoice, chosen_input
+from phonemeengine.audio.dropouts import LossMeter
+from phonemeengine.audio.stream import CardStream, devices_to_open
+from phonemeengine.errors import DeviceError
+from phonemeengine.settings import SAMPLE_RATE
+
+Block = NDArray[np.float32]
+
+STEADINESS = 0.99
+"""How much of what is known of the card's delay stays with each block, since cards report it with much jitter."""
+
+
+class Input(Protocol):
+    """Gives what a microphone hears."""
+
+    name: str
+    rate: int
+    n_channels: int
+
+    @property
+    def lost(self) -> bool:
+        """Whether the device has gone away."""
+        ...
+
+    @property
+    def quiet(self) -> float:
+        """Seconds since anything came, silence included."""
+        ...
+
+    @property
+    def delay(self) -> float:
+        """Seconds from the capture of a block's first sample to its arrival."""
+        ...
+
+    @property
+    def n_lost(self) -> int:
+        """Samples that the device lost."""
+        ...
+
+    def read(self, timeout: float) -> Block:
+        """Give what came since the last call, shape (n, n_channels); wait for it at most `timeout` seconds."""
+        ...
+
+    def time_of(self, sample: float) -> float:
+        """Say when a sample was captured, counted with the lost ones, on the clock of `time.monotonic`."""
+        ...
+
+    def close(self) -> None:
+        """Let the device go."""
+        ...
+
+
+class CardInput:
+    """A sound card's input.
+
+    The callback copies a block, and notes when it came; nothing else happens there.
+
+    Raises
+    ------
+    DeviceError : the device is not there, lacks the channel, or cannot be opened.
+    """
+
+    def __init__(self, choice: InputChoice) -> None:
+        device = chosen_input(choice, devices_to_open())
+        if choice.channel > device.n_inputs:
+            raise DeviceError(
+                f"{device.name} has {device.n_inputs} channels and so no channel {choice.channel}; choose another"
+            )
+        self.name = device.label
+        self.n_channels = min(choice.n_channels, device.n_inputs)
+        self._arrived: queue.SimpleQueue[tuple[float, float, bytes]] = queue.SimpleQueue()
+        self._came = time.monotonic()
+        self._age = self._length = 0.0
+        self.rate, self._stream = self._open(device, choice)
+        self._loss = LossMeter(self.rate)
+
+    @property
+    def lost(self) -> bool:
+        """Whether the device has gone away."""
+        return self._stream.lost
+
+    @property
+    def quiet(self) -> float:
+        """Seconds since the last callback."""
+        return time.monotonic() - self._came
+
+    @property
+    def delay(self) -> float:
+        """Seconds from the capture of a block's first sample to its arrival, at least the block's length."""
+        return max(self._age, self._length)
+
+    @property
+    def n_lost(self) -> int:
+        """Samples that the device lost."""
+        return self._loss.n_lost
+
+    def read(self, timeout: float) -> Block:
+        """Give what came since the last call, shape (n, n_channels); wait for it at most `timeout` seconds."""
+        blocks: list[Block] = []
+        try:
+            blocks.append(self._note(*self._arrived.get(timeout=timeout)))
+            while True:
+                blocks.append(self._note(*self._arrived.get_nowait()))
+        except queue.Empty:
+            pass
+        if len(blocks) == 1:
+            return blocks[0]
+        return np.concatenate(blocks) if blocks else np.zeros((0, self.n_channels), np.float32)
+
+    def time_of(self, sample: float) -> float:
+        """Say when a sample was captured: what the card keeps back is taken off its arrival."""
+        return self._loss.time_of(sample) - (self.delay - self._length)
+
+    def close(self) -> None:
+        """Let the card go at once."""
+        self._stream.close()
+
+    def _open(self, device: Device, choice: InputChoice) -> tuple[int, CardStream]:
+        rates = [choice.rate] if choice.rate else list(dict.fromkeys((SAMPLE_RATE, device.rate)))
+        for rate in rates[:-1]:
+            try:
+                return rate, self._stream_at(device, rate, choice.latency)
+            except DeviceError:
+                continue
+        return rates[-1], self._stream_at(device, rates[-1], choice.latency)
+
+    def _stream_at(self, device: Device, rate: int, latency: float) -> CardStream:
+        return CardStream("input", device, rate, self.n_channels, latency, self._take)
+
+    def _take(self, block: Any, _n: int, times: Any, _status: Any) -> None:
+        self._came = time.monotonic()
+        self._arrived.put((self._came, times.currentTime - times.inputBufferAdcTime, bytes(block)))
+
+    def _note(self, came: float, age: float, samples: bytes) -> Block:
+        block = np.frombuffer(samples, np.float32).reshape(-1, self.n_channels)
+        self._loss.push(came, len(block))
+        self._length = len(block) / self.rate
+        kept = STEADINESS if self._age else 0.0
+        self._age = kept * self._age + (1 - kept) * max(age, self._length)
+        return block

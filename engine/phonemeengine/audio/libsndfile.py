@@ -1,0 +1,189 @@
+"""Sound files of every kind, decoded, and FLAC, encoded: the only door to soundfile."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from typing import BinaryIO
+
+import numpy as np
+import soundfile
+from numpy.typing import NDArray
+
+from phonemeengine.audio.chapters import TAGS_AT, is_tags, with_chapters
+from phonemeengine.audio.gaps import Gap
+from phonemeengine.audio.pcm import whole_numbers_of, write_whole
+
+DecodingError = soundfile.SoundFileError
+"""What a `Decoder` raises where a file is damaged, or is no sound."""
+
+LOWEST_FLAC_RATE, HIGHEST_FLAC_RATE = 4_000, 655_350
+"""Rates at which FLAC is written, Hz: the format's own limit, and one below which a block would last too long."""
+
+MOST_FLAC_CHANNELS = 8
+"""Channels that FLAC can hold."""
+
+SHORT_BLOCKS_BELOW = 16_000
+"""Rate below which FLAC is written in blocks of 1152 rather than 4096 samples, so that none waits for long, Hz."""
+
+SYNC = b"\xff\xf8"
+"""What a FLAC frame begins with if all blocks are equally long."""
+
+BLOCK_SIZE_AT, LENGTH_AT = 8, 21
+"""Where STREAMINFO keeps the block size (2 bytes) and the 36 bits of the length (5 bytes), in a FLAC file."""
+
+
+class _Unsought(soundfile.SoundFile):  # type: ignore[misc]
+    """A sound file in which soundfile does not seek by itself before and after everything."""
+
+    def seekable(self) -> bool:
+        return False
+
+
+class Decoder(_Unsought):
+    """A sound file whose `read` only reads.
+
+    soundfile seeks after every reading of a seekable file, and a seek makes an MP3 decoder forget the bits that
+    its next frame borrows: the sound would be wrong after every block.
+    """
+
+
+class FlacEncoder:
+    """Writes FLAC of 24 bits; after every block the header states the length of the whole frames that are there.
+
+    Parameters
+    ----------
+    file : a new, empty, unbuffered file, which stays open.
+    rate : 4000..655350 Hz.
+    n_channels : 1..8.
+    marks : leave room for `mark` before the sound.
+
+    Attributes
+    ----------
+    n_samples : samples per channel that a reader of the file finds now.
+    """
+
+    def __init__(self, file: BinaryIO, rate: int, n_channels: int, *, marks: bool = True) -> None:
+        self.n_samples = 0
+        self._n_given = 0
+        self._rate = rate
+        self._gaps: list[Gap] = []
+        self._disk = file
+        self._sink = _Sink(file, self._with_chapters if marks else None)
+        level = {"compression_level": 0.25} if rate < SHORT_BLOCKS_BELOW else {}
+        self._file = _Unsought(self._sink, "w", rate, n_channels, "PCM_24", format="FLAC", **level)
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Append a block, shape (n, n_channels), ±1.
+
+        Raises
+        ------
+        OSError : the disk refuses; the frames that fit are in the file.
+        """
+        with self._sink.refusals():
+            self._file.write(whole_numbers_of(block) << 8)
+            self._n_given += len(block)
+        self._state_length()
+        self._sink.raise_refusal()
+
+    def mark(self, seconds: float) -> None:
+        """Mark that so many seconds are missing after what was written; only where there is room for marks.
+
+        Raises
+        ------
+        OSError : the disk refuses.
+        """
+        self._gaps.append(Gap(self._n_given, seconds))
+        if self._sink.tags:  # else they are written with the first block
+            place = self._disk.tell()
+            self._disk.seek(TAGS_AT)
+            write_whole(self._disk, self._with_chapters(self._sink.tags))
+            self._disk.seek(place)
+
+    def close(self) -> None:
+        """Write the last frame and the final header; may be called twice.
+
+        Raises
+        ------
+        OSError : the disk refuses; the frames that fit are in the file.
+        """
+        if self._file.closed:
+            return
+        with self._sink.refusals():
+            self._file.close()
+        if self._sink.refusal is None:
+            self.n_samples = self._n_given
+        else:
+            self._state_length()
+        self._sink.raise_refusal()
+
+    def _with_chapters(self, tags: bytes) -> bytes:
+        return with_chapters(tags, self._gaps, self._rate)
+
+    def _state_length(self) -> None:
+        if self._sink.n_frames == 0:
+            return
+        place = self._disk.tell()
+        self._disk.seek(BLOCK_SIZE_AT)
+        n_samples = self._sink.n_frames * int.from_bytes(self._disk.read(2), "big")
+        self._disk.seek(LENGTH_AT)
+        other_bits = self._disk.read(1)[0] & 0xF0
+        self._disk.seek(LENGTH_AT)
+        write_whole(self._disk, (other_bits << 32 | n_samples).to_bytes(5, "big"))
+        self._disk.seek(place)
+        self.n_samples = n_samples
+
+
+class _Sink:
+    """What libsndfile writes to: passes bytes on, counts frames, and remembers why the disk refused.
+
+    An error cannot travel through libsndfile, which only learns that nothing was written. The encoder hands over
+    each frame in one piece; one that does not fit is taken off again. `rewrite` gives what takes the place of tags.
+    """
+
+    def __init__(self, file: BinaryIO, rewrite: Callable[[bytes], bytes] | None) -> None:
+        self.n_frames = 0
+        self.tags = b""
+        self.refusal: OSError | None = None
+        self._rewrite = rewrite
+        self._file = file
+        self._end = 0
+
+    def write(self, content: bytes) -> int:
+        if self.refusal is not None:
+            return 0
+        begin = self._file.tell()
+        try:
+            write_whole(self._file, self._rewritten(content) if begin == TAGS_AT else content)
+        except OSError as error:
+            self.refusal = error
+            if begin == self._end:
+                with suppress(OSError):
+                    self._file.truncate(begin)
+            return 0
+        self.n_frames += begin == self._end and content.startswith(SYNC)
+        self._end = max(self._end, self._file.tell())
+        return len(content)
+
+    def _rewritten(self, content: bytes) -> bytes:
+        if self._rewrite is None or not is_tags(content):
+            return content
+        self.tags = content
+        return self._rewrite(content)
+
+    def seek(self, offset: int, whence: int) -> int:
+        return self._file.seek(offset, whence)
+
+    def tell(self) -> int:
+        return self._file.tell()
+
+    @contextmanager
+    def refusals(self) -> Iterator[None]:
+        """Let soundfile's complaint pass where the disk's refusal is its cause; `raise_refusal` tells it better."""
+        try:
+            yield
+        except (soundfile.SoundFileError, AssertionError):
+            if self.refusal is None:
+                raise
+
+    def raise_refusal(self) -> None:
+        if self.refusal is not None:
+            raise self.refusal

@@ -1,0 +1,223 @@
+"""Where played sound goes: a sound card, or a clock where there is none.
+
+Both count samples since they were opened, and say which one is being heard now: picture follows that.
+"""
+
+import math
+import threading
+import time
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.ring import Ring
+from phonemeengine.audio.stream import CardStream
+from phonemeengine.errors import DeviceError
+from phonemeengine.settings import SAMPLE_RATE
+
+AHEAD = SAMPLE_RATE // 5
+"""Samples that are written at most before they are heard; the mouth of a head that talks may be ahead by as much."""
+LATENCY = 0.05
+"""What is asked of the card, seconds."""
+STALLED = 1.0
+"""A card that asks for nothing for so long is as good as lost, seconds."""
+
+
+class Output(Protocol):
+    """Plays what is written to it, at 44.1 kHz."""
+
+    name: str
+    is_card: bool
+    gain: float
+
+    @property
+    def room(self) -> int:
+        """Samples per channel that can be written now."""
+        ...
+
+    @property
+    def n_written(self) -> int:
+        """Samples per channel written since the opening."""
+        ...
+
+    @property
+    def heard(self) -> float:
+        """Number of the sample that is heard now, counted like `n_written`."""
+        ...
+
+    @property
+    def lost(self) -> bool:
+        """Whether the device has gone away."""
+        ...
+
+    @property
+    def alive(self) -> bool:
+        """Whether the device asks for sound: some open, and then stand still."""
+        ...
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Append a block, shape (n, n_channels), n at most `room`."""
+        ...
+
+    def skip(self) -> None:
+        """Pass over everything that is written but not yet heard."""
+        ...
+
+    def run(self, running: bool) -> None:
+        """Go on, or hold still where it is."""
+        ...
+
+    def close(self) -> None:
+        """Let the device go."""
+        ...
+
+
+class ClockOutput:
+    """No sound card: time passes all the same, and samples count as heard on the clock."""
+
+    name = "no sound card: silent, on the clock"
+    is_card = False
+    lost = False
+    alive = True
+
+    def __init__(self) -> None:
+        self.gain = 1.0
+        self.n_written = 0
+        self._heard = 0.0
+        self._since: float | None = None
+        self._moving = threading.Lock()
+
+    @property
+    def room(self) -> int:
+        """Samples that can be written now."""
+        return AHEAD - (self.n_written - int(self.heard))
+
+    @property
+    def heard(self) -> float:
+        """Number of the sample whose time it is; never beyond what was written."""
+        with self._moving:
+            return self._move()
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Count a block; time in which there was nothing to hear is not made up for."""
+        with self._moving:
+            self._move()
+            self.n_written += len(block)
+
+    def skip(self) -> None:
+        """Pass over everything that is written."""
+        with self._moving:
+            self._move()
+            self._heard = float(self.n_written)
+
+    def run(self, running: bool) -> None:
+        """Go on, or hold still."""
+        with self._moving:
+            self._move()
+            self._since = time.monotonic() if running else None
+
+    def close(self) -> None:
+        """Nothing has to be let go."""
+
+    def _move(self) -> float:
+        now = time.monotonic()
+        if self._since is not None:
+            self._heard = min(self._heard + (now - self._since) * SAMPLE_RATE, float(self.n_written))
+            self._since = now
+        return self._heard
+
+
+class CardOutput:
+    """The default sound card.
+
+    The callback copies samples and notes which one leaves when; nothing else happens there.
+
+    Raises
+    ------
+    DeviceError : there is no sound card, no PortAudio, or the card cannot be opened.
+    """
+
+    is_card = True
+
+    def __init__(self, n_channels: int) -> None:
+        self.gain = 1.0
+        self._ring = Ring(AHEAD, n_channels)
+        self._running = False
+        self._latest = 0.0
+        self._moving = threading.Lock()
+        self._mark = (0, 0.0, 0)
+        self._asked = -math.inf
+        self._opened = time.monotonic()
+        self._stream = CardStream("output", None, SAMPLE_RATE, n_channels, LATENCY, self._fill)
+        self._opened = time.monotonic()
+        self.name = self._stream.name
+
+    @property
+    def room(self) -> int:
+        """Samples that can be written now."""
+        return self._ring.room
+
+    @property
+    def n_written(self) -> int:
+        """Samples written since the opening."""
+        return self._ring.n_written
+
+    @property
+    def heard(self) -> float:
+        """Number of the sample that leaves the card now, by the stream's own clock; never runs back."""
+        with self._moving:
+            first, leaves_at, n = self._mark
+            if self._running:
+                since = math.inf if self._stream.ended else (self._stream.time - leaves_at) * SAMPLE_RATE
+                self._latest = float(max(min(first + since, first + n), self._latest))
+            return self._latest
+
+    @property
+    def lost(self) -> bool:
+        """Whether the stream ended without our doing, or has stalled."""
+        stalled = time.monotonic() - max(self._asked, self._opened) > STALLED
+        return self._stream.lost or (stalled and not self._stream.ended)
+
+    @property
+    def alive(self) -> bool:
+        """Whether the card asks for sound, beyond what even one that stands still takes in advance."""
+        return not self._stream.ended and self._asked - self._opened > 2 * LATENCY
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Append a block."""
+        self._ring.write(block)
+
+    def skip(self) -> None:
+        """Pass over everything that is written."""
+        with self._moving:
+            self._ring.skip()
+            self._latest = float(self._ring.n_written)
+            self._mark = (self._ring.n_written, math.inf, 0)
+
+    def run(self, running: bool) -> None:
+        """Go on, or hold still."""
+        self._latest = self.heard
+        self._running = running
+
+    def close(self) -> None:
+        """Let the card go at once."""
+        self._stream.close()
+
+    def _fill(self, out: NDArray[np.float32], _n: int, times: Any, _status: Any) -> None:
+        self._asked = time.monotonic()
+        if not self._running:
+            out[:] = 0
+            return
+        n = self._ring.read_into(out)
+        out *= np.float32(self.gain)
+        if n:
+            self._mark = (self._ring.n_read - n, times.outputBufferDacTime, n)
+
+
+def open_output(n_channels: int) -> Output:
+    """Open the default sound card, or a clock where there is none."""
+    try:
+        return CardOutput(n_channels)
+    except DeviceError:
+        return ClockOutput()

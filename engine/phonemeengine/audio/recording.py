@@ -1,0 +1,273 @@
+"""Sound on its way to the disk as it comes, in a file that is playable at any moment."""
+
+import errno
+import math
+import threading
+from collections import deque
+from contextlib import ExitStack, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio import libsndfile
+from phonemeengine.audio.journal import Note
+from phonemeengine.audio.libsndfile import FlacEncoder
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.audio.recording_file import TakeFile, shown_folder, trouble_of
+from phonemeengine.paths import reason_of
+from phonemeengine.audio.wav import WavEncoder
+from phonemeengine.errors import RecordingError
+
+PERIOD = 0.2
+"""Seconds between two writings to the disk."""
+
+MOST_WAITING = 60.0
+"""Sound that waits for the disk at most, seconds; then the disk counts as stuck."""
+
+PATIENCE = 5.0
+"""Time that `close` waits for a disk that takes nothing, seconds."""
+
+GONE = "its folder or the file itself has gone"
+STUCK = "check the disk or record to another"
+ELSEWHERE = "record to another folder"
+
+
+class Encoder(Protocol):
+    """Writes a sound file whose header is true after every block.
+
+    Attributes
+    ----------
+    n_samples : samples per channel that a reader of the file finds now.
+    """
+
+    n_samples: int
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Append a block, shape (n, n_channels), ±1; OSError where the disk refuses, and what fits stays."""
+        ...
+
+    def mark(self, seconds: float) -> None:
+        """Mark that so many seconds are missing after what was written; OSError where the disk refuses."""
+        ...
+
+    def close(self) -> None:
+        """Finish the file, which stays open; OSError where the disk refuses."""
+        ...
+
+
+@dataclass(frozen=True)
+class _Pause:
+    """Sound that is missing: how long, in seconds, and the samples of silence that take its place."""
+
+    seconds: float
+    n_silent: int
+
+
+class Recording:
+    """Writes what is recorded to a new file of 24 bits, five times a second, in a thread of its own.
+
+    Whatever happens to this process, the file is playable and lacks less than the last second. Whatever happens to
+    the disk, `failure` says it, and what was written stays.
+
+    Parameters
+    ----------
+    path : the new file, .wav (RF64 beyond 4 GB) or .flac.
+    rate : Hz.
+    n_channels : channels of the blocks.
+    journal : folder in which the recording is noted while it runs.
+    rescue : folder into which the recording is copied if its own vanishes.
+
+    Attributes
+    ----------
+    path : where the recording is; another place once it was rescued.
+    failure : the sentence that says why the recording has ended by itself; None while all is well.
+    notes : remarks for the user, a sentence each; mostly none.
+
+    Raises
+    ------
+    RecordingError : the recording cannot begin.
+    """
+
+    def __init__(self, path: Path, rate: int, n_channels: int, *, journal: Path, rescue: Path) -> None:
+        self.path = path
+        self.rate = rate
+        self.n_channels = n_channels
+        self.failure: str | None = None
+        self._rescue = rescue
+        self._name = shown_name(path)
+        _check_form(path, rate, n_channels, self._name)
+        self._file = TakeFile(path)
+        with ExitStack() as unless_begun:
+            unless_begun.callback(self._file.discard)
+            self._encoder = _encoder(self._file, rate, n_channels, self._name)
+            unless_begun.pop_all()
+        self._note, self.notes = _noted(journal, path, self._name)
+        self._waiting: deque[NDArray[np.float32] | _Pause] = deque()
+        self._n_given = self._n_done = 0
+        self._rescuing = False
+        self._ending = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="recording", daemon=True)
+        self._thread.start()
+
+    @property
+    def n_samples(self) -> int:
+        """Samples per channel that are safely on disk."""
+        return self._encoder.n_samples
+
+    @property
+    def seconds(self) -> float:
+        """Length of what is safely on disk, seconds."""
+        return self.n_samples / self.rate
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Take a block, shape (n, n_channels), ±1; returns at once. What comes after the end is dropped.
+
+        All calls come from one thread.
+        """
+        if self._ending.is_set():
+            return
+        if self._n_given - self._n_done > MOST_WAITING * self.rate:
+            self._fail(f"the disk is {MOST_WAITING:.0f} s behind", STUCK, shown_folder(self.path))
+            return
+        self._waiting.append(np.array(block, np.float32).reshape(-1, self.n_channels))
+        self._n_given += len(block)
+
+    def skip(self, seconds: float, n_silent: int = 0) -> None:
+        """Mark here that so many seconds of sound are missing, and have samples of silence take their place.
+
+        Returns at once; to be called by the thread that writes.
+        """
+        if not self._ending.is_set():
+            self._waiting.append(_Pause(seconds, n_silent))
+
+    def close(self) -> None:
+        """End the recording and finish its file; from any thread, and as often as you like.
+
+        A recording without a sample leaves no file. What still waits is written, and a rescue is waited for; a disk
+        that takes nothing for 5 s is not, and `failure` says so.
+        """
+        self._ending.set()
+        n_samples = -1
+        while self._thread.is_alive() and (self._rescuing or n_samples != self.n_samples):
+            n_samples = self.n_samples
+            self._thread.join(PATIENCE)
+        if self._thread.is_alive():
+            self._fail(f"the disk has taken nothing for {PATIENCE:.0f} s", STUCK, shown_folder(self.path))
+
+    def _run(self) -> None:
+        try:
+            self._follow()
+            self._encoder.close()
+        except OSError as error:
+            self._end_badly(error)
+        except Exception as error:  # noqa: BLE001 - whatever it is, the user must learn that nothing is recorded
+            self._fail(f"it cannot be encoded ({error})", "report this as a bug", shown_folder(self.path))
+        finally:
+            self._let_go()
+
+    def _follow(self) -> None:
+        ending = False
+        while not ending:
+            ending = self._ending.wait(PERIOD)
+            while self._waiting:
+                first = self._waiting.popleft()
+                if isinstance(first, _Pause):
+                    self._pass_over(first)
+                else:
+                    self._take_up(first)
+            if not self._file.is_there():
+                raise FileNotFoundError(errno.ENOENT, "the file has gone")
+
+    def _pass_over(self, pause: _Pause) -> None:
+        self._encoder.mark(pause.seconds)
+        for begin in range(0, pause.n_silent, self.rate):
+            n = min(self.rate, pause.n_silent - begin)
+            self._encoder.write(np.zeros((n, self.n_channels), np.float32))
+
+    def _take_up(self, first: NDArray[np.float32]) -> None:
+        """Write a block, and what waits behind it, up to about a second."""
+        parts, n = [first], len(first)
+        while n < self.rate and self._waiting and not isinstance(block := self._waiting[0], _Pause):
+            parts.append(block)
+            self._waiting.popleft()
+            n += len(block)
+        self._encoder.write(np.concatenate(parts))
+        self._n_done += n
+
+    def _end_badly(self, error: OSError) -> None:
+        self._ending.set()
+        with suppress(OSError):
+            self._encoder.close()
+        if self._file.is_there():
+            self._fail(*trouble_of(error), shown_folder(self.path))
+        elif self.n_samples == 0:
+            self._fail(GONE, ELSEWHERE, None)
+        else:
+            self._save_elsewhere()
+
+    def _save_elsewhere(self) -> None:
+        self._rescuing = True
+        try:
+            rescued = self._file.copy_to(self._rescue)
+        except OSError as refusal:
+            self._fail(f"its folder has gone, and saving it elsewhere failed ({reason_of(refusal)})", ELSEWHERE, None)
+        else:
+            self.path = rescued
+            self._fail(GONE, ELSEWHERE, shown_folder(rescued))
+
+    def _fail(self, what: str, advice: str, folder: str | None) -> None:
+        """Set the sentence, if none is set yet, and end; `folder` is where what was recorded is kept."""
+        length = math.floor(self.seconds * 10) / 10
+        after = f"so the recording stopped after {length:.1f} s"
+        kept = f", which are kept in {folder}" if folder else ", which are lost"
+        if self.n_samples == 0:
+            after, kept = "so nothing was recorded", ""
+        self.failure = self.failure or f"{self._name}: {what}, {after}{kept}; {advice}"
+        self._ending.set()
+
+    def _let_go(self) -> None:
+        with suppress(Exception):
+            self._encoder.close()
+        if self.n_samples:
+            self._file.close()
+        else:
+            self._file.discard()
+        if self._note:
+            self._note.remove()
+
+
+def _check_form(path: Path, rate: int, n_channels: int, name: str) -> None:
+    """Refuse what the file's kind cannot hold."""
+    suffix = path.suffix.lower()
+    if suffix not in {".wav", ".flac"}:
+        raise RecordingError(f"{name}: a recording is a .wav or a .flac file; let its name end like that")
+    low, high = libsndfile.LOWEST_FLAC_RATE, libsndfile.HIGHEST_FLAC_RATE
+    most = libsndfile.MOST_FLAC_CHANNELS
+    if suffix == ".flac" and not (low <= rate <= high and n_channels <= most):
+        raise RecordingError(
+            f"{name}: FLAC takes {low}..{high} Hz and at most {most} channels, got {rate} Hz and {n_channels}; "
+            "record to a .wav file"
+        )
+
+
+def _encoder(file: TakeFile, rate: int, n_channels: int, name: str) -> Encoder:
+    kind = FlacEncoder if file.path.suffix.lower() == ".flac" else WavEncoder
+    try:
+        return kind(file.raw, rate, n_channels)
+    except OSError as error:
+        what, advice = trouble_of(error)
+        raise RecordingError(f"{name}: {what}, so nothing can be recorded; {advice}") from error
+    except libsndfile.DecodingError as error:
+        raise RecordingError(f"{name}: this machine's libsndfile cannot write FLAC; record to a .wav file") from error
+
+
+def _noted(journal: Path, path: Path, name: str) -> tuple[Note | None, tuple[str, ...]]:
+    """Note the recording; one that cannot be noted is made all the same."""
+    try:
+        return Note(journal, path), ()
+    except (OSError, NotImplementedError) as error:
+        remark = f"{name}: if the program ends in mid-recording, this file will not be offered at the next start"
+        return None, (f"{remark} ({reason_of(error) if isinstance(error, OSError) else error})",)

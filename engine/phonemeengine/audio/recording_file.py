@@ -1,0 +1,117 @@
+"""The file of a recording: made anew, held, watched, and saved elsewhere when its place vanishes."""
+
+import errno
+import io
+import os
+import shutil
+from contextlib import suppress
+from pathlib import Path
+from typing import BinaryIO
+
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.paths import free_path, reason_of
+from phonemeengine.errors import RecordingError
+
+COPIED_AT_ONCE = 1 << 20
+"""Bytes."""
+
+TROUBLES: dict[int, tuple[str, str]] = {
+    errno.ENOSPC: ("the disk is full", "make room or record to another disk"),
+    errno.EDQUOT: ("your share of the disk is used up", "make room or record to another disk"),
+    errno.EFBIG: ("the disk takes no larger file", "go on in a new file, or on a disk formatted as exFAT or NTFS"),
+    errno.EROFS: ("the disk has become read-only", "record to another disk"),
+    errno.EACCES: ("writing is no longer permitted", "change the permissions or record to another folder"),
+    errno.EPERM: ("writing is no longer permitted", "change the permissions or record to another folder"),
+}
+"""What each refusal of the disk means while a recording runs, and what to do."""
+
+
+class TakeFile:
+    """A new file that nobody else has.
+
+    Attributes
+    ----------
+    path : where it was made.
+    raw : the file itself, unbuffered, open for writing and reading.
+
+    Raises
+    ------
+    RecordingError : there is such a file already, or none can be made there.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.raw: BinaryIO = _made(path)
+
+    def is_there(self) -> bool:
+        """Say whether the path still leads to this file."""
+        try:
+            return os.path.samestat(os.fstat(self.raw.fileno()), self.path.stat())
+        except PermissionError:
+            return True  # nobody can tell
+        except OSError:
+            return False
+
+    def copy_to(self, folder: Path) -> Path:
+        """Copy what was written into another folder, under a free name, from the open file itself.
+
+        Raises
+        ------
+        OSError : it cannot be read or written; nothing is left there.
+        """
+        folder.mkdir(parents=True, exist_ok=True)
+        path = free_path(folder / self.path.name)
+        with path.open("xb") as copy:
+            try:
+                self.raw.seek(0)
+                shutil.copyfileobj(self.raw, copy, COPIED_AT_ONCE)
+            except OSError:
+                path.unlink()
+                raise
+        return path
+
+    def close(self) -> None:
+        """Let go of the file; it stays."""
+        with suppress(OSError):
+            self.raw.close()
+
+    def discard(self) -> None:
+        """Let go of the file and remove it, if it is still where it was made."""
+        was_there = self.is_there()
+        self.close()
+        if was_there:
+            with suppress(OSError):
+                self.path.unlink()
+
+
+def trouble_of(error: OSError) -> tuple[str, str]:
+    """Say what a refusal of the disk means, and what to do."""
+    unknown = (f"the disk refuses to take more ({reason_of(error)})", "check it or record to another disk")
+    return TROUBLES.get(error.errno or 0, unknown)
+
+
+def shown_folder(path: Path) -> str:
+    """Give the folder of a file, without characters that would break the sentence it stands in."""
+    return "".join(c if c.isprintable() else "?" for c in str(path.absolute().parent))
+
+
+def _made(path: Path) -> io.FileIO:
+    name, folder = shown_name(path), shown_folder(path)
+    try:
+        if path.is_dir():
+            raise RecordingError(f"{name}: this is a folder; choose a name for a new file")
+        return path.open("x+b", buffering=0)
+    except FileExistsError as error:
+        raise RecordingError(
+            f"{name}: there is a file of that name, which a recording does not overwrite; choose another name"
+        ) from error
+    except (FileNotFoundError, NotADirectoryError) as error:
+        raise RecordingError(f"{name}: there is no folder {folder}; make it or choose another") from error
+    except PermissionError as error:
+        raise RecordingError(
+            f"{name}: writing to {folder} is not permitted; change its permissions or choose another folder"
+        ) from error
+    except (OSError, ValueError) as error:
+        raise RecordingError(
+            f"{name}: it cannot be made in {folder} ({reason_of(error)}); choose another folder or name"
+        ) from error

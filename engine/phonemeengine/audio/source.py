@@ -1,0 +1,33 @@
+"""What can be played: a sound that is read block by block."""
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.settings import Channel
+
+
+class Reader(Protocol):
+    """Gives a sound at 44.1 kHz, block by block."""
+
+    channel: Channel
+    n_channels: int
+    n_samples: int
+
+    @property
+    def duration(self) -> float:
+        """Length of the sound, seconds."""
+        ...
+
+    def read(self, n: int) -> NDArray[np.float32]:
+        """Give the next samples, shape (m, n_channels), fewer than `n` only at the end."""
+        ...
+
+    def seek(self, sample: int) -> None:
+        """Go to a sample."""
+        ...
+
+    def close(self) -> None:
+        """Let go."""
+        ...

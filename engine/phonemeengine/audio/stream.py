@@ -1,0 +1,196 @@
+"""Streams of sound cards, through PortAudio: the only door to sounddevice.
+
+PortAudio belongs to the whole process and its list of devices stays as it was when it was initialised, so the list
+is made anew whenever no stream is open. A lock keeps threads from doing two of these things at once.
+"""
+
+import json
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import asdict
+from typing import Any, Literal
+
+from phonemeengine.audio.devices import Device
+from phonemeengine.errors import DeviceError
+
+Callback = Callable[[Any, int, Any, Any], None]
+"""Called by PortAudio with a block, n, times and status; copies, counts, and leaves.
+
+A block to fill is an array, float32, shape (n, n_channels); one that came is raw memory of the same layout.
+"""
+
+PATIENCE = 10.0
+"""Seconds that another process may take to list the devices."""
+
+_door = threading.RLock()
+_open: "set[CardStream]" = set()
+
+
+def devices() -> list[Device]:
+    """List the sound devices that are there now.
+
+    While a stream is open, another process looks, since a new list would end the stream.
+
+    Raises
+    ------
+    DeviceError : PortAudio is missing.
+    """
+    with _door:
+        if not _open:
+            return devices_to_open()
+    command = [sys.executable, "-c", f"from {__name__} import print_devices; print_devices()"]
+    try:
+        seen = subprocess.run(command, capture_output=True, timeout=PATIENCE, check=True)  # noqa: S603 - our own words
+        return [Device(**values) for values in json.loads(seen.stdout)]
+    except (OSError, subprocess.SubprocessError, ValueError):  # then at least those that were there
+        return devices_to_open()
+
+
+def devices_to_open() -> list[Device]:
+    """List the devices that can be opened: those there now, or while a stream is open, those at its opening.
+
+    Raises
+    ------
+    DeviceError : PortAudio is missing.
+    """
+    with _door:
+        sounddevice = _sounddevice()
+        _look_again(sounddevice)
+        apis = [str(api["name"]) for api in sounddevice.query_hostapis()]
+        default = sounddevice.default.device[0]
+        return [
+            Device(
+                name=str(d["name"]),
+                host_api=apis[d["hostapi"]],
+                n_inputs=int(d["max_input_channels"]),
+                n_outputs=int(d["max_output_channels"]),
+                rate=round(d["default_samplerate"]),
+                is_default=k == default,
+            )
+            for k, d in enumerate(sounddevice.query_devices())
+        ]
+
+
+def print_devices() -> None:
+    """Print the devices that are there as JSON, for another process."""
+    sys.stdout.write(json.dumps([asdict(device) for device in devices()]))
+
+
+class CardStream:
+    """An open stream, in or out, that runs until it is closed or its device goes away.
+
+    Parameters
+    ----------
+    direction : ``input`` or ``output``.
+    device : None for the system's default.
+    rate : sample rate, Hz.
+    n_channels : channels.
+    latency : suggested latency, seconds.
+    callback : takes or fills the blocks.
+
+    Raises
+    ------
+    DeviceError : there is no such device, no PortAudio, or it cannot be opened that way.
+    """
+
+    def __init__(
+        self, direction: Literal["input", "output"], device: Device | None, rate: int, n_channels: int,
+        latency: float, callback: Callback,
+    ) -> None:  # fmt: skip
+        self._closing = False
+        self._finished = False
+        with _door:
+            sounddevice = _sounddevice()
+            _look_again(sounddevice)
+            kind = sounddevice.RawInputStream if direction == "input" else sounddevice.OutputStream
+            try:
+                self._stream = kind(
+                    samplerate=rate,
+                    channels=n_channels,
+                    device=None if device is None else _number_of(device, sounddevice),
+                    dtype="float32",
+                    latency=latency,
+                    callback=callback,
+                    finished_callback=self._finish,
+                )
+                self._start()
+                self.name = str(sounddevice.query_devices(self._stream.device)["name"])
+            except (sounddevice.PortAudioError, ValueError) as error:
+                raise DeviceError(f"the sound card cannot be opened ({_reason(error)})") from error
+            _open.add(self)
+
+    @property
+    def time(self) -> float:
+        """The stream's clock, seconds."""
+        return float(self._stream.time)
+
+    @property
+    def ended(self) -> bool:
+        """Whether it runs no more, for whatever reason."""
+        return self._finished
+
+    @property
+    def lost(self) -> bool:
+        """Whether it ended without our doing: the device has gone away."""
+        return self._finished and not self._closing
+
+    def close(self) -> None:
+        """Let the device go at once, without waiting for what is under way."""
+        with _door:
+            if self._closing:
+                return
+            self._closing = True
+            _open.discard(self)
+            self._stream.abort(ignore_errors=True)
+            self._stream.close(ignore_errors=True)
+
+    def _start(self) -> None:
+        try:
+            self._stream.start()
+        except BaseException:
+            self._stream.close(ignore_errors=True)
+            raise
+
+    def _finish(self) -> None:
+        self._finished = True
+
+
+def _look_again(sounddevice: Any) -> None:
+    """Have PortAudio list the devices anew, which ends all streams, so only where none is open."""
+    if _open:
+        return
+    try:
+        with suppress(sounddevice.PortAudioError):  # what could not be initialised the last time needs no end
+            sounddevice._terminate()
+        sounddevice._initialize()
+    except sounddevice.PortAudioError as error:
+        raise DeviceError(f"the sound system does not answer ({_reason(error)}); check that it runs") from error
+
+
+def _number_of(device: Device, sounddevice: Any) -> int:
+    apis = [str(api["name"]) for api in sounddevice.query_hostapis()]
+    for k, d in enumerate(sounddevice.query_devices()):
+        if (str(d["name"]), apis[d["hostapi"]]) == (device.name, device.host_api):
+            return k
+    raise ValueError(f"{device.label} is not there")
+
+
+def _sounddevice() -> Any:
+    try:
+        import sounddevice  # noqa: PLC0415 - raises where PortAudio is missing, so only who plays imports it
+    except ImportError as error:
+        raise DeviceError(
+            "sound cannot be played or recorded, since the package sounddevice is missing; pip install sounddevice"
+        ) from error
+    except Exception as error:  # sounddevice initialises PortAudio, which may fail in its own ways
+        raise DeviceError(
+            "sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"
+        ) from error
+    return sounddevice
+
+
+def _reason(error: Exception) -> str:
+    return str(error).splitlines()[0][:120]

@@ -1,0 +1,131 @@
+"""WAV files of 24 bits that are playable at any moment while they grow, and turn to RF64 beyond 4 GB.
+
+libsndfile can do that too, but writes WAVE_FORMAT_EXTENSIBLE, which Python's `wave` before 3.12 refuses, and only
+through a part of soundfile that is private.
+"""
+
+import struct
+from collections.abc import Sequence
+from contextlib import suppress
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.gaps import MOST_MARKED, Gap
+from phonemeengine.audio.pcm import packed, whole_numbers_of, write_whole
+
+WIDTH = 3
+"""Bytes of a sample."""
+
+HEADER = 1 << 14
+"""Bytes before the samples; `MOST_MARKED` gaps find room there."""
+
+MOST_IN_RIFF = 0xFFFF_FFFF
+"""The largest size that RIFF can state; in RF64 it says that the size stands in ``ds64`` (EBU Tech 3306).
+A cue point cannot lie beyond so many samples."""
+
+
+class WavEncoder:
+    """Writes WAV; after every block the header is true.
+
+    Parameters
+    ----------
+    file : a new, empty, unbuffered file, which stays open.
+    rate : Hz.
+    n_channels : channels of each block.
+
+    Attributes
+    ----------
+    n_samples : samples per channel that a reader of the file finds now.
+    """
+
+    def __init__(self, file: BinaryIO, rate: int, n_channels: int) -> None:
+        self.n_samples = 0
+        self._file = file
+        self._rate = rate
+        self._n_channels = n_channels
+        self._frame = WIDTH * n_channels
+        self._gaps: list[Gap] = []
+        self._state_length(0)
+
+    def write(self, block: NDArray[np.float32]) -> None:
+        """Append a block, shape (n, n_channels), ±1.
+
+        Raises
+        ------
+        OSError : the disk refuses; as much of the block as fits is in the file.
+        """
+        begin = self._file.seek(self._end)
+        try:
+            write_whole(self._file, packed(whole_numbers_of(block)))
+        finally:
+            n_samples = self.n_samples + (self._file.tell() - begin) // self._frame
+            self._state_length(n_samples)
+            self.n_samples = n_samples
+
+    def mark(self, seconds: float) -> None:
+        """Mark that so many seconds are missing after what was written, as a cue point with a label.
+
+        Raises
+        ------
+        OSError : the disk refuses.
+        """
+        self._gaps.append(Gap(self.n_samples, seconds))
+        self._state_length(self.n_samples)
+
+    def close(self) -> None:
+        """Cut off what is no whole frame, and end at an even byte, as RIFF wants it; may be called twice.
+
+        Raises
+        ------
+        OSError : the disk refuses.
+        """
+        self._file.truncate(self._end)
+        self._file.seek(self._end)
+        with suppress(OSError):  # every reader does without it
+            write_whole(self._file, b"\0" * (self._end % 2))
+        self._state_length(self.n_samples)
+
+    @property
+    def _end(self) -> int:
+        return HEADER + self.n_samples * self._frame
+
+    def _state_length(self, n_samples: int) -> None:
+        self._file.seek(0)
+        write_whole(self._file, wav_header(self._rate, self._n_channels, n_samples, self._gaps))
+
+
+def wav_header(rate: int, n_channels: int, n_samples: int, gaps: Sequence[Gap] = ()) -> bytes:
+    """Give the bytes before the samples, RIFF if its size field can hold the length, else RF64; with cue points."""
+    frame = WIDTH * n_channels
+    n_bytes = n_samples * frame
+    whole = HEADER - 8 + n_bytes + n_bytes % 2
+    sizes = struct.pack("<QQQI", whole, n_bytes, n_samples, 0)
+    big = whole > MOST_IN_RIFF
+    head = b"".join(
+        (
+            struct.pack("<4sI4s", b"RF64" if big else b"RIFF", min(whole, MOST_IN_RIFF), b"WAVE"),
+            struct.pack("<4sI28s", b"ds64" if big else b"JUNK", len(sizes), sizes if big else b""),
+            struct.pack("<4sIHHIIHH", b"fmt ", 16, 1, n_channels, rate, rate * frame, frame, 8 * WIDTH),
+            _cue_points([gap for gap in gaps[:MOST_MARKED] if gap.sample <= MOST_IN_RIFF]),
+        )
+    )
+    data = struct.pack("<4sI", b"data", MOST_IN_RIFF if big else n_bytes)
+    n_filling = HEADER - len(head) - 8 - len(data)
+    return head + _chunk(b"JUNK", bytes(n_filling)) + data
+
+
+def _cue_points(gaps: Sequence[Gap]) -> bytes:
+    """Give the chunks that mark gaps and label them; nothing where there are none."""
+    if not gaps:
+        return b""
+    points = [struct.pack("<II4sIII", k + 1, x.sample, b"data", 0, 0, x.sample) for k, x in enumerate(gaps)]
+    labels = [_chunk(b"labl", struct.pack("<I", k + 1) + x.label.encode() + b"\0") for k, x in enumerate(gaps)]
+    listed = b"adtl" + b"".join(labels)
+    return _chunk(b"cue ", struct.pack("<I", len(points)) + b"".join(points)) + _chunk(b"LIST", listed)
+
+
+def _chunk(name: bytes, content: bytes) -> bytes:
+    """Give a chunk, filled up to an even number of bytes."""
+    return struct.pack("<4sI", name, len(content)) + content + bytes(len(content) % 2)

@@ -1,0 +1,191 @@
+"""Adapting the learned recogniser to one voice, from a few seconds of it.
+
+The last layers and the heads of the network move a few steps towards the voice (as in Y. Miao and F. Metze, "On
+Speaker Adaptation of Long Short-Term Memory Recurrent Neural Networks", Interspeech 2015). Anchors hold them:
+stretches of other voices that must be named as before (D. Yu et al., "KL-divergence regularized deep neural network
+adaptation", ICASSP 2013). How far along that way a model should go, if at all, is judged by
+`phonemeengine.calibration.calibrate` on what was held back.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.fine_tuning import Stretch, TunedLayers, first_tuned
+from phonemeengine.calibration.learning.training_examples import Lesson
+from phonemeengine.dsp.log_mel import silence_of
+from phonemeengine.errors import CorpusError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.model import Head, Model
+from phonemeengine.recognition.network import Delayed, Layer, Network
+
+FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 40, 120, 50
+"""Steps that are taken: one for so many frames of the voice, within these bounds."""
+MOST_FRAMES = 1500
+"""Frames of the voice that a step hears; more of them take turns."""
+ANCHORS_PER_STEP = 2
+ANCHORED = 0.5
+"""How much the anchors of a step count against the voice."""
+SMOOTHING = 0.05
+"""Share of the certainty that is spread over all phonemes: labels lie a little beside the truth."""
+LEAST_FRAMES = 3
+"""A phoneme of which fewer frames are given is not touched."""
+OWN = (1.0,)
+"""The vocal tract that a model listens with which knows it."""
+LEAST_SECONDS = 2.0
+BALANCE = 30
+"""Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
+
+Block = NDArray[np.float32]
+WAYS = (1.0, 0.5, 0.25)
+"""Shares of the way from the model to what it learned, the boldest first."""
+
+
+@dataclass(frozen=True)
+class _Heard:
+    """What the layers that move hear in a recording, its labels, and what each frame counts."""
+
+    hidden: Block
+    phonemes: NDArray[np.uint8]
+    counted: Block
+
+
+@dataclass(frozen=True)
+class _Said:
+    """Which phonemes are in the labels, and what a frame of each counts.
+
+    Attributes
+    ----------
+    competing : the phonemes among which an answer is chosen, bool, shape (n_phonemes,).
+    worth : float32, shape (n_phonemes,).
+    """
+
+    competing: NDArray[np.bool_]
+    worth: Block
+
+    @classmethod
+    def of(cls, heard: Sequence[_Heard]) -> "_Said":
+        """Count the frames of the labels."""
+        totals = sum(np.bincount(h.phonemes, h.counted, len(Phoneme)) for h in heard)
+        competing = np.asarray(totals >= LEAST_FRAMES)
+        return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32))
+
+
+def adapt(model: Model, lessons: Sequence[Lesson]) -> tuple[Model, ...]:
+    """Adapt a model to the labelled recordings or takes of one voice: all of the way to it, and parts of it (`WAYS`).
+
+    Raises
+    ------
+    CorpusError : there are less than two seconds of labelled sound, or only one phoneme.
+    """
+    heard = [_heard(model, lesson) for lesson in lessons if len(lesson)]
+    known = np.concatenate([h.phonemes[h.counted > 0] for h in heard]) if heard else np.zeros(0, np.uint8)
+    if len(known) < LEAST_SECONDS * 100 or len(np.unique(known)) < 2:
+        raise CorpusError(
+            f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are too little to adapt to; "
+            f"give {LEAST_SECONDS:g} s or more of several phonemes"
+        )
+    said = _Said.of(heard)
+    anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
+    moved = _moved(model, heard, said, anchors)
+    return tuple(replace(_between(model, moved, way), warps=OWN) for way in WAYS)
+
+
+def _moved(model: Model, heard: Sequence[_Heard], said: _Said, anchors: Sequence[Stretch]) -> Model:
+    """Give the model that has learned from the recordings."""
+    generator = np.random.default_rng(1)
+    stretches = _stretches_of(heard, said, len(model.heads))
+    n_frames = sum(len(stretch.heard) for stretch in stretches)
+    n_steps = int(np.clip(n_frames / FRAMES_PER_STEP, FEWEST_STEPS, MOST_STEPS))
+    tuned = TunedLayers(model, n_steps, generator)
+    for _ in range(n_steps):
+        few = [anchors[k] for k in generator.permutation(len(anchors))[:ANCHORS_PER_STEP]]
+        tuned.learn([(_drawn(stretches, generator), 1.0), (few, ANCHORED)])
+    return tuned.model()
+
+
+def _between(model: Model, moved: Model, way: float) -> Model:
+    """Give the model that lies a share of the way from one to another."""
+
+    def between(a: Block, b: Block) -> Block:
+        return np.asarray(a + np.float32(way) * (b - a), np.float32)
+
+    layers = tuple(
+        Layer(between(a.weights, b.weights), between(a.bias, b.bias), a.dilation)
+        for a, b in zip(model.layers, moved.layers, strict=True)
+    )
+    heads = tuple(
+        Head(between(a.weights, b.weights), between(a.bias, b.bias))
+        for a, b in zip(model.heads, moved.heads, strict=True)
+    )
+    return replace(model, layers=layers, heads=heads).rounded()
+
+
+def _drawn(stretches: Sequence[Stretch], generator: np.random.Generator) -> list[Stretch]:
+    """Draw stretches for a step: all, if they are not too many."""
+    drawn: list[Stretch] = []
+    n_frames = 0
+    for k in generator.permutation(len(stretches)):
+        if drawn and n_frames + len(stretches[k].heard) > MOST_FRAMES:
+            break
+        drawn.append(stretches[k])
+        n_frames += len(stretches[k].heard)
+    return drawn
+
+
+def _heard(model: Model, lesson: Lesson) -> _Heard:
+    """Run the first layers over a lesson, and as many frames of silence after it as the model looks ahead."""
+    after = silence_of(len(model.heads) - 1)
+    hidden = _first_layers(model).push(np.concatenate((lesson.log_powers.astype(np.float32), after)))
+    return _Heard(hidden, lesson.phonemes, lesson.certainties.astype(np.float32))
+
+
+def _stretches_of(heard: Sequence[_Heard], said: _Said, n_heads: int) -> list[Stretch]:
+    smoothed = (SMOOTHING * said.competing / max(1, int(said.competing.sum()))).astype(np.float32)
+    wanted = smoothed + np.float32(1 - SMOOTHING) * np.eye(len(Phoneme), dtype=np.float32)
+    return [
+        Stretch(
+            h.hidden,
+            _ahead(wanted[h.phonemes], n_heads),
+            _ahead(h.counted * said.worth[h.phonemes], n_heads),
+            said.competing,
+        )
+        for h in heard
+        if h.counted.any()
+    ]
+
+
+def _anchor_of(model: Model, log_powers: Block) -> Stretch:
+    """Give a stretch of other voices, to be named as the model names it now."""
+    hidden = _first_layers(model).push(log_powers)
+    found = _through_last_layers(model, hidden)
+    everything = np.ones(len(Phoneme), bool)
+    wanted = np.stack([_shares_of(found, head, everything) for head in model.heads], axis=1)
+    return Stretch(hidden, wanted, np.ones(wanted.shape[:2], np.float32), everything)
+
+
+def _ahead(values: Block, n_heads: int) -> Block:
+    """Put what is known of each frame where the heads answer for it: head k does so k frames later."""
+    n = len(values)
+    placed = np.zeros((n + n_heads - 1, n_heads, *values.shape[1:]), np.float32)
+    for k in range(n_heads):
+        placed[k : k + n, k] = values
+    return placed
+
+
+def _shares_of(found: Block, head: Head, competing: NDArray[np.bool_]) -> Block:
+    scores = np.where(competing, found @ head.weights + head.bias, -np.inf)
+    shares = np.exp(scores - scores.max(axis=1, keepdims=True))
+    return np.asarray(shares / shares.sum(axis=1, keepdims=True), np.float32)
+
+
+def _first_layers(model: Model) -> Network:
+    return Network(model.layers[: first_tuned(model)], silence_of())
+
+
+def _through_last_layers(model: Model, hidden: Block) -> Block:
+    for layer in model.layers[first_tuned(model) :]:
+        hidden = hidden + Delayed(layer, np.zeros(len(layer.bias), np.float32)).push(hidden)
+    return hidden

@@ -1,0 +1,176 @@
+"""Calibrating a preset to a voice: what it becomes, and what that gains on speech that was held back.
+
+The window, the command line and games do it by one function, and so get the same preset::
+
+    outcome = calibrate(preset, read_recordings(takes), held_back=read_recordings(sentence))
+    save_preset(outcome.preset, path)
+
+What is learned from is never what it is judged by. Where nothing is held back, each quarter of all takes is, in
+turn. Of the presets that a recogniser makes of the takes, the boldest is taken that raises the macro F1 on what was
+held back, without costing more than 0.01 of mouth shapes or silence there; where there is none, the preset stays as
+it was.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from phonemeengine.calibration.guard import price_of
+from phonemeengine.progress import Heed, go_on, part_of, tell
+from phonemeengine.calibration.held_back import N_PARTS, counts, parts_of, scores_on
+from phonemeengine.calibration.learners import Learner, learner_of
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.calibration.takes.room_noise import Sound, Sureness, measure_room
+from phonemeengine.calibration.takes.room_takes import room_in, speech_in
+from phonemeengine.calibration.takes.take import TRIMMED
+from phonemeengine.errors import CorpusError
+from phonemeengine.presets.preset import Preset
+
+Takes = Sequence[Utterance]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A preset after a calibration, to be accepted or refused.
+
+    Attributes
+    ----------
+    start : the preset that was calibrated.
+    preset : what it became; the same where nothing better was found.
+    before, after : the figures of both on what was held back.
+    seconds : how much of that counted.
+    in_turn : whether it was quarters of the takes, each of them in turn.
+    price : what a bolder preset, which was refused, would have cost; mostly nothing.
+    sure : how well the preset tells the room from speech, as far as the takes say; None where they hold no silence.
+    """
+
+    start: Preset
+    preset: Preset
+    before: Scores
+    after: Scores
+    seconds: float
+    in_turn: bool
+    price: str = ""
+    sure: Sureness | None = None
+
+    @property
+    def gains(self) -> bool:
+        """Whether anything better was found."""
+        return self.preset != self.start
+
+    @property
+    def refusal(self) -> str:
+        """Why something that gained was not taken, a sentence; mostly nothing."""
+        if not self.price:
+            return ""
+        instead = "something milder was taken" if self.gains else "the preset stays as it was"
+        return f"What learned most was refused, since with it {self.price}; {instead}."
+
+
+def calibrate(
+    preset: Preset, takes: Takes, *, held_back: Takes = (), room: Sound | None = None, heed: Heed = go_on
+) -> Outcome:
+    """Make a preset that knows a voice, and tell what that gains on what was held back.
+
+    Parameters
+    ----------
+    preset : what is calibrated; its recogniser says how.
+    takes : labelled recordings of the voice; those of silence alone tell what the room sounds like.
+    held_back : labelled recordings of the same voice from which nothing is learned, such as a sentence that was
+        read (`phonemeengine.calibration.alignment` labels it); labels whose certainty is ``trimmed`` do not count.
+    room : seconds in which nobody speaks, float32, shape (n,), 44.1 kHz; where it is None, the takes' silence.
+    heed : told how far it is.
+
+    Raises
+    ------
+    CorpusError : the recogniser does not learn voices, there are no takes, or too few, or nothing to judge by.
+    AudioError : a sound cannot be read.
+    Cancelled : `heed` did not want to go on.
+    """
+    learner = learner_of(preset)
+    if not takes:
+        raise CorpusError("there is no take to calibrate with; record some first")
+    judged = held_back or takes
+    if not any(counts(utterance.labels) for utterance in judged):
+        raise CorpusError("there is nothing to judge by; give takes or recordings with labels that count")
+    course = _Course(preset, learner, room)
+    ways, trial = course.tried_on(takes, held_back, heed) if held_back else course.tried_in_turn(takes, heed)
+    found = preset if trial.way is None else ways()[trial.way]
+    tell(heed, 1.0)
+    sure = _sureness(found, takes, room)
+    return Outcome(preset, found, trial.before, trial.after, _seconds(judged), not held_back, trial.price, sure)
+
+
+@dataclass(frozen=True)
+class _Trial:
+    """Which of the presets is to be taken, None for none; the figures, and what a bolder one would have cost."""
+
+    way: int | None
+    before: Scores
+    after: Scores
+    price: str
+
+
+Ways = Callable[[], tuple[Preset, ...]]
+
+
+class _Course:
+    """Has a preset learn, and tries what it learned.
+
+    Parameters
+    ----------
+    preset : what is calibrated.
+    learner : how its recogniser learns.
+    room : as in `calibrate`.
+    """
+
+    def __init__(self, preset: Preset, learner: Learner, room: Sound | None) -> None:
+        self._preset = preset
+        self._learner = learner
+        self._room = room
+
+    def tried_on(self, takes: Takes, held_back: Takes, heed: Heed) -> tuple[Ways, _Trial]:
+        """Learn from all takes, and try that on other speech."""
+        learned = self._learned(takes, part_of(heed, 0.0, 0.9))
+        return lambda: learned, self._tried([learned], [held_back], held_back)
+
+    def tried_in_turn(self, takes: Takes, heed: Heed) -> tuple[Ways, _Trial]:
+        """Learn without each quarter of the takes in turn, and try that on the quarter."""
+        learned, kept = [], []
+        for k, (taught, quarter) in enumerate(parts_of(takes)):
+            share = 0.9 / (N_PARTS + 1)
+            learned.append(self._learned(taught, part_of(heed, k * share, (k + 1) * share)))
+            kept.append(quarter)
+        return lambda: self._learned(takes, part_of(heed, 0.8, 1.0)), self._tried(learned, kept, takes)
+
+    def _learned(self, takes: Takes, heed: Heed) -> tuple[Preset, ...]:
+        return self._learner(self._preset, takes, lambda preset: _quietened(preset, takes, self._room), heed)
+
+    def _tried(self, learned: Sequence[tuple[Preset, ...]], kept: Sequence[Takes], judged: Takes) -> _Trial:
+        """Try what was learned on what was kept from it; together these are what is judged by."""
+        before, first_price = scores_on([(self._preset, judged)]), ""
+        for way, presets in enumerate(zip(*learned, strict=True)):
+            after = scores_on(zip(presets, kept, strict=True))
+            price = price_of(before, after) if after.ten_f1 > before.ten_f1 else ""
+            if after.ten_f1 > before.ten_f1 and not price:
+                return _Trial(way, before, after, first_price)
+            first_price = first_price or price
+        return _Trial(None, before, before, first_price)
+
+
+def _quietened(preset: Preset, takes: Takes, room: Sound | None) -> Preset:
+    """Give the preset that takes the room for silence; where the room was not quiet, the same preset."""
+    room = room_in(takes) if room is None else room
+    measured = None if room is None else measure_room(room, preset)
+    if measured is None or measured.notes:
+        return preset
+    return measured.thresholds(preset, speech_in(takes))
+
+
+def _sureness(preset: Preset, takes: Takes, room: Sound | None) -> Sureness | None:
+    room = room_in(takes) if room is None else room
+    return None if room is None else measure_room(room, preset).sureness(preset, speech_in(takes))
+
+
+def _seconds(utterances: Takes) -> float:
+    return sum(x.end - x.start for u in utterances for x in u.labels if x.certainty != TRIMMED)

@@ -1,0 +1,142 @@
+"""Moves the last layers of a network, and its heads, a few steps towards what they should answer.
+
+The layers are those of a finished model: nothing is normalised any more, and what comes before them stays as it is.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.learning.optimiser import Optimiser
+from phonemeengine.calibration.learning.trainable_network import HEAD_SHARES
+from phonemeengine.recognition.model import Head, Model
+from phonemeengine.recognition.network import TAPS, Layer
+
+Block = NDArray[np.float32]
+
+N_TUNED = 3
+"""Layers that move, at most; the first one of a network, which hears the sound itself, does not."""
+RATE = 2e-3
+DROPOUT = 0.2
+"""Share of what the layers hear that is dropped, so that they do not learn the recordings by heart."""
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """What the layers hear in a stretch of speech, and what each head should answer.
+
+    Attributes
+    ----------
+    heard : float32, shape (n_frames, n_channels); silence before it is understood.
+    wanted : shares of the phonemes, float32, shape (n_frames, n_heads, n_phonemes).
+    counted : how much each answer counts, float32, shape (n_frames, n_heads).
+    competing : the phonemes among which an answer is chosen, bool, shape (n_phonemes,).
+    """
+
+    heard: Block
+    wanted: Block
+    counted: Block
+    competing: NDArray[np.bool_]
+
+
+def first_tuned(model: Model) -> int:
+    """Give the number of the first layer that moves."""
+    return max(1, len(model.layers) - N_TUNED)
+
+
+class TunedLayers:
+    """The last layers of a model and its heads, which learn.
+
+    Parameters
+    ----------
+    model : where they begin.
+    n_steps : how often `learn` will be called.
+    generator : of what is dropped.
+    """
+
+    def __init__(self, model: Model, n_steps: int, generator: np.random.Generator) -> None:
+        self._model = model
+        self._layers = [_Moving(layer) for layer in model.layers[first_tuned(model) :]]
+        self._weights = np.concatenate([head.weights for head in model.heads], axis=1)
+        self._bias = np.concatenate([head.bias for head in model.heads])
+        values = [v for layer in self._layers for v in layer.values] + [self._weights, self._bias]
+        self._optimiser = Optimiser(values, n_steps, RATE)
+        self._generator = generator
+
+    def learn(self, parts: Iterable[tuple[Sequence[Stretch], float]]) -> None:
+        """Take one step; each part is a number of stretches, and what they count together."""
+        slopes = [np.zeros_like(v) for layer in self._layers for v in layer.values]
+        slopes += [np.zeros_like(self._weights), np.zeros_like(self._bias)]
+        for stretches, weight in parts:
+            total = sum(stretch.counted.sum(axis=0) for stretch in stretches)
+            factors = weight * HEAD_SHARES[: len(self._model.heads)] / np.maximum(total, 1e-9)
+            for stretch in stretches:
+                for k, more in enumerate(self._slopes_of(stretch, factors)):
+                    slopes[k] += more
+        self._optimiser.step(slopes)
+
+    def model(self) -> Model:
+        """Give the model as it is now."""
+        n_heads = len(self._model.heads)
+        heads = zip(np.split(self._weights, n_heads, axis=1), np.split(self._bias, n_heads), strict=True)
+        layers = (*self._model.layers[: first_tuned(self._model)], *(layer.finished() for layer in self._layers))
+        return replace(self._model, layers=layers, heads=tuple(Head(w, b) for w, b in heads)).rounded()
+
+    def _slopes_of(self, stretch: Stretch, factors: Block) -> list[Block]:
+        kept = self._generator.random(stretch.heard.shape, np.float32) >= DROPOUT
+        hidden = stretch.heard * kept / np.float32(1 - DROPOUT)
+        for layer in self._layers:
+            hidden = layer.forward(hidden)
+        scores = (hidden @ self._weights + self._bias).reshape(stretch.wanted.shape)
+        errors = _shares_of(scores, stretch.competing) - stretch.wanted
+        errors *= (stretch.counted * factors)[:, :, np.newaxis]
+        sums = errors.reshape(len(hidden), -1)
+        back = sums @ self._weights.T
+        found = [hidden.T @ sums, sums.sum(axis=0)]
+        for layer in reversed(self._layers):
+            back, slopes = layer.back(back)
+            found = [*slopes, *found]
+        return found
+
+
+class _Moving:
+    """One layer that learns; see `phonemeengine.recognition.network.Layer`."""
+
+    def __init__(self, layer: Layer) -> None:
+        self.values = [layer.weights.copy(), layer.bias.copy()]
+        self._dilation = layer.dilation
+        self._reach = layer.reach
+
+    def forward(self, block: Block) -> Block:
+        """Give what the layer makes of a stretch, and remember what `back` needs."""
+        n = len(block)
+        padded = np.concatenate((np.zeros((self._reach, block.shape[1]), np.float32), block))
+        starts = range(0, self._reach + 1, self._dilation)
+        self._taps = np.concatenate([padded[k : k + n] for k in starts], axis=1)
+        found: Block = np.maximum(self._taps @ self.values[0] + self.values[1], 0)
+        self._fires = found > 0
+        return found + block
+
+    def back(self, gradient: Block) -> tuple[Block, list[Block]]:
+        """Take the gradient of what `forward` gave; give that of what it took, and those of weights and bias."""
+        sums = gradient * self._fires
+        taps = (sums @ self.values[0].T).reshape(len(gradient), TAPS, -1)
+        block = gradient + taps[:, TAPS - 1]
+        for k in range(TAPS - 1):
+            lag = (TAPS - 1 - k) * self._dilation
+            block[: max(0, len(block) - lag)] += taps[lag:, k]
+        return block, [self._taps.T @ sums, sums.sum(axis=0)]
+
+    def finished(self) -> Layer:
+        return Layer(self.values[0], self.values[1], self._dilation)
+
+
+def _shares_of(scores: Block, competing: NDArray[np.bool_]) -> Block:
+    """Give the probabilities of the competing phonemes; those of the others are 0."""
+    shares = np.where(competing, scores, -np.inf)
+    shares -= shares.max(axis=2, keepdims=True)
+    np.exp(shares, out=shares)
+    shares /= shares.sum(axis=2, keepdims=True)
+    return np.asarray(shares, np.float32)

@@ -1,0 +1,153 @@
+"""Move the limits of a preset's own rules so that the macro F1 grows, and change nothing else.
+
+A coordinate search from the limits that are there: one limit after the other takes the best of its candidates, until
+a round through all of them gains nothing. Comparisons of one variable with one number are one limit, whatever their
+sign and rule, so what a tree divides stays divided. Two runs of the rules, with all values below the limit and all
+above it, tell the score of every candidate at once.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.workbench.rule_cache import RuleSheet
+from phonemeengine.calibration.workbench.successors import last_identified
+from phonemeengine.progress import Heed, go_on, tell
+from phonemeengine.calibration.scores.scoring import N_CODES, TEN, Codes, Counts, confusion_of, macro_f1_of
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
+
+N_CANDIDATES = 32
+"""Few, since finer ones only fit better to the speakers that are there, not to others."""
+SIGNIFICANT_DIGITS = 4
+LEAST_GAIN = 1e-4
+"""A limit moves only for so much macro F1."""
+MOST_ROUNDS = 8
+
+Limit = tuple[str, float]
+"""A variable, and the number that it is compared with."""
+
+
+class LimitSearch:
+    """Fits the limits of rules to recordings that follow one another.
+
+    Parameters
+    ----------
+    features : what was measured.
+    truth : codes of `Phoneme`, shape (n_frames,); frames labelled unidentified are not scored.
+    first : bool, shape (n_frames,): where a recording begins; nothing is remembered from before.
+    thresholds : what those comparisons ask for that name a threshold; they stay.
+    successors : what replaces unidentified frames; it stays.
+    """
+
+    def __init__(
+        self,
+        features: Features,
+        truth: Codes,
+        first: NDArray[np.bool_],
+        thresholds: Thresholds,
+        successors: Mapping[Phoneme, Phoneme],
+    ) -> None:
+        self._values = {name: np.ascontiguousarray(features[name]) for name in features.names}
+        self._sheet = RuleSheet(self._values, len(truth))
+        self._truth = truth
+        self._first = first
+        self._known = truth != Phoneme.UNIDENTIFIED
+        self._thresholds = thresholds
+        self._table = np.array([successors.get(p, p) for p in Phoneme], np.uint8)
+
+    def improve(self, rules: Sequence[Rule], heed: Heed = go_on) -> tuple[Rule, ...]:
+        """Give the rules with better limits, or as they are; `heed` is told how far it is.
+
+        Raises
+        ------
+        Cancelled : `heed` did not want to go on.
+        """
+        rules = tuple(rules)
+        score = self._score(rules)
+        limits = _limits_of(rules)
+        for n in range(MOST_ROUNDS):
+            before = score
+            fillers = self._fillers(rules)
+            for k, limit in enumerate(limits):
+                tell(heed, (n + k / len(limits)) / MOST_ROUNDS)
+                moved = self._best(limit, rules, fillers)
+                better, gained = _moved(rules, limit, moved), 0.0
+                if moved != limit[1] and (gained := self._score(better) - score) > LEAST_GAIN:
+                    rules, limits[k], score = better, (limit[0], moved), score + gained
+            if score - before <= LEAST_GAIN:
+                break
+        return rules
+
+    def _best(self, limit: Limit, rules: tuple[Rule, ...], fillers: Codes) -> float:
+        """Give the best candidate for one limit, all others as they are."""
+        values = self._values[limit[0]]
+        taken = [number for variable, number in _limits_of(rules) if variable == limit[0]]
+        candidates = np.setdiff1d(_candidates_of(values[self._known]), np.array(taken, np.float32))
+        below, above = (self._answers_as_if(limit, rules, fillers, sign) for sign in "<>")
+        open_ = self._known & (below != above)
+        if not (open_.any() and len(candidates)):
+            return limit[1]
+        settled = confusion_of(self._truth[self._known & ~open_], below[self._known & ~open_])
+        ranks = np.searchsorted(candidates, values[open_], side="right")
+        truth = self._truth[open_]
+        under = _counted(ranks, truth, below[open_], len(candidates) + 1).cumsum(axis=0)
+        over = _counted(ranks, truth, above[open_], len(candidates) + 1).cumsum(axis=0)
+        scores = macro_f1_of(settled + under[:-1] + over[-1] - over[:-1], TEN)
+        return float(str(candidates[int(scores.argmax())]))
+
+    def _answers_as_if(self, limit: Limit, rules: tuple[Rule, ...], fillers: Codes, sign: str) -> Codes:
+        """Recognise as if all values of a variable were on one side of a limit."""
+        kept = []
+        for rule in rules:
+            asked = [c for c in rule.conditions if _limit_of(c) != limit]
+            if all(c.sign == sign for c in rule.conditions if _limit_of(c) == limit):
+                kept.append(Rule(rule.phoneme, tuple(asked)))
+        answers = self._recognised(kept)
+        return np.where(answers == Phoneme.UNIDENTIFIED, fillers, answers)
+
+    def _fillers(self, rules: tuple[Rule, ...]) -> Codes:
+        """Give what fills in where the rules say nothing."""
+        return self._table[last_identified(self._recognised(rules), self._first)]
+
+    def _score(self, rules: tuple[Rule, ...]) -> float:
+        answers = self._recognised(rules)
+        unidentified = answers == Phoneme.UNIDENTIFIED
+        answers = np.where(unidentified, self._table[last_identified(answers, self._first)], answers)
+        return float(macro_f1_of(confusion_of(self._truth[self._known], answers[self._known]), TEN))
+
+    def _recognised(self, rules: Sequence[Rule]) -> Codes:
+        return self._sheet.recognised(RuleRecogniser(rules, self._thresholds))
+
+
+def _limits_of(rules: Sequence[Rule]) -> list[Limit]:
+    found = [_limit_of(c) for rule in rules for c in rule.conditions]
+    return list(dict.fromkeys(limit for limit in found if limit is not None))
+
+
+def _limit_of(condition: Condition) -> Limit | None:
+    """Give what a comparison may have moved; None where it names a threshold."""
+    return None if condition.threshold else (condition.variable, condition.limit)
+
+
+def _moved(rules: Sequence[Rule], limit: Limit, number: float) -> tuple[Rule, ...]:
+    return tuple(
+        Rule(rule.phoneme, tuple(replace(c, limit=number) if _limit_of(c) == limit else c for c in rule.conditions))
+        for rule in rules
+    )
+
+
+def _counted(ranks: NDArray[np.intp], truth: Codes, answers: Codes, n_ranks: int) -> Counts:
+    """Count frames by rank, label and answer, shape (n_ranks, 11, 11)."""
+    cells = (ranks * N_CODES + truth) * N_CODES + answers
+    return np.bincount(cells, minlength=n_ranks * N_CODES**2).reshape(n_ranks, N_CODES, N_CODES)
+
+
+def _candidates_of(values: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Spread limits evenly over the ranks of the values, rounded so that a file shows few digits."""
+    spread = np.quantile(values, np.linspace(0.005, 0.995, N_CANDIDATES))
+    return np.unique(np.array([float(f"{value:.{SIGNIFICANT_DIGITS}g}") for value in spread], np.float32))

@@ -1,0 +1,178 @@
+"""What rules are grown from: candidate variables, measured on labelled speech, at other levels and in noise."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.analyser import Analyser
+from phonemeengine.calibration.scores.added_noise import Noise, NoiseAdder, NoiseKind
+from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
+from phonemeengine.dsp.mel import frequency_of, mel_of
+from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Variable
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import AnalysisSettings, Filter, WindowFunction
+
+N_BANDS = 24
+LOWEST, HIGHEST = 60.0, 8000.0
+"""Above, many recordings hold nothing; below, there is hum."""
+WIDTHS = (1, 2, 4, 8)
+"""How many bands of the mel scale a variable reaches over."""
+DIVIDED = {"r": 2, "w": 4}
+"""Widths of the variables that are divided by one another, by the letter with which their names begin."""
+
+FRONT_END = AnalysisSettings(
+    filters=frozenset({Filter.WINDOW_FUNCTION, Filter.HIGH_PASS, Filter.LOW_PASS, Filter.NORMALISE}),
+    window_function=WindowFunction.HAMMING,
+    high_pass_start=LOWEST,
+    high_pass_end=LOWEST,
+    low_pass_start=HIGHEST,
+    low_pass_end=HIGHEST,
+)
+
+GAINS = (-6.0, 6.0)
+FLOORS = (-75.0, -60.0)
+"""Level of the noise floor, dB below full scale."""
+SNRS = (8.0, 22.0)
+NOISES = tuple(NoiseKind)
+
+COPIES = (1.0, 1.0, 0.5)
+"""How much each copy of a recording counts: as it is, with another level and a noise floor, in noise."""
+IMPORTANCE = (("human", 3.0), ("festival", 2.0), ("espeak", 0.4))
+"""How much a speaker counts, by the beginning of the corpus's name; 1 where it begins otherwise."""
+
+BESIDE_BOUNDARY = 0.3
+"""How much a frame counts beside one with another label."""
+
+BLOCK = 1 << 16
+STRIDE = 5
+"""Of the frames of further speech each fifth is kept."""
+MOST_RECORDINGS = {"espeak": 8}
+MOST = 40
+"""Recordings of a speaker of further speech that are used, by the beginning of the corpus's name."""
+
+
+@dataclass(frozen=True)
+class Material:
+    """An utterance with its copies.
+
+    Attributes
+    ----------
+    utterance : whose it is.
+    labels : of all frames.
+    copies : what was measured on each copy, on every frame or on each so many-th.
+    stride : how many frames lie from one that was kept to the next.
+    """
+
+    utterance: Utterance
+    labels: FrameLabels
+    copies: tuple[Features, ...]
+    stride: int = 1
+
+    @property
+    def truth(self) -> NDArray[np.uint8]:
+        """The labels of the frames that were kept: codes of `Phoneme`, shape (n_kept,)."""
+        return self.labels.phonemes[:: self.stride]
+
+    @property
+    def certainty(self) -> NDArray[np.float64]:
+        """How much each frame that was kept counts: less beside a boundary, whose place is seldom sure."""
+        changes = np.flatnonzero(np.diff(self.labels.phonemes))
+        certainty = np.ones(len(self.labels.phonemes))
+        certainty[changes] = certainty[changes + 1] = BESIDE_BOUNDARY
+        return certainty[:: self.stride]
+
+
+def candidates() -> tuple[Variable, ...]:
+    """Give the variables to choose from: bands of several widths, and bands divided by one another."""
+    marks = np.linspace(mel_of(LOWEST), mel_of(HIGHEST), N_BANDS + 1)
+    edges = [10.0 * round(float(frequency_of(mark)) / 10) for mark in marks]
+    bands = {
+        (first, width): Variable(
+            f"b{edges[first]:.0f}_{edges[first + width]:.0f}", edges[first], edges[first + width]
+        )
+        for width in WIDTHS
+        for first in range(0, N_BANDS + 1 - width, max(1, width // 2))
+    }
+    divided = [
+        Variable(f"{letter}{low.low:.0f}_{high.low:.0f}", low.low, low.high, per=high.name)
+        for letter, width in DIVIDED.items()
+        for low, high in combinations([bands[k, width] for k in range(0, N_BANDS + 1 - width, 2)], 2)
+    ]
+    return (*bands.values(), *divided)
+
+
+def voice_of(utterance: Utterance) -> str:
+    """Give the name of the voice: formant synthesizers speak all languages with the same ones."""
+    if not utterance.corpus.startswith("espeak"):
+        return utterance.speaker
+    voice = utterance.speaker.rsplit("_", 1)[-1]
+    return voice.rstrip("0123456789") if voice.startswith("klatt") else voice
+
+
+def importance_of(utterance: Utterance) -> float:
+    """Say how much a speaker counts, however much there is of that voice."""
+    return next((value for kind, value in IMPORTANCE if utterance.corpus.startswith(kind)), 1.0)
+
+
+def material_of(folder: Path, variables: Sequence[Variable], seed: int) -> Iterator[Material]:
+    """Measure a whole corpus."""
+    utterances = read_corpus(folder)
+    return _measured(utterances, utterances, variables, seed, 1)
+
+
+def further_material_of(folder: Path, variables: Sequence[Variable], seed: int) -> Iterator[Material]:
+    """Measure some recordings of each speaker of a corpus, and some frames of them."""
+    utterances = read_corpus(folder)
+    generator = np.random.default_rng(seed)
+    taken: dict[str, int] = {}
+    chosen = []
+    for k in generator.permutation(len(utterances)):
+        speaker = utterances[k].voice
+        taken[speaker] = taken.get(speaker, 0) + 1
+        most = next((n for kind, n in MOST_RECORDINGS.items() if speaker.startswith(kind)), MOST)
+        if taken[speaker] <= most:
+            chosen.append(utterances[k])
+    return _measured(chosen, utterances, variables, seed, STRIDE)
+
+
+def _measured(
+    chosen: Sequence[Utterance], everyone: Sequence[Utterance], variables: Sequence[Variable], seed: int, stride: int
+) -> Iterator[Material]:
+    generator = np.random.default_rng(seed)
+    preset = Preset(settings=FRONT_END, variables=tuple(variables))
+    adders = [NoiseAdder(Noise(kind, 0.0, seed), everyone) for kind in NOISES]
+    for k, utterance in enumerate(chosen):
+        labels = frame_labels_of(utterance.labels)
+        sounds = _sounds_of(utterance, adders[k % len(adders)], generator)
+        n = len(labels.phonemes)
+        yield Material(utterance, labels, tuple(_features_of(sound, preset, n, stride) for sound in sounds), stride)
+
+
+def _sounds_of(
+    utterance: Utterance, adder: NoiseAdder, generator: np.random.Generator
+) -> Iterator[NDArray[np.float32]]:
+    with utterance.opened() as reader:
+        sound = np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])
+    yield sound
+    floor = _gain_of(generator.uniform(*FLOORS)) * generator.standard_normal(len(sound), np.float32)
+    yield _gain_of(generator.uniform(*GAINS)) * sound + floor
+    loudest = np.concatenate([np.zeros(0, np.float32), *adder.blocks(utterance, BLOCK)])
+    noise = _gain_of(-generator.uniform(*SNRS)) * (loudest - sound)
+    yield _gain_of(generator.uniform(*GAINS)) * (sound + noise)
+
+
+def _gain_of(level: float) -> np.float32:
+    return np.float32(10 ** (level / 20))
+
+
+def _features_of(sound: NDArray[np.float32], preset: Preset, n_frames: int, stride: int) -> Features:
+    analyser = Analyser(preset)
+    parts = [analyser.push(sound).features, analyser.finish().features]
+    values = np.concatenate([part.values for part in parts])[:n_frames]
+    silent = np.zeros((n_frames - len(values), values.shape[1]), np.float32)
+    return Features(parts[0].names, np.concatenate([values, silent])[::stride])

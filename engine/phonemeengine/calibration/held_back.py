@@ -1,0 +1,89 @@
+"""What is kept from learning, so that presets can be judged by it."""
+
+import itertools
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
+from phonemeengine.calibration.scores.evaluation import Answers, answers_to
+from phonemeengine.calibration.scores.scoring import Codes, Scores, scores_of
+from phonemeengine.calibration.takes.take import TRIMMED
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import FRAME_PERIOD
+
+N_PARTS = 4
+"""Parts of each recording, each of which is held back once: so it is tried with nearly all that there is to learn."""
+
+Utterances = tuple[Utterance, ...]
+
+
+def parts_of(utterances: Sequence[Utterance]) -> Iterator[tuple[Utterances, Utterances]]:
+    """Give what is learned from, and what is held back meanwhile, for each quarter of all recordings.
+
+    Both are the whole recordings. What is held back is unidentified in the first; in both, what does not count is
+    ``trimmed``.
+    """
+    for part in range(N_PARTS):
+        halves = [_parted(utterance, part) for utterance in utterances]
+        yield tuple(taught for taught, _ in halves), tuple(kept for _, kept in halves)
+
+
+def scores_on(cases: Iterable[tuple[Preset, Sequence[Utterance]]]) -> Scores:
+    """Score presets on recordings, all together; labels that are ``trimmed`` do not count, but for the flicker.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    """
+    answers = [answers_to(utterance, preset) for preset, utterances in cases for utterance in utterances]
+    scores = scores_of([_counted(heard) for heard in answers])
+    flicker = scores_of([heard.pair for heard in answers])
+    return replace(
+        scores, changes_per_s=flicker.changes_per_s, label_changes_per_s=flicker.label_changes_per_s
+    )  # fmt: skip
+
+
+def counts(labels: Sequence[Label]) -> bool:
+    """Say whether anything of these labels counts."""
+    return any(label.certainty != TRIMMED for label in labels)
+
+
+def _counted(heard: Answers) -> tuple[FrameLabels, Codes]:
+    labels = heard.labels
+    trimmed = tuple(
+        replace(label, phoneme=Phoneme.UNIDENTIFIED if label.certainty == TRIMMED else Phoneme.SILENCE)
+        for label in heard.utterance.labels
+    )
+    kept = frame_labels_of(trimmed).phonemes != Phoneme.UNIDENTIFIED
+    return FrameLabels(labels.phonemes[kept], labels.certain[kept]), heard.phonemes[kept]
+
+
+def _parted(utterance: Utterance, part: int) -> tuple[Utterance, Utterance]:
+    """Give a recording without a part of what counts in it, and with that part alone."""
+    first, last = _borders_of(utterance.labels, part)
+    pieces = [piece for label in utterance.labels for piece in _cut(label, first, last)]
+    inside = [first <= piece.start < last for piece in pieces]
+    hidden = [replace(piece, phoneme=Phoneme.UNIDENTIFIED, certainty=TRIMMED) for piece in pieces]
+    taught = tuple(h if within else piece for piece, h, within in zip(pieces, hidden, inside, strict=True))
+    kept = tuple(
+        piece if within else replace(piece, certainty=TRIMMED) for piece, within in zip(pieces, inside, strict=True)
+    )
+    return replace(utterance, labels=taught), replace(utterance, labels=kept)
+
+
+def _borders_of(labels: tuple[Label, ...], part: int) -> tuple[float, float]:
+    """Give between which times a part lies, so that of what counts each has as much."""
+    times = [np.arange(x.start, x.end, FRAME_PERIOD) for x in labels if x.certainty != TRIMMED]
+    split = np.array_split(np.concatenate([np.zeros(0), *times]), N_PARTS)
+    firsts = [float(piece[0]) if len(piece) else labels[-1].end for piece in split]
+    edges = [0.0, *firsts[1:], labels[-1].end]
+    return edges[part], edges[part + 1]
+
+
+def _cut(label: Label, *times: float) -> list[Label]:
+    borders = [label.start, *(time for time in times if label.start < time < label.end), label.end]
+    return [replace(label, start=a, end=b) for a, b in itertools.pairwise(borders)]

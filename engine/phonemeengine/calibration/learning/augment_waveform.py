@@ -1,0 +1,69 @@
+"""The same speech as others might have said it elsewhere: other tempo, pitch, vocal tract and room."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.resampling import faster
+from phonemeengine.settings import SAMPLE_RATE
+
+Sound = NDArray[np.float32]
+
+RANGE = (0.84, 1.2)
+"""How much faster and higher a voice is made, and how much shorter its vocal tract; adult voices span about that."""
+DECAYS = (0.12, 0.7)
+"""Reverberation times of rooms, seconds to -60 dB."""
+DIRECT = (-2.0, 14.0)
+"""Level of the direct sound above the reverberation, dB."""
+DARKENING = (1, 6)
+"""Samples over which the reverberation is blurred: walls swallow high frequencies."""
+
+
+@dataclass(frozen=True)
+class Variation:
+    """How a recording is varied.
+
+    Attributes
+    ----------
+    rate : so many times faster and higher, formants too.
+    warp : of the mel bank, see `phonemeengine.dsp.log_mel.bank_of`.
+    reverberates : whether it is said in a room.
+    """
+
+    rate: float = 1.0
+    warp: float = 1.0
+    reverberates: bool = False
+
+
+def drawn_variation(generator: np.random.Generator) -> Variation:
+    """Draw a variation: in the end the formants lie anywhere in the range, whatever became of the pitch."""
+    low, high = np.log(RANGE)
+    rate = float(np.exp(generator.uniform(low, high))) if generator.random() < 0.7 else 1.0
+    tract = float(np.exp(generator.uniform(low, high)))
+    warp = float(np.clip(rate / tract, 0.8, 1.25)) if generator.random() < 0.6 else 1.0
+    return Variation(rate, warp, generator.random() < 0.4)
+
+
+def varied(samples: Sound, variation: Variation, generator: np.random.Generator) -> Sound:
+    """Vary a recording, float32, shape (n,), 44.1 kHz; it gets shorter by the rate."""
+    if variation.rate != 1:
+        samples = faster(samples, variation.rate)
+    return _in_a_room(samples, generator) if variation.reverberates else samples
+
+
+def _in_a_room(samples: Sound, generator: np.random.Generator) -> Sound:
+    """Add the reverberation of a made-up room: noise that decays, after the direct sound."""
+    from scipy.fft import irfft, next_fast_len, rfft  # noqa: PLC0415 - it costs half a second at the start
+
+    decay = generator.uniform(*DECAYS)
+    times = np.arange(int(decay * SAMPLE_RATE)) / SAMPLE_RATE
+    response = generator.standard_normal(len(times)) * 10 ** (-3 * times / decay)
+    blur = int(generator.uniform(*DARKENING))
+    response = np.convolve(response, np.ones(blur) / blur, "same")
+    response[: int(generator.uniform(0.001, 0.012) * SAMPLE_RATE)] = 0
+    response *= 10 ** (-generator.uniform(*DIRECT) / 20) / np.sqrt(np.sum(response**2))
+    response[0] += 1
+    n = next_fast_len(len(samples) + len(response))
+    heard: Sound = irfft(rfft(samples, n) * rfft(response, n), n)[: len(samples)].astype(np.float32)
+    return heard

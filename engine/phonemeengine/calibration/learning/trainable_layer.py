@@ -1,0 +1,108 @@
+"""One layer of the network while it is trained: forward with memory, and back with gradients.
+
+Between the weighted sum and the rectifier the sums are normalised over the batch (S. Ioffe and C. Szegedy, "Batch
+Normalization", arXiv:1502.03167); afterwards that is a factor of the weights, so `phonemeengine.recognition.network` needs
+none of it. Inputs are dropped at random (N. Srivastava et al., JMLR 15, 2014).
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.recognition.network import TAPS, Layer
+
+Block = NDArray[np.float32]
+
+MEMORY = 0.99
+"""How much of the running means stays with each batch."""
+LEAST_VARIANCE = 1e-5
+
+
+class TrainedLayer:
+    """A layer under training.
+
+    Parameters
+    ----------
+    n_in, n_out : channels.
+    dilation : frames from one tap to the next.
+    adds : whether it adds what it finds to what came in.
+    dropout : share of the inputs that is dropped.
+    generator : of the first weights, and of what is dropped.
+
+    Attributes
+    ----------
+    values : the arrays that are learned, by name.
+    gradients : their gradients after `back`, by the same names.
+    mean, variance : running statistics of the sums, shape (n_out,).
+    """
+
+    def __init__(
+        self, n_in: int, n_out: int, dilation: int, *, adds: bool, dropout: float, generator: np.random.Generator
+    ) -> None:
+        spread = np.sqrt(2 / (TAPS * n_in))  # K. He et al., arXiv:1502.01852
+        self.values = {
+            "weights": generator.normal(0, spread, (TAPS * n_in, n_out)).astype(np.float32),
+            "scale": np.full(n_out, 0.5 if adds else 1.0, np.float32),
+            "shift": np.zeros(n_out, np.float32),
+        }
+        self.gradients: dict[str, Block] = {}
+        self.mean, self.variance = np.zeros(n_out, np.float32), np.ones(n_out, np.float32)
+        self.dilation = dilation
+        self._adds = adds
+        self._dropout = dropout
+        self._generator = generator
+
+    def forward(self, block: Block) -> Block:
+        """Take a batch, shape (n_batch, n_frames, n_in), and remember what `back` needs."""
+        n_batch, n_frames, n_in = block.shape
+        self._kept = self._keep(block.shape)
+        heard = block if self._kept is None else block * self._kept
+        padded = np.zeros((n_batch, n_frames + (TAPS - 1) * self.dilation, n_in), np.float32)
+        padded[:, (TAPS - 1) * self.dilation :] = heard
+        starts = [k * self.dilation for k in range(TAPS)]
+        self._taps = np.concatenate([padded[:, s : s + n_frames] for s in starts], axis=2).reshape(-1, TAPS * n_in)
+        sums = self._taps @ self.values["weights"]
+        mean, variance = sums.mean(axis=0), sums.var(axis=0)
+        self.mean += (1 - MEMORY) * (mean - self.mean)
+        self.variance += (1 - MEMORY) * (variance - self.variance)
+        self._spread = np.sqrt(variance + LEAST_VARIANCE)
+        self._normal = (sums - mean) / self._spread
+        found = np.maximum(self._normal * self.values["scale"] + self.values["shift"], 0)
+        self._fires = found > 0
+        out: Block = found.reshape(n_batch, n_frames, -1)
+        if self._adds:
+            out += block
+        return out
+
+    def back(self, gradient: Block) -> Block:
+        """Take the gradient of what `forward` gave, set `gradients`, and give the gradient of what it took."""
+        n_batch, n_frames, n_out = gradient.shape
+        shifted = gradient.reshape(-1, n_out) * self._fires
+        self.gradients["scale"] = (shifted * self._normal).sum(axis=0)
+        self.gradients["shift"] = shifted.sum(axis=0)
+        normal = shifted * self.values["scale"]
+        normal -= normal.mean(axis=0) + self._normal * (normal * self._normal).mean(axis=0)
+        sums = normal / self._spread
+        self.gradients["weights"] = self._taps.T @ sums
+        taps = (sums @ self.values["weights"].T).reshape(n_batch, n_frames, TAPS, -1)
+        block: Block = taps[:, :, TAPS - 1].copy()
+        for k in range(TAPS - 1):
+            lag = (TAPS - 1 - k) * self.dilation
+            block[:, : n_frames - lag] += taps[:, lag:, k]
+        if self._kept is not None:
+            block *= self._kept
+        if self._adds:
+            block += gradient
+        return block
+
+    def finished(self) -> Layer:
+        """Give the layer as it is used: the normalisation is part of its weights."""
+        factor = self.values["scale"] / np.sqrt(self.variance + LEAST_VARIANCE)
+        bias = self.values["shift"] - self.mean * factor
+        return Layer(self.values["weights"] * factor, bias, self.dilation)
+
+    def _keep(self, shape: tuple[int, ...]) -> Block | None:
+        """Choose what is not dropped, scaled so that the mean stays."""
+        if not self._dropout:
+            return None
+        kept = self._generator.random(shape, np.float32) >= self._dropout
+        return kept.astype(np.float32) / np.float32(1 - self._dropout)

@@ -1,0 +1,126 @@
+"""What a network is trained on: mel powers of recordings, several variations of each, with their labels."""
+
+import os
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.labels.label import Label
+from phonemeengine.calibration.learning.augment_waveform import Variation, drawn_variation, varied
+from phonemeengine.calibration.scores.corpus import Utterance, frame_labels_of
+from phonemeengine.dsp.framing import Framer
+from phonemeengine.dsp.log_mel import FLOOR, bank_of, mel_powers_of
+from phonemeengine.errors import EngineError
+
+BLOCK = 1 << 16
+TOGETHER = 512
+"""Frames that are measured at once."""
+
+CERTAINTIES = {"core": 1.0, "affricate": 1.0, "diphthong": 0.7, "ambiguous": 0.6}
+"""How much a frame counts by the certainty of its label; what is not listed counts for nothing."""
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """One variation of one recording.
+
+    Attributes
+    ----------
+    log_powers : float16, shape (n_frames, 40): base-10 logarithms of the mel powers.
+    phonemes : uint8, shape (n_frames,): codes of `Phoneme`.
+    certainties : float16, shape (n_frames,): how much each frame counts, 0..1.
+    """
+
+    log_powers: NDArray[np.float16]
+    phonemes: NDArray[np.uint8]
+    certainties: NDArray[np.float16]
+
+    def __len__(self) -> int:
+        return len(self.phonemes)
+
+
+def lessons_of(utterances: Sequence[Utterance], n_variations: int, seed: int) -> Iterator[tuple[Lesson, ...]]:
+    """Make the lessons of all utterances: each as it is, and `n_variations` others; in as many processes as cores.
+
+    Raises
+    ------
+    EngineError : a sound cannot be read.
+    """
+    with ProcessPoolExecutor(os.cpu_count()) as pool:
+        tasks = [(utterance, n_variations, seed) for utterance in utterances]
+        for made in pool.map(_lessons, tasks, chunksize=8):
+            if isinstance(made, EngineError):
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise made
+            yield made
+
+
+def lesson_of_recording(utterance: Utterance) -> Lesson:
+    """Measure a labelled recording as it is.
+
+    Raises
+    ------
+    AudioError : the sound cannot be read.
+    """
+    return lesson_of(_sound_of(utterance), utterance.labels)
+
+
+def lesson_of(samples: NDArray[np.float32], labels: tuple[Label, ...], warp: float = 1.0) -> Lesson:
+    """Measure a sound (float32, shape (n,), 44.1 kHz) that is labelled."""
+    bank = _bank(warp)
+    parts = [np.log10(mel_powers_of(block, bank) + np.float32(FLOOR)) for block in _windows_of(samples)]
+    powers = np.concatenate(parts) if parts else np.zeros((0, bank.shape[1]), np.float32)
+    frames = frame_labels_of(labels) if labels else None
+    n = min(len(powers), len(frames.phonemes)) if frames is not None else 0
+    phonemes = frames.phonemes[:n] if frames is not None else np.zeros(0, np.uint8)
+    return Lesson(powers[:n].astype(np.float16), phonemes, _certainties_of(labels, n))
+
+
+def _lessons(task: tuple[Utterance, int, int]) -> tuple[Lesson, ...] | EngineError:
+    """Make the lessons of one utterance; an error travels back as a value, since it must survive the way."""
+    utterance, n_variations, seed = task
+    generator = np.random.default_rng([seed, *utterance.path.name.encode()])
+    try:
+        samples = _sound_of(utterance)
+    except EngineError as error:
+        return EngineError(str(error))
+    variations = [Variation(), *(drawn_variation(generator) for _ in range(n_variations))]
+    return tuple(_varied_lesson(samples, utterance.labels, v, generator) for v in variations)
+
+
+def _sound_of(utterance: Utterance) -> NDArray[np.float32]:
+    with utterance.opened() as reader:
+        return np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])
+
+
+def _varied_lesson(
+    samples: NDArray[np.float32], labels: tuple[Label, ...], variation: Variation, generator: np.random.Generator
+) -> Lesson:
+    moved = tuple(
+        replace(label, start=label.start / variation.rate, end=label.end / variation.rate) for label in labels
+    )
+    return lesson_of(varied(samples, variation, generator), moved, round(variation.warp, 2))
+
+
+def _certainties_of(labels: tuple[Label, ...], n: int) -> NDArray[np.float16]:
+    times = (np.arange(n) + 0.5) * 0.01
+    certainties = np.zeros(n, np.float16)
+    for label in labels:
+        certainties[(times >= label.start) & (times < label.end)] = CERTAINTIES.get(label.certainty, 0.0)
+    return certainties
+
+
+def _windows_of(samples: NDArray[np.float32]) -> Iterator[NDArray[np.float32]]:
+    framer = Framer()
+    for windows in (framer.push(samples), framer.finish()):
+        for k in range(0, len(windows), TOGETHER):
+            yield windows[k : k + TOGETHER]
+
+
+@lru_cache(maxsize=64)
+def _bank(warp: float) -> NDArray[np.float32]:
+    return bank_of(warp)

@@ -1,0 +1,52 @@
+"""How well a model does on speakers that it was not trained on."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.learning.example_cache import Voice
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.evaluation import Answers, answers_to
+from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.model import Model
+from phonemeengine.recognition.smoothing import UNREPLACED
+from phonemeengine.settings import AnalysisSettings
+
+SETTINGS = AnalysisSettings(look_ahead=0.05, minimum_hold=0.01, hysteresis=0.1)
+"""How a trained model is used, and so how it is validated."""
+N_ANCHORS, N_FRAMES = 32, 150
+"""Anchors, and frames of each."""
+
+
+def folds_of(names: Sequence[str], n_folds: int) -> list[set[str]]:
+    """Deal the speakers into groups, the kinds evenly: names that begin alike lie in different ones."""
+    ordered = sorted(names)
+    return [set(ordered[k::n_folds]) for k in range(n_folds)]
+
+
+def answers_of(model: Model, utterances: Iterable[Utterance]) -> list[Answers]:
+    """Recognise recordings as a user's program does.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    """
+    preset = Preset(recogniser="learned", model=model, settings=SETTINGS, successors=UNREPLACED)
+    return [answers_to(utterance, preset) for utterance in utterances]
+
+
+def anchors_of(voices: Sequence[Voice], seed: int) -> NDArray[np.float32]:
+    """Draw stretches of the speech, shape (n, n_frames, 40): of voices that count more, more often."""
+    generator = np.random.default_rng(seed)
+    long = [[r[0] for r in voice.recordings if len(r[0]) >= N_FRAMES] for voice in voices]
+    weights = np.array([voice.weight * bool(some) for voice, some in zip(voices, long, strict=True)])
+    if not weights.any():
+        return np.zeros((0, N_FRAMES, N_BANDS), np.float32)
+    found = []
+    for k in generator.choice(len(voices), N_ANCHORS, p=weights / weights.sum()):
+        lesson = long[k][generator.integers(len(long[k]))]
+        first = int(generator.integers(len(lesson) - N_FRAMES + 1))
+        found.append(np.asarray(lesson.log_powers[first : first + N_FRAMES], np.float32))
+    return np.stack(found)

@@ -1,0 +1,181 @@
+"""Noise that is added to labelled recordings, to see how much of a recognition is lost in it."""
+
+import math
+import zlib
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.scores.corpus import Utterance, frame_labels_of
+from phonemeengine.errors import AudioError, CorpusError, SettingsError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import HOP, SAMPLE_RATE
+
+Block = NDArray[np.float32]
+
+LOOP = 12 * SAMPLE_RATE
+"""Samples after which a noise begins again, without a seam."""
+LOWEST_HEARD = 20.0
+"""Pink noise, whose power would grow without end towards 0 Hz, begins here, Hz."""
+VOICES = 8
+"""Voices that babble at most."""
+POOL = 24
+"""Recordings that are kept for the babble at most."""
+LOWEST_SNR, HIGHEST_SNR = -30.0, 80.0
+"""Ratios of speech to noise that are accepted, dB."""
+SPEECH_BLOCK = 512 * HOP
+"""Samples of which the level is measured at once."""
+
+
+class NoiseKind(StrEnum):
+    """What noise it is: equal power per hertz, equal power per octave, or others who speak at once."""
+
+    WHITE = "white"
+    PINK = "pink"
+    BABBLE = "babble"
+
+
+@dataclass(frozen=True)
+class Noise:
+    """A noise at a level.
+
+    Attributes
+    ----------
+    kind : what noise.
+    snr : by how much the stretches labelled as speech are above it, mean power to mean power, -30..80 dB.
+    seed : of what is drawn at random, 0 or more.
+
+    Raises
+    ------
+    SettingsError : a value lies outside its range.
+    """
+
+    kind: NoiseKind
+    snr: float
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        if not LOWEST_SNR <= self.snr <= HIGHEST_SNR:
+            raise SettingsError(
+                f"speech must be {LOWEST_SNR:g}..{HIGHEST_SNR:g} dB above the noise, got {self.snr:g} dB"
+            )
+        if self.seed < 0:
+            raise SettingsError(f"the noise's seed must be 0 or more, got {self.seed}")
+
+
+class NoiseAdder:
+    """Adds noise to recordings; the same recording always gets the same, whatever else is heard.
+
+    Parameters
+    ----------
+    noise : what is added.
+    utterances : the corpus, whose other speakers babble.
+    """
+
+    def __init__(self, noise: Noise, utterances: Sequence[Utterance]) -> None:
+        self.noise = noise
+        if noise.kind is NoiseKind.BABBLE:
+            self._pool = _pool_of(utterances, noise.seed)
+            self._period: Callable[[str], Block] = lru_cache(maxsize=4)(self._babble_around)
+        else:
+            loop = _loop(noise.kind, noise.seed)
+            self._period = lambda _speaker: loop
+
+    def blocks(self, utterance: Utterance, n: int) -> Iterator[Block]:
+        """Give a recording with the noise in it, in blocks of at most `n` samples at 44.1 kHz.
+
+        Where nothing is labelled as speech, or the speech is digital silence, no noise is added.
+
+        Raises
+        ------
+        AudioError : the sound cannot be read.
+        CorpusError : babble is asked for, and nobody else speaks.
+        """
+        period = self._period(utterance.speaker)
+        gain = speech_level_of(utterance) * 10 ** (-self.noise.snr / 20)
+        name = f"{utterance.voice}/{utterance.path.name}"
+        place = int(np.random.default_rng([self.noise.seed, zlib.crc32(name.encode())]).integers(LOOP))
+        with utterance.opened() as reader:
+            for block in reader.blocks(n):
+                at = np.arange(place, place + len(block)) % LOOP
+                yield block + np.float32(gain) * period[at]
+                place += len(block)
+
+    def _babble_around(self, speaker: str) -> Block:
+        """Let those speak at once who are not this speaker; RMS 1."""
+        others = [sound for who, sound in self._pool if who != speaker][:VOICES]
+        if not others:
+            raise CorpusError(
+                f"babble is made of the corpus's other speakers, and there is none but {speaker}; add one, or choose "
+                "white or pink noise"
+            )
+        generator = np.random.default_rng([self.noise.seed, zlib.crc32(speaker.encode())])
+        babble = sum(np.roll(sound, int(generator.integers(LOOP))) for sound in others)
+        return _of_level_one(np.asarray(babble))
+
+
+def speech_level_of(utterance: Utterance) -> float:
+    """Give the RMS of those stretches of a recording that are labelled as speech, 0 where there is none.
+
+    Raises
+    ------
+    AudioError : the sound cannot be read.
+    """
+    spoken = frame_labels_of(utterance.labels).phonemes != Phoneme.SILENCE
+    power, n, frame = 0.0, 0, 0
+    with utterance.opened() as reader:
+        for block in reader.blocks(SPEECH_BLOCK):
+            is_speech = np.repeat(spoken[frame : frame + len(block) // HOP + 1], HOP)[: len(block)]
+            heard = block[: len(is_speech)][is_speech]
+            power += float(np.sum(heard.astype(float) ** 2))
+            n += len(heard)
+            frame += SPEECH_BLOCK // HOP
+    return math.sqrt(power / n) if n else 0.0
+
+
+def _loop(kind: NoiseKind, seed: int) -> Block:
+    """Draw a period of Gaussian noise, RMS 1."""
+    drawn = np.random.default_rng(seed).standard_normal(LOOP)
+    spectrum = np.fft.rfft(drawn)
+    spectrum[0] = 0.0
+    if kind is NoiseKind.PINK:
+        frequencies = np.fft.rfftfreq(LOOP, 1 / SAMPLE_RATE)
+        spectrum[frequencies < LOWEST_HEARD] = 0.0
+        spectrum[1:] /= np.sqrt(frequencies[1:])
+    return _of_level_one(np.fft.irfft(spectrum, LOOP))
+
+
+def _pool_of(utterances: Sequence[Utterance], seed: int) -> list[tuple[str, Block]]:
+    """Choose voices in turn from all speakers; each repeats itself where it is short."""
+    generator = np.random.default_rng(seed)
+    by_speaker: dict[str, list[Utterance]] = {}
+    for k in generator.permutation(len(utterances)):
+        by_speaker.setdefault(utterances[k].speaker, []).append(utterances[k])
+    rounds = max((len(theirs) for theirs in by_speaker.values()), default=0)
+    in_turn = [theirs[k] for k in range(rounds) for theirs in by_speaker.values() if k < len(theirs)]
+    pool = []
+    for utterance in in_turn:
+        sound = _voice_of(utterance)
+        if sound is not None:
+            pool.append((utterance.speaker, sound))
+        if len(pool) == POOL:
+            break
+    return pool
+
+
+def _voice_of(utterance: Utterance) -> Block | None:
+    """Give a recording as a period of noise, or None where it is silent or cannot be read: its scorer tells that."""
+    try:
+        with utterance.opened() as reader:
+            block = next(reader.blocks(LOOP), np.zeros(0, np.float32))
+    except AudioError:
+        return None
+    return _of_level_one(np.resize(block, LOOP)) if np.any(block) else None
+
+
+def _of_level_one(sound: NDArray[np.float64] | Block) -> Block:
+    return np.asarray(sound / np.sqrt(np.mean(sound.astype(float) ** 2)), np.float32)

@@ -1,0 +1,144 @@
+"""Two presets on the same recordings: what each gets right that the other misses."""
+
+import heapq
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.evaluation import Answers, CorpusScores
+from phonemeengine.calibration.scores.scoring import N_CODES, TEN, Counts
+from phonemeengine.errors import CorpusError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
+
+MOST_STRETCHES = 20
+"""Stretches that are told of each preset."""
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A stretch of one label in which one preset is right and the other always gives the same wrong answer.
+
+    Attributes
+    ----------
+    utterance : the recording.
+    start, end : seconds.
+    label : what was said, and what the preset that is right answered.
+    wrong : what the other one answered.
+    """
+
+    utterance: Utterance
+    start: float
+    end: float
+    label: Phoneme
+    wrong: Phoneme
+
+
+@dataclass(frozen=True)
+class Difference:
+    """How two presets differ in one recording, counted in frames that are labelled as one of the ten classes.
+
+    Attributes
+    ----------
+    utterance : the recording.
+    n_frames : frames that count.
+    n_both, n_one, n_other : how many both get right, only the first, and only the second.
+    """
+
+    utterance: Utterance
+    n_frames: int
+    n_both: int
+    n_one: int
+    n_other: int
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What two presets get right.
+
+    Attributes
+    ----------
+    one, other : the presets' scores.
+    both, only_one, only_other, neither : int64, shape (11,): frames that they get right, by the label's code.
+    differences : those of all recordings, the greatest first.
+    stretches_one, stretches_other : what only the first gets right, and only the second: the longest of the ten
+        classes, the longest first.
+    """
+
+    one: CorpusScores
+    other: CorpusScores
+    both: Counts
+    only_one: Counts
+    only_other: Counts
+    neither: Counts
+    differences: tuple[Difference, ...]
+    stretches_one: tuple[Stretch, ...]
+    stretches_other: tuple[Stretch, ...]
+
+
+def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_STRETCHES) -> Comparison:
+    """Compare two presets on the same recordings; `most` stretches are told of each.
+
+    Raises
+    ------
+    CorpusError : they were not scored on the same recordings.
+    """
+    if [_key(a) for a in one.answers] != [_key(a) for a in other.answers]:
+        raise CorpusError(
+            f"{one.preset.name} and {other.preset.name} were not scored on the same recordings; score them together"
+        )
+    pairs = list(zip(one.answers, other.answers, strict=True))
+    truth = np.concatenate([a.labels.phonemes for a in one.answers])
+    first, second = (np.concatenate([a.right for a in scores.answers]) for scores in (one, other))
+    differences = sorted((_difference(a, b) for a, b in pairs), key=lambda d: -abs(d.n_one - d.n_other))
+    return Comparison(
+        one=one,
+        other=other,
+        both=_counted(truth[first & second]),
+        only_one=_counted(truth[first & ~second]),
+        only_other=_counted(truth[second & ~first]),
+        neither=_counted(truth[~first & ~second]),
+        differences=tuple(differences),
+        stretches_one=_longest((s for a, b in pairs for s in _stretches(a, b)), most),
+        stretches_other=_longest((s for a, b in pairs for s in _stretches(b, a)), most),
+    )
+
+
+def _key(answers: Answers) -> object:
+    return answers.utterance.path, len(answers.phonemes)
+
+
+def _counted(codes: NDArray[np.uint8]) -> Counts:
+    return np.bincount(codes, minlength=N_CODES)
+
+
+def _difference(one: Answers, other: Answers) -> Difference:
+    counts = np.isin(one.labels.phonemes, TEN)
+    first, second = one.right[counts], other.right[counts]
+    return Difference(
+        utterance=one.utterance,
+        n_frames=len(first),
+        n_both=int(np.sum(first & second)),
+        n_one=int(np.sum(first & ~second)),
+        n_other=int(np.sum(second & ~first)),
+    )
+
+
+def _stretches(right: Answers, wrong: Answers) -> Iterator[Stretch]:
+    """Give the stretches of the ten classes in which the first is right and the second is not."""
+    truth = right.labels.phonemes
+    gained = right.right & ~wrong.right & np.isin(truth, TEN)
+    kinds = np.where(gained, truth.astype(int) * N_CODES + wrong.phonemes + 1, 0)
+    borders = np.flatnonzero(np.diff(kinds, prepend=0, append=0))
+    for first, last in zip(borders[:-1].tolist(), borders[1:].tolist(), strict=True):
+        if kinds[first]:
+            label, answer = divmod(int(kinds[first]) - 1, N_CODES)
+            start, end = first * FRAME_PERIOD, last * FRAME_PERIOD
+            yield Stretch(right.utterance, start, end, Phoneme(label), Phoneme(answer))
+
+
+def _longest(stretches: Iterator[Stretch], most: int) -> tuple[Stretch, ...]:
+    return tuple(heapq.nlargest(most, stretches, key=lambda s: round((s.end - s.start) / FRAME_PERIOD)))

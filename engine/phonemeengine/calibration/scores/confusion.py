@@ -1,0 +1,136 @@
+"""What is taken for what, over all frames of all recordings."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.scores.corpus import FrameLabels
+from phonemeengine.calibration.scores.scoring import TEN, Codes, Counts, Scores, confusion_of, macro_f1_of, scores_of
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A stretch of a recording.
+
+    Attributes
+    ----------
+    recording : number of the recording, from 0.
+    start, end : seconds.
+    """
+
+    recording: int
+    start: float
+    end: float
+
+
+@dataclass(frozen=True, eq=False)
+class Confusion:
+    """The answers to labelled recordings beside the labels, and how often which is taken for which.
+
+    Attributes
+    ----------
+    counts : int64, shape (11, 11): frames by label (row) and answer (column), both by the code of `Phoneme`.
+    labels : what was said in all recordings, one after the other.
+    answers : uint8, shape (n_frames,): what was recognised, after the statistics.
+    edges : shape (n_recordings + 1,): the first frame of each recording, and the number of all frames.
+    """
+
+    counts: Counts
+    labels: FrameLabels
+    answers: Codes
+    edges: NDArray[np.intp]
+
+    @property
+    def accuracy(self) -> float:
+        """Share of right answers on frames labelled as one of the ten classes; NaN where there is none."""
+        known = self.counts[list(TEN)]
+        n = known.sum()
+        return float(known[:, list(TEN)].trace() / n) if n else float("nan")
+
+    @property
+    def macro_f1(self) -> float:
+        """Mean F1 of those of the ten classes that the labels hold; NaN where they hold none."""
+        return float(macro_f1_of(self._known, TEN))
+
+    def f1_of(self, phoneme: Phoneme) -> float:
+        """Give the F1 of one class; NaN where it is not labelled, or is none of the ten."""
+        return float(macro_f1_of(self._known, (phoneme,)))
+
+    @property
+    def changes_per_s(self) -> float:
+        """Changes of the answer in a second; NaN where nothing was heard."""
+        return self._changes_per_s(self.answers)
+
+    @property
+    def label_changes_per_s(self) -> float:
+        """Changes of the label in a second; NaN where nothing was heard."""
+        return self._changes_per_s(self.labels.phonemes)
+
+    @property
+    def n_recordings(self) -> int:
+        """How many recordings there are."""
+        return len(self.edges) - 1
+
+    def line(self, recording: int) -> Codes:
+        """Give the answers in one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
+        return self.answers[self._frames_of(recording)]
+
+    def label_line(self, recording: int) -> Codes:
+        """Give the labels of one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
+        return self.labels.phonemes[self._frames_of(recording)]
+
+    def scores(self, recordings: tuple[int, ...] | None = None) -> Scores:
+        """Give all figures of agreement, of all recordings or of some; NaN where there is nothing to count."""
+        chosen = range(self.n_recordings) if recordings is None else recordings
+        spans = [self._frames_of(k) for k in chosen]
+        return scores_of(
+            (FrameLabels(self.labels.phonemes[s], self.labels.certain[s]), self.answers[s]) for s in spans
+        )
+
+    def frames_in(self, truth: Phoneme, answer: Phoneme) -> tuple[Passage, ...]:
+        """Give where what was labelled `truth` was recognised as `answer`: the frames of a cell, in order."""
+        inside = (self.labels.phonemes == truth) & (self.answers == answer)
+        found = np.flatnonzero(inside)
+        first = self._is_first[found]
+        begins = found[~inside[found - 1] | first]
+        after = np.append(inside[1:], False)[found]
+        ends = found[~after | np.append(self._is_first[1:], True)[found]] + 1
+        recordings = np.searchsorted(self.edges, begins, side="right") - 1
+        offsets = self.edges[recordings]
+        return tuple(
+            Passage(recording, start * FRAME_PERIOD, end * FRAME_PERIOD)
+            for recording, start, end in zip(
+                recordings.tolist(), (begins - offsets).tolist(), (ends - offsets).tolist(), strict=True
+            )
+        )
+
+    @cached_property
+    def _known(self) -> Counts:
+        """What counts for figures: frames labelled as one of the ten classes."""
+        known = self.counts.copy()
+        known[Phoneme.UNIDENTIFIED] = 0
+        return known
+
+    @cached_property
+    def _is_first(self) -> NDArray[np.bool_]:
+        first = np.zeros(len(self.answers), bool)
+        first[self.edges[:-1][self.edges[:-1] < len(first)]] = True
+        return first
+
+    def _frames_of(self, recording: int) -> slice:
+        return slice(int(self.edges[recording]), int(self.edges[recording + 1]))
+
+    def _changes_per_s(self, codes: Codes) -> float:
+        if not len(codes):
+            return float("nan")
+        changes = np.count_nonzero((codes[1:] != codes[:-1]) & ~self._is_first[1:])
+        return float(changes / (len(codes) * FRAME_PERIOD))
+
+
+def confusion_between(labels: FrameLabels, answers: Codes, edges: NDArray[np.intp]) -> Confusion:
+    """Count answers against labels; the parameters are the attributes of `Confusion`."""
+    return Confusion(confusion_of(labels.phonemes, answers), labels, answers, edges)

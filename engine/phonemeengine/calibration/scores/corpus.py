@@ -1,0 +1,237 @@
+"""Labelled recordings: sounds with label files, in a folder with a manifest or side by side.
+
+``manifest.csv`` has a row per utterance with at least the columns corpus, speaker, wav and labels (paths relative
+to the folder). A label file of the corpus format has the columns start_s, end_s, phone, class and certainty.
+"""
+
+import os
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.files import SUFFIXES, SoundReader
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_marks
+from phonemeengine.labels.label import CORE, Label, Mark
+from phonemeengine.labels.phoneme_map import Mapping, labels_named
+from phonemeengine.labels.table import rows_of
+from phonemeengine.labels.text_io import read_text
+from phonemeengine.calibration.takes.take_list import LIST
+from phonemeengine.errors import AudioError, CorpusError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD, Channel
+
+__all__ = [
+    "FrameLabels",
+    "Label",
+    "Utterance",
+    "frame_labels_of",
+    "read_corpus",
+    "read_labels",
+    "read_recordings",
+]
+
+PassedOver = Callable[[AudioError], None]
+"""What is told of a sound that cannot be read."""
+
+MANIFEST = "manifest.csv"
+MANIFEST_COLUMNS = ("corpus", "speaker", "wav", "labels")
+
+
+@dataclass(frozen=True)
+class Utterance:
+    """One labelled recording.
+
+    Attributes
+    ----------
+    path : the sound file.
+    labels : what was said, in order of time.
+    speaker, corpus : who said it, and the part of the corpus it belongs to.
+    channel : what is analysed of a sound that has several.
+    cut_off : what the sound's file lacks, as a sentence; empty where it is whole.
+    """
+
+    path: Path
+    labels: tuple[Label, ...]
+    speaker: str
+    corpus: str
+    channel: Channel = Channel.MIX
+    cut_off: str = ""
+
+    @property
+    def voice(self) -> str:
+        """Who says it, as corpus/speaker."""
+        return f"{self.corpus}/{self.speaker}"
+
+    def opened(self) -> SoundReader:
+        """Open its sound.
+
+        Raises
+        ------
+        AudioError : it cannot be read.
+        """
+        return SoundReader(self.path, self.channel)
+
+
+@dataclass(frozen=True)
+class FrameLabels:
+    """The labels of an utterance at the middles of its frames.
+
+    Attributes
+    ----------
+    phonemes : uint8, shape (n_frames,): codes of `Phoneme`.
+    certain : bool, shape (n_frames,): whether the label is a core one.
+    """
+
+    phonemes: NDArray[np.uint8]
+    certain: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """A sound, its label file, whose they are, and the channel that counts."""
+
+    sound: Path
+    labels: Path
+    speaker: str
+    corpus: str
+    channel: Channel
+
+
+def read_corpus(
+    folder: Path, mapping: Mapping | None = None, *, channel: Channel = Channel.MIX,
+    passed_over: PassedOver | None = None,
+) -> tuple[Utterance, ...]:  # fmt: skip
+    """Read the manifest and all label files of a folder; of the sounds only their lengths.
+
+    `channel` is what will be analysed of sounds that have several. `passed_over` is told of each sound that cannot be
+    read, which is then left out; None refuses it.
+
+    Raises
+    ------
+    UnknownPhonemes : names in the label files stand for no phoneme; it holds those of all files.
+    CorpusError : a file is missing or says something impossible; names the file, the line and what was found.
+    AudioError : a sound is missing or cannot be read.
+    """
+    rows = rows_of(read_text(folder / MANIFEST), MANIFEST_COLUMNS, MANIFEST)
+    pairs = (
+        _Pair(folder / row["wav"], folder / row["labels"], row["speaker"], row["corpus"], channel) for _, row in rows
+    )
+    return _utterances_of(pairs, mapping or Mapping(), folder.name or str(folder), passed_over=passed_over)
+
+
+def read_recordings(
+    source: Path,
+    mapping: Mapping | None = None,
+    *,
+    speaker: str | None = None,
+    tier: str | None = None,
+    channel: Channel = Channel.MIX,
+    passed_over: PassedOver | None = None,
+) -> tuple[Utterance, ...]:
+    """Read labelled recordings wherever they are.
+
+    Parameters
+    ----------
+    source : a folder with a manifest, or one in which, however deep, sounds lie beside label files of the same name
+        (.TextGrid, .csv, .txt; of takes, the .csv counts), or one sound with its label file.
+    mapping : what names stand for that nobody knows.
+    speaker : who speaks, unless a manifest says it; where it is None, the folder of the sound tells.
+    tier : of TextGrids; the first one whose names are phonemes, where it is None.
+    channel : what will be analysed of sounds that have several.
+    passed_over : told of each sound that cannot be read, which is then left out; None refuses it.
+
+    Raises
+    ------
+    UnknownPhonemes : names in the label files stand for no phoneme; it holds those of all files.
+    CorpusError : a label file says something impossible, or there is none.
+    AudioError : a sound is missing or cannot be read.
+    """
+    mapping = mapping or Mapping()
+    if (source / MANIFEST).is_file():
+        return read_corpus(source, mapping, channel=channel, passed_over=passed_over)
+    pairs = list(_pairs_beside(source, speaker, channel))
+    if not pairs:
+        fault = "there is no label file beside this sound" if source.is_file() else "no labelled sound was found here"
+        raise CorpusError(
+            f"{shown_name(source)}: {fault}; put a .TextGrid, .csv or .txt file of the same name beside each sound"
+        )
+    return _utterances_of(pairs, mapping, shown_name(source), tier, passed_over)
+
+
+def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
+    """Give the class and the certainty at the middle of every frame that begins before the last label ends.
+
+    A frame that no label covers counts as silence, not certain.
+    """
+    times = np.arange(FRAME_PERIOD / 2, labels[-1].end, FRAME_PERIOD)
+    phonemes = np.full(len(times), Phoneme.SILENCE, np.uint8)
+    certain = np.zeros(len(times), bool)
+    for label in labels:
+        first, last = np.searchsorted(times, (label.start, label.end))
+        phonemes[first:last] = label.phoneme
+        certain[first:last] = label.certainty == CORE
+    return FrameLabels(phonemes, certain)
+
+
+def _utterances_of(
+    pairs: Iterable[_Pair],
+    mapping: Mapping,
+    source: str,
+    tier: str | None = None,
+    passed_over: PassedOver | None = None,
+) -> tuple[Utterance, ...]:
+    """Read all label files before any name is given a meaning, so that all unknown ones are told at once."""
+    read = []
+    for pair in pairs:
+        try:
+            read.append((pair, *_marks_of(pair, mapping, tier)))
+        except AudioError as error:
+            if passed_over is None:
+                raise
+            passed_over(error)
+    names = sum((names_in(marks) for _, marks, _ in read), Counter())
+    senses = mapping.senses_of(names, source)
+    return tuple(
+        Utterance(pair.sound, labels_named(marks, senses), pair.speaker, pair.corpus, pair.channel, cut_off)
+        for pair, marks, cut_off in read
+    )
+
+
+def _marks_of(pair: _Pair, mapping: Mapping, tier: str | None) -> tuple[tuple[Mark, ...], str]:
+    """Read the marks of a sound, and what its file lacks."""
+    with SoundReader(pair.sound, pair.channel) as reader:
+        duration, cut_off = reader.duration, reader.cut_off
+    return read_marks(pair.labels, mapping, duration=duration, tier=tier), cut_off
+
+
+def _pairs_beside(source: Path, speaker: str | None, channel: Channel) -> Iterator[_Pair]:
+    deep = source.is_dir()
+    top = source if deep else source.parent
+    for sound, labels in _labelled_sounds_in(os.walk(top) if deep else islice(os.walk(top), 1)):
+        if deep or sound == source:
+            yield _Pair(sound, labels, speaker or sound.parent.absolute().name, top.absolute().name, channel)
+
+
+def _labelled_sounds_in(walk: Iterable[tuple[str, list[str], list[str]]]) -> Iterator[tuple[Path, Path]]:
+    """Give each sound that has a label file of the same name beside it, with that; hidden folders are passed over."""
+    for folder, folders, files in walk:
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        paths = [Path(folder, name) for name in sorted(files)]
+        labels = {(path.stem, path.suffix.lower()): path for path in paths}
+        suffixes = _suffixes_in(Path(folder))
+        for sound in paths:
+            if sound.suffix.lower() in SUFFIXES:
+                beside = [labels[sound.stem, suffix] for suffix in suffixes if (sound.stem, suffix) in labels]
+                yield from ((sound, found) for found in beside[:1])
+
+
+def _suffixes_in(folder: Path) -> tuple[str, ...]:
+    """Give the endings of label files, the one that counts first: beside a take, others are copies of the table."""
+    is_of_takes = (folder.absolute().parent.parent / LIST).is_file()
+    return tuple(sorted(LABEL_SUFFIXES, key=lambda suffix: suffix != ".csv")) if is_of_takes else LABEL_SUFFIXES

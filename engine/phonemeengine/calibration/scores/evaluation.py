@@ -1,0 +1,205 @@
+"""What a preset answers in labelled recordings, and how right that is: in all, by kind and by speaker."""
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.analyser import BLOCK, Analyser, analyses_of
+from phonemeengine.calibration.scores.added_noise import NoiseAdder
+from phonemeengine.calibration.scores.corpus import FrameLabels, PassedOver, Utterance, frame_labels_of
+from phonemeengine.calibration.scores.scoring import N_CODES, Codes, Counts, Scores, confusion_of, macro_f1_of, scores_of
+from phonemeengine.errors import AudioError, CorpusError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import FRAME_PERIOD, HOP
+
+HUMAN = "human"
+"""Parts of a corpus whose names begin so are one kind."""
+ROUNDING = 1e-9
+"""Frames by which a lag may be off because decimal fractions are."""
+
+
+@dataclass(frozen=True)
+class Answers:
+    """What was answered in one recording, frame by frame.
+
+    Attributes
+    ----------
+    utterance : the recording.
+    labels : what was said.
+    phonemes : uint8, shape (n_frames,): codes of `Phoneme`; silence where the sound has ended before its labels.
+    intensities : float32, shape (n_frames,): 0..1.
+    """
+
+    utterance: Utterance
+    labels: FrameLabels
+    phonemes: Codes
+    intensities: NDArray[np.float32]
+
+    @property
+    def pair(self) -> tuple[FrameLabels, Codes]:
+        """The labels and the answers, as `scores_of` wants them."""
+        return self.labels, self.phonemes
+
+    @property
+    def right(self) -> NDArray[np.bool_]:
+        """Where the answer is what the label says, shape (n_frames,)."""
+        return np.equal(self.phonemes, self.labels.phonemes)
+
+
+@dataclass(frozen=True)
+class GroupScores:
+    """How right the answers in some recordings are.
+
+    Attributes
+    ----------
+    scores : the figures.
+    confusion : int64, shape (11, 11): frames by label (row) and answer (column).
+    changes, label_changes : how often the answer, and the label, becomes another.
+    intensity : mean intensity of the frames labelled as speech, 0..1; NaN where there is none.
+    n_recordings : how many they are.
+    """
+
+    scores: Scores
+    confusion: Counts
+    changes: int
+    label_changes: int
+    intensity: float
+    n_recordings: int
+
+    def f1_of(self, phoneme: Phoneme) -> float:
+        """Give the F1 of one class; NaN where it is not labelled."""
+        return float(macro_f1_of(self.confusion, (phoneme,)))
+
+
+@dataclass(frozen=True)
+class CorpusScores:
+    """How right a preset is in a corpus.
+
+    Attributes
+    ----------
+    preset : what was recognised with.
+    look_ahead : frames for which its recogniser waits.
+    lag : by how much the answers were taken to come late, seconds.
+    answers : those to each recording.
+    overall : the figures of all.
+    by_kind, by_speaker : those of its parts, by name; parts whose names begin with "human" are one kind.
+    """
+
+    preset: Preset
+    look_ahead: int
+    lag: float
+    answers: tuple[Answers, ...]
+    overall: GroupScores
+    by_kind: Mapping[str, GroupScores]
+    by_speaker: Mapping[str, GroupScores]
+
+
+def score_corpus(
+    utterances: Iterable[Utterance],
+    preset: Preset,
+    *,
+    lag: float = 0.0,
+    noise: NoiseAdder | None = None,
+    passed_over: PassedOver | None = None,
+) -> CorpusScores:
+    """Recognise recordings with a preset, and compare the answers with the labels.
+
+    Parameters
+    ----------
+    utterances : the recordings; they are taken one by one, so that whoever gives them sees how far it is.
+    preset : what is recognised with.
+    lag : seconds by which the answers are taken to come late; what a recogniser looks ahead is no lag.
+    noise : what is added to each recording before it is analysed.
+    passed_over : told of each sound that cannot be read, which is then left out; None refuses it.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read, and `passed_over` is None.
+    CorpusError : there is nothing to score.
+    EngineError : the preset's recogniser cannot be used.
+    """
+    answers = []
+    for utterance in utterances:
+        try:
+            answers.append(answers_to(utterance, preset, lag=lag, noise=noise))
+        except AudioError as error:
+            if passed_over is None:
+                raise
+            passed_over(error)
+    if not any(len(heard.phonemes) for heard in answers):
+        raise CorpusError("there is no labelled sound that can be scored; name recordings that can be read")
+    return CorpusScores(
+        preset=preset,
+        look_ahead=Analyser(preset).recogniser.look_ahead,
+        lag=lag,
+        answers=tuple(answers),
+        overall=group_scores_of(answers),
+        by_kind=_by(lambda heard: kind_of(heard.utterance), answers),
+        by_speaker=_by(lambda heard: f"{kind_of(heard.utterance)}/{heard.utterance.speaker}", answers),
+    )
+
+
+def answers_to(utterance: Utterance, preset: Preset, *, lag: float = 0.0, noise: NoiseAdder | None = None) -> Answers:
+    """Recognise one recording; the parameters are those of `score_corpus`.
+
+    Raises
+    ------
+    AudioError : the sound cannot be read.
+    """
+    labels = frame_labels_of(utterance.labels)
+    with utterance.opened() as reader:
+        blocks = reader.blocks(BLOCK * HOP) if noise is None else noise.blocks(utterance, BLOCK * HOP)
+        found = [(a.phonemes, a.intensities) for a in analyses_of(blocks, preset)]
+        n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
+    phonemes, intensities = (np.concatenate(part)[:n_heard] for part in zip(*found, strict=True))
+    late, n = math.floor(lag / FRAME_PERIOD + 0.5 + ROUNDING), len(labels.phonemes)
+    return Answers(utterance, labels, _moved(phonemes, late, n), _moved(intensities, late, n))
+
+
+def group_scores_of(answers: Sequence[Answers]) -> GroupScores:
+    """Score some recordings together; at least one has a frame."""
+    pairs = [heard.pair for heard in answers]
+    spoken = np.concatenate(
+        [heard.intensities[heard.labels.phonemes != Phoneme.SILENCE] for heard in answers], dtype=float
+    )
+    return GroupScores(
+        scores=scores_of(pairs),
+        confusion=sum(
+            (confusion_of(labels.phonemes, guess) for labels, guess in pairs), np.zeros((N_CODES, N_CODES), np.int64)
+        ),
+        changes=sum(_changes(guess) for _, guess in pairs),
+        label_changes=sum(_changes(labels.phonemes) for labels, _ in pairs),
+        intensity=float(spoken.mean()) if len(spoken) else math.nan,
+        n_recordings=len(answers),
+    )
+
+
+def kind_of(utterance: Utterance) -> str:
+    """Give the kind of speech: the part of the corpus, or "human" for all parts whose names begin so."""
+    return HUMAN if utterance.corpus.startswith(HUMAN) else utterance.corpus
+
+
+def _by(name_of: Callable[[Answers], str], answers: Iterable[Answers]) -> dict[str, GroupScores]:
+    groups: dict[str, list[Answers]] = {}
+    for heard in answers:
+        if len(heard.phonemes):
+            groups.setdefault(name_of(heard), []).append(heard)
+    return {name: group_scores_of(groups[name]) for name in sorted(groups)}
+
+
+def _moved(values: NDArray[Any], late: int, n: int) -> NDArray[Any]:
+    """Give `n` values of which the first is number `late`, zero (silence) where there is none."""
+    moved = np.zeros(n, values.dtype)
+    first, last = max(0, late), min(len(values), late + n)
+    if last > first:
+        moved[first - late : last - late] = values[first:last]
+    return moved
+
+
+def _changes(codes: Codes) -> int:
+    return int(np.count_nonzero(codes[1:] != codes[:-1]))

@@ -1,0 +1,125 @@
+"""How well recognised phonemes agree with labels, frame by frame.
+
+Accuracy and F1 are averaged so that no figure hides a rare class: a macro F1 is the mean over those classes that
+the labels hold.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.scores.corpus import FrameLabels
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
+
+Codes = NDArray[np.uint8]
+Counts = NDArray[np.int64]
+
+N_CODES = len(Phoneme)
+TEN = tuple(p for p in Phoneme if p is not Phoneme.UNIDENTIFIED)
+"""The classes that are scored."""
+
+VOWELS = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U)
+
+_MOUTHS: tuple[tuple[Phoneme, ...], ...] = (
+    (Phoneme.SILENCE,),
+    (Phoneme.A,),
+    (Phoneme.E, Phoneme.I),
+    (Phoneme.O, Phoneme.U),
+    (Phoneme.M, Phoneme.P),
+    (Phoneme.SZ, Phoneme.SCH, Phoneme.UNIDENTIFIED),
+)
+MOUTH_CODES = np.array([next(k for k, shape in enumerate(_MOUTHS) if p in shape) for p in Phoneme], np.uint8)
+"""Which of six mouths (rest, open, wide, round, closed, slight) each phoneme has, by its code."""
+
+
+@dataclass(frozen=True)
+class Scores:
+    """Figures of agreement; NaN where the labels hold nothing to count.
+
+    Attributes
+    ----------
+    ten_acc, ten_f1 : accuracy and macro F1 over the ten classes, on frames labelled as one of them.
+    vowel5 : share of right answers on frames labelled as a clear a, e, i, o or u.
+    mouth_acc, mouth_f1 : accuracy and macro F1 over six mouths (silence apart from closed), on all frames.
+    silence_recall : share of silent frames called silence.
+    false_silence : share of spoken frames called silence.
+    changes_per_s, label_changes_per_s : changes of the phoneme in a second, recognised and labelled.
+    minutes : how much was scored.
+    """
+
+    ten_acc: float
+    ten_f1: float
+    vowel5: float
+    mouth_acc: float
+    mouth_f1: float
+    silence_recall: float
+    false_silence: float
+    changes_per_s: float
+    label_changes_per_s: float
+    minutes: float
+
+
+def scores_of(pairs: Iterable[tuple[FrameLabels, Codes]]) -> Scores:
+    """Score utterances: for each the labels and the recognised codes, shape (n_frames,).
+
+    A frame that was not recognised, at the end of a sound shorter than its labels, counts as silence.
+    """
+    parts = [(labels, _fitted(guess, len(labels.phonemes))) for labels, guess in pairs]
+    truth = np.concatenate([labels.phonemes for labels, _ in parts])
+    guess = np.concatenate([codes for _, codes in parts])
+    certain = np.concatenate([labels.certain for labels, _ in parts])
+    known, quiet = truth != Phoneme.UNIDENTIFIED, truth == Phoneme.SILENCE
+    right = truth == guess
+    mouths, guessed_mouths = MOUTH_CODES[truth], MOUTH_CODES[guess]
+    seconds = len(truth) * FRAME_PERIOD
+    return Scores(
+        ten_acc=_share(right[known]),
+        ten_f1=float(macro_f1_of(confusion_of(truth[known], guess[known]), TEN)),
+        vowel5=_share(right[np.isin(truth, VOWELS) & certain]),
+        mouth_acc=_share(mouths == guessed_mouths),
+        mouth_f1=float(macro_f1_of(confusion_of(mouths, guessed_mouths), range(len(_MOUTHS)))),
+        silence_recall=_share(guess[quiet] == Phoneme.SILENCE),
+        false_silence=_share(guess[~quiet] == Phoneme.SILENCE),
+        changes_per_s=sum(_changes(codes) for _, codes in parts) / seconds,
+        label_changes_per_s=sum(_changes(labels.phonemes) for labels, _ in parts) / seconds,
+        minutes=seconds / 60,
+    )
+
+
+def confusion_of(truth: Codes, guess: Codes) -> Counts:
+    """Count frames by label (row) and answer (column), shape (11, 11)."""
+    pairs = np.bincount(truth.astype(np.int64) * N_CODES + guess, minlength=N_CODES**2)
+    return pairs.reshape(N_CODES, N_CODES)
+
+
+def macro_f1_of(confusion: Counts, classes: Iterable[int]) -> NDArray[np.float64]:
+    """Give the mean F1 over those classes that the labels hold.
+
+    Parameters
+    ----------
+    confusion : shape (..., n, n), as from `confusion_of`; leading axes are kept.
+    classes : the codes that count; NaN comes where the labels hold none of them.
+    """
+    chosen = list(classes)
+    hits = np.diagonal(confusion, axis1=-2, axis2=-1)[..., chosen]
+    labelled = confusion.sum(axis=-1)[..., chosen]
+    totals = labelled + confusion.sum(axis=-2)[..., chosen]
+    f1 = np.where(labelled > 0, 2 * hits / np.maximum(totals, 1), 0)
+    n_present = (labelled > 0).sum(axis=-1)
+    return np.where(n_present > 0, f1.sum(axis=-1) / np.maximum(n_present, 1), np.nan)
+
+
+def _fitted(codes: Codes, n: int) -> Codes:
+    missing = max(0, n - len(codes))
+    return np.concatenate((codes[:n], np.full(missing, Phoneme.SILENCE, np.uint8)))
+
+
+def _share(hits: NDArray[np.bool_]) -> float:
+    return float(hits.mean()) if len(hits) else float("nan")
+
+
+def _changes(codes: Codes) -> int:
+    return int(np.count_nonzero(codes[1:] != codes[:-1]))

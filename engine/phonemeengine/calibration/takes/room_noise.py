@@ -1,0 +1,253 @@
+"""What a room sounds like while nobody speaks, and what tells it from speech, whatever recognises.
+
+The denoise threshold is set for every recogniser. Silence is told by the thresholds of the thesis rules; a preset
+with rules of its own gets one before them; the learned recogniser and templates get what `room_silence` finds.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.analyser import Analyser
+from phonemeengine.calibration.takes.room_silence import sensitivity_for, silence_level_for
+from phonemeengine.errors import TakeError
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Condition, Rule
+from phonemeengine.settings import FRAME_PERIOD, HOP, LIMITS, SAMPLE_RATE, WINDOW, Filter
+
+Sound = NDArray[np.float32]
+Values = NDArray[np.float64]
+
+LEAST_SECONDS = 1.0
+"""A measurement needs this much silence, seconds."""
+SHARE = 0.99
+"""Share of the room's frames that must stay below a threshold."""
+MARGIN = 1.5
+"""A threshold lies above what the room reaches by this factor: rooms are not equally loud all day."""
+LEAST_AMPLITUDE = 1e-5
+"""The least amplitude of a bin that a threshold names (-100 dB): a microphone that delivers zeros sets none."""
+SPREAD = 3.0
+"""How many standard deviations of resampling lie on each side of a value: with steady white noise, what a long
+measurement gives lies between in at least eight of ten cases of two seconds."""
+CONFIDENT = 1.96
+"""Standard deviations that hold 95 %."""
+N_RESAMPLES = 400
+CORRELATED = WINDOW // HOP + 1
+"""Frames whose windows overlap: they are drawn together, since they say nearly the same."""
+DISTURBED = 12.0
+"""Where the loudest 10 ms lie this much above the usual ones, the room was not silent, dB."""
+LOUDEST = -30.0
+"""What is as loud as this all the time is no silence, dB below full scale (RMS)."""
+SILENT = 1e-6
+"""Where all samples stay below this amplitude, a microphone delivers nothing (24 bits reach 1.2e-7)."""
+
+MEASURED = {
+    "denoise_threshold": "max_energy",
+    "silence_energy": "energy",
+    "silence_max_energy": "max_energy",
+    "silence_zero_crossings": "zero_crossings",
+}
+"""The variable of the room that sets each threshold; none of them changes with the denoise threshold."""
+
+
+@dataclass(frozen=True)
+class Bound:
+    """A threshold, and between which values a long measurement would most likely put it."""
+
+    value: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Sureness:
+    """How well a preset tells the room from speech; bounds are of a confidence of 95 %.
+
+    Attributes
+    ----------
+    room_silent : share of the room's frames that are called silence, 0..1.
+    speech_silent : share of the speech's frames that are; None where there was no speech.
+    """
+
+    room_silent: Bound
+    speech_silent: Bound | None
+
+    def __str__(self) -> str:
+        speech = self.speech_silent
+        lost = "" if speech is None else f", and {_in_words(speech)} of the speech in the takes"
+        return f"{_in_words(self.room_silent)} of the room is called silence{lost}"
+
+
+@dataclass(frozen=True)
+class RoomNoise:
+    """The noise of a room, as a preset's front end hears it.
+
+    Attributes
+    ----------
+    bounds : by name, denoise_threshold and the silence thresholds of the thesis rules.
+    level : RMS amplitude of the room.
+    seconds : how much was measured.
+    notes : what speaks against the measurement, a sentence each; mostly none.
+    samples : what was measured.
+    """
+
+    bounds: Mapping[str, Bound]
+    level: float
+    seconds: float
+    notes: tuple[str, ...]
+    samples: Sound = field(repr=False, compare=False)
+
+    def __str__(self) -> str:
+        return f"{20 * np.log10(max(self.level, SILENT)):.0f} dB, heard for {self.seconds:.1f} s"
+
+    def thresholds(self, preset: Preset, speech: Sound | None = None) -> Preset:
+        """Give the preset that takes the room for silence, otherwise the same.
+
+        Parameters
+        ----------
+        preset : with the front end that the room was measured with.
+        speech : takes of speech without pauses, one after the other, float32, shape (n,), 44.1 kHz; the learned
+            recogniser and templates go no further than it bears.
+        """
+        settings = replace(preset.settings, denoise_threshold=self.bounds["denoise_threshold"].value)
+        if preset.recogniser == "rules":
+            return replace(preset, settings=settings, rules=self._rules_of(preset))
+        settings = replace(settings, filters=settings.filters | {Filter.DENOISE})
+        preset = self._with_thresholds(replace(preset, settings=settings))
+        if preset.recogniser == "learned":
+            louder = sensitivity_for(self.samples, preset, speech)
+            return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: louder})
+        if preset.recogniser == "templates" and preset.templates is not None:
+            level = silence_level_for(self.samples, preset.templates.silence_below, speech)
+            return replace(preset, templates=replace(preset.templates, silence_below=level))
+        return preset
+
+    def sureness(self, preset: Preset, speech: Sound | None = None) -> Sureness:
+        """Say how well a preset tells the room from speech.
+
+        Parameters
+        ----------
+        preset : as from `thresholds`.
+        speech : as there.
+        """
+        of_speech = None if speech is None or len(speech) < WINDOW else _share_silent(speech, preset)
+        return Sureness(_share_silent(self.samples, preset), of_speech)
+
+    def _with_thresholds(self, preset: Preset) -> Preset:
+        """Set the silence of the thesis rules.
+
+        Where the preset denoises too weakly to clear the room's spectra, `silence_szsch1` rises to what is left
+        in them: no frame would be silence otherwise.
+        """
+        values = {name: bound.value for name, bound in self.bounds.items() if name != "denoise_threshold"}
+        preset = replace(preset, thresholds=replace(preset.thresholds, **values))
+        left = MARGIN * float(np.quantile(_features_of(self.samples, preset)["m_szsch1"], SHARE))
+        highest = max(preset.thresholds.silence_szsch1, left)
+        return replace(preset, thresholds=replace(preset.thresholds, silence_szsch1=highest))
+
+    def _rules_of(self, preset: Preset) -> tuple[Rule, ...]:
+        """Ask for the room before all other rules; what asked for another room before makes room for it."""
+        limits = {MEASURED[name]: bound.value for name, bound in self.bounds.items() if name in MEASURED}
+        conditions = tuple(Condition(variable, "<", limit=limit) for variable, limit in limits.items())
+        names = [c.variable for c in conditions]
+        known = preset.rules and [c.variable for c in preset.rules[0].conditions] == names
+        return (Rule(Phoneme.SILENCE, conditions), *(preset.rules[1:] if known else preset.rules))
+
+
+def measure_room(samples: Sound, preset: Preset) -> RoomNoise:
+    """Measure a room while nobody speaks, with the front end of a preset.
+
+    Parameters
+    ----------
+    samples : float32, shape (n,), 44.1 kHz, ±1: about two seconds of silence.
+    preset : whose front end listens.
+
+    Raises
+    ------
+    TakeError : it is shorter than a second, or holds NaN or infinity.
+    """
+    seconds = len(samples) / SAMPLE_RATE
+    if seconds < LEAST_SECONDS:
+        raise TakeError(
+            f"the room must be heard for {LEAST_SECONDS:g} s or more, got {seconds:.2f} s; keep quiet for two seconds"
+        )
+    if not np.isfinite(samples).all():
+        raise TakeError("the room's sound must be finite numbers, got NaN or infinity; record the silence again")
+    features = _features_of(samples, preset)
+    least = _least_thresholds(preset)
+    bounds = {name: _bound_of(features[variable], least[name]) for name, variable in MEASURED.items()}
+    highest = LIMITS["denoise_threshold"][1]
+    bounds["denoise_threshold"] = _capped(bounds["denoise_threshold"], highest)
+    level = float(np.sqrt(np.mean((samples - samples.mean(dtype=np.float64)) ** 2, dtype=np.float64)))
+    return RoomNoise(bounds, level, seconds, tuple(_notes(samples)), samples)
+
+
+def _bound_of(values: Sound, least: float) -> Bound:
+    """Give the quantile of a variable in the room with its margin, and how far resampling moves it.
+
+    Blocks of frames that overlap are drawn with replacement (moving-block bootstrap, Künsch 1989).
+    """
+    n_blocks = max(1, len(values) // CORRELATED)
+    starts = np.random.default_rng(0).integers(0, max(1, len(values) - CORRELATED + 1), (N_RESAMPLES, n_blocks))
+    drawn = values[np.minimum(starts[..., np.newaxis] + np.arange(CORRELATED), len(values) - 1)]
+    doubt = SPREAD * float(np.quantile(drawn.reshape(N_RESAMPLES, -1), SHARE, axis=1).std())
+    found = float(np.quantile(values, SHARE))
+    value, low, high = (max(least, MARGIN * x) for x in (found, found - doubt, found + doubt))
+    return Bound(value, low, high)
+
+
+def _capped(bound: Bound, most: float) -> Bound:
+    return Bound(min(bound.value, most), min(bound.low, most), min(bound.high, most))
+
+
+def _least_thresholds(preset: Preset) -> dict[str, float]:
+    """Give what each threshold is at least, whatever the room: a room that hums hardly crosses zero."""
+    return {
+        "denoise_threshold": LEAST_AMPLITUDE,
+        "silence_energy": LEAST_AMPLITUDE * preset.settings.n_bins,
+        "silence_max_energy": LEAST_AMPLITUDE,
+        "silence_zero_crossings": Thresholds().silence_zero_crossings,
+    }
+
+
+def _features_of(samples: Sound, preset: Preset) -> Features:
+    """Measure the frames whose windows lie in the sound, whatever the preset recognises with."""
+    return Analyser(replace(preset, recogniser="thesis")).push(samples).features
+
+
+def _share_silent(samples: Sound, preset: Preset) -> Bound:
+    """Give the share of frames that are recognised as silence, with Wilson's bounds (1927).
+
+    Frames whose windows overlap say nearly the same, so they count as one observation.
+    """
+    found = Analyser(preset, phonemes_only=True).push(samples).recognised
+    share = float(np.mean(found == Phoneme.SILENCE)) if len(found) else float("nan")
+    n = max(1.0, len(found) / CORRELATED)
+    middle = (share + CONFIDENT**2 / (2 * n)) / (1 + CONFIDENT**2 / n)
+    doubt = CONFIDENT / (1 + CONFIDENT**2 / n) * (share * (1 - share) / n + CONFIDENT**2 / (4 * n**2)) ** 0.5
+    return Bound(share, max(0.0, middle - doubt), min(1.0, middle + doubt))
+
+
+def _in_words(share: Bound) -> str:
+    return f"{share.value:.0%} ({share.low:.0%}..{share.high:.0%})"
+
+
+def _notes(samples: Sound) -> list[str]:
+    frame = round(FRAME_PERIOD * SAMPLE_RATE)
+    n_frames = len(samples) // frame
+    parts = samples[: n_frames * frame].reshape(n_frames, frame).astype(np.float64)
+    powers = np.mean((parts - samples.mean(dtype=np.float64)) ** 2, axis=1)
+    if np.abs(samples).max() < SILENT:
+        return ["The microphone delivers nothing at all; check that it is on, else the thresholds mean nothing."]
+    usual = 10 * np.log10(max(float(np.median(powers)), SILENT**2))
+    if usual > LOUDEST:
+        return [f"The room was as loud as a voice ({usual:.0f} dB); keep quiet and measure it again."]
+    above = 10 * np.log10(powers.max() / max(float(np.median(powers)), SILENT**2))
+    if above > DISTURBED:
+        return [f"Something was heard that lies {above:.0f} dB above the room; keep quiet and measure it again."]
+    return []

@@ -1,0 +1,60 @@
+"""What takes say of the room they were recorded in, and of the speech in it."""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.labels.label import CORE
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.takes.room_noise import LEAST_SECONDS
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
+
+Sound = NDArray[np.float32]
+BLOCK = 1 << 16
+BRIEF = frozenset({Phoneme.P, Phoneme.UNIDENTIFIED})
+"""What is no speech to measure by: puffs are mostly the room."""
+
+
+def room_in(takes: Sequence[Utterance]) -> Sound | None:
+    """Give the sound of the newest take in which nobody speaks, float32, shape (n,), 44.1 kHz; None without one.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    """
+    for take in reversed(takes):
+        said = {label.phoneme for label in take.labels if label.certainty == CORE}
+        if said == {Phoneme.SILENCE}:
+            room = _joined(_stretches(take))
+            if len(room) >= LEAST_SECONDS * SAMPLE_RATE:
+                return room
+    return None
+
+
+def speech_in(takes: Sequence[Utterance]) -> Sound | None:
+    """Give what is surely said in takes, without pauses and p, one after the other; None where nothing is.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    """
+    found = _joined(part for take in takes for part in _stretches(take, without=BRIEF | {Phoneme.SILENCE}))
+    return found if len(found) else None
+
+
+def _stretches(take: Utterance, without: frozenset[Phoneme] = BRIEF) -> Iterator[Sound]:
+    """Give the sound of each label that is certain."""
+    wanted = [label for label in take.labels if label.certainty == CORE and label.phoneme not in without]
+    if not wanted:
+        return
+    with SoundReader(take.path) as reader:
+        sound = _joined(reader.blocks(BLOCK))
+    for label in wanted:
+        yield sound[round(label.start * SAMPLE_RATE) : round(label.end * SAMPLE_RATE)]
+
+
+def _joined(parts: Iterable[Sound]) -> Sound:
+    return np.concatenate([np.zeros(0, np.float32), *parts])

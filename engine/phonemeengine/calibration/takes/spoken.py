@@ -1,0 +1,55 @@
+"""A sentence that somebody read, kept beside his takes: sound and labels, which no manifest names.
+
+So nothing learns from it: who reads the project as a corpus gets the takes alone.
+"""
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.flac import write_flac
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.paths import free_path, reason_of
+from phonemeengine.calibration.alignment import aligned
+from phonemeengine.labels.table import format_table
+from phonemeengine.labels.text_io import write_text
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.sentences import Sentence
+from phonemeengine.calibration.takes.take import folder_for
+from phonemeengine.errors import TakeError
+
+FOLDER = "held-back"
+"""Of sentences, in a project of takes."""
+
+
+def keep_sentence(
+    folder: Path, samples: NDArray[np.float32], rate: int, mono: NDArray[np.float32], sentence: Sentence, speaker: str
+) -> Utterance:
+    """Label a sentence by its known text, and keep it in a project of takes.
+
+    Parameters
+    ----------
+    folder : of the project.
+    samples, rate : as it was recorded, shape (n, n_channels), and Hz.
+    mono : the same as one channel at 44.1 kHz, shape (m,).
+    sentence : what was to be read.
+    speaker : who read it.
+
+    Raises
+    ------
+    TakeError : something else was read, or the folder cannot be written; nothing is kept.
+    RecordingError, CorpusError : the disk refuses.
+    """
+    labels = aligned(mono, sentence)
+    place = folder / FOLDER / folder_for(speaker)
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise TakeError(
+            f"{shown_name(place)}: this folder cannot be made ({reason_of(error)}); choose another for the takes"
+        ) from error
+    path = free_path(place / f"{sentence.language.lower()}-1.flac")
+    write_flac(path, samples, rate)
+    write_text(format_table(labels), path.with_suffix(".csv"))
+    return Utterance(path, labels, speaker, FOLDER)

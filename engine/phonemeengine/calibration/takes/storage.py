@@ -1,0 +1,239 @@
+"""The folder of a project of takes, and how a change of it is made.
+
+Every change is whole or has not happened, whatever happens to this process or to the disk, and no sound goes before
+its copy is complete: sounds are copied and label files and manifest written first; then the new list replaces the
+old one, and only after that the old sound goes. Copies of the labels for other programs are gone meanwhile.
+"""
+
+import filecmp
+import os
+import re
+import shutil
+from collections.abc import Collection
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.audio.flac import write_flac
+from phonemeengine.audio.locking import lock_at
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.paths import free_path, reason_of
+from phonemeengine.calibration.takes.label_exports import remove_copies, write_copies
+from phonemeengine.calibration.takes.take_list import (
+    SOUND_SUFFIX,
+    read_take_list,
+    write_manifest,
+    write_take_labels,
+    write_take_list,
+)
+from phonemeengine.calibration.takes.take import DELETED, TAKES, Take, folder_for
+from phonemeengine.errors import CorpusError, TakeError
+from phonemeengine.phonemes import Phoneme
+
+LOCK = "takes.lock"
+_NUMBER = re.compile(r"-(\d{1,9})\b")
+
+
+class TakeFolder:
+    """Keeps the takes of a project on the disk, and the folder to itself.
+
+    Parameters
+    ----------
+    folder : made where there is none.
+
+    Attributes
+    ----------
+    takes : all takes by number, also deleted and missing ones.
+    missing : numbers of the takes whose sounds are not there.
+    notes : remarks for the user, a sentence each; mostly none.
+
+    Raises
+    ------
+    TakeError : it cannot be made, is open elsewhere, is another kind of corpus, or a newer program wrote it.
+    CorpusError : its files cannot be read or written.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._lock = _locked(folder)
+        try:
+            found = read_take_list(folder)
+            self.takes = {take.number: take for take in found.takes}
+            self.missing = found.missing
+            self.notes = found.notes
+            self._catch_up()
+        except BaseException:
+            self.close()
+            raise
+
+    def current(self, take: Take) -> Take:
+        """Give a take as it is now.
+
+        Raises
+        ------
+        TakeError : it is not in the project, or its sound is missing.
+        """
+        if take.number not in self.takes or take.number in self.missing:
+            raise TakeError(f"{take.name}: this take is not in the project any more; open the project again")
+        return self.takes[take.number]
+
+    def free_number(self) -> int:
+        """Give a number that no take and no file of a take has."""
+        files = (*self._folder.glob(f"{TAKES}/*/*"), *self._folder.glob(f"{DELETED}/*/*"))
+        numbers = [int(found[1]) for path in files if (found := _NUMBER.search(path.name))]
+        return max([0, *self.takes, *numbers]) + 1
+
+    def place_for(self, number: int, speaker: str, phoneme: Phoneme, *, deleted: bool) -> str:
+        """Give the path in the folder where the sound of a take belongs."""
+        place = f"{DELETED if deleted else TAKES}/{folder_for(speaker)}/{phoneme.label}-{number}{SOUND_SUFFIX}"
+        now = self.takes.get(number)
+        if now is not None and now.sound == place:
+            return place
+        return free_path(self._folder / place).relative_to(self._folder).as_posix()
+
+    def add(self, take: Take, samples: NDArray[np.float32], rate: int) -> None:
+        """Keep a new take with its sound.
+
+        Raises
+        ------
+        RecordingError, CorpusError : the disk refuses; nothing has changed.
+        """
+        path = self._folder / take.sound
+        _make_folder(path.parent)
+        write_flac(path, samples, rate)
+        try:
+            self.put(take)
+        except BaseException:
+            with suppress(OSError):
+                self._remove(take)
+            raise
+
+    def put(self, take: Take) -> None:
+        """Let a take be what it is now; its sound moves where it says.
+
+        Raises
+        ------
+        CorpusError : the disk refuses; nothing has changed.
+        """
+        old = self.takes.get(take.number)
+        moves = old is not None and old.sound != take.sound
+        takes = {**self.takes, take.number: take}
+        copied = moves and old is not None and self._copy(old, take)
+        copies = remove_copies(self._folder, old) if old is not None else ()
+        try:
+            write_take_labels(self._folder, take)
+            write_manifest(self._folder, self._present(takes))
+            write_take_list(self._folder, takes.values())
+        except BaseException:
+            self._go_back(take, old, remove=copied)
+            write_copies(self._folder, old or take, copies)
+            raise
+        self.takes = takes
+        write_copies(self._folder, take, copies)
+        if moves and old is not None:
+            with suppress(OSError):
+                self._remove(old)
+
+    def forget(self, takes: Collection[Take]) -> None:
+        """Remove takes and their sounds for ever.
+
+        Raises
+        ------
+        CorpusError : the disk refuses; what was not removed is still a take.
+        """
+        for take in takes:
+            remove_copies(self._folder, take)
+            try:
+                self._remove(take)
+            except OSError as error:
+                raise TakeError(
+                    f"{take.sound}: it cannot be removed ({reason_of(error)}); close what uses it and try again"
+                ) from error
+            rest = {number: kept for number, kept in self.takes.items() if number != take.number}
+            write_take_list(self._folder, rest.values())
+            self.takes = rest
+
+    def close(self) -> None:
+        """Let others have the folder; may be called twice."""
+        if self._lock is not None:
+            with suppress(OSError):
+                self._lock.release()
+
+    def _catch_up(self) -> None:
+        """Write what follows from the list, where a crash or another program left something else there."""
+        present = self._present(self.takes)
+        for take in present:
+            write_take_labels(self._folder, take)
+        if self.takes:
+            write_manifest(self._folder, present)
+        if self.notes:
+            write_take_list(self._folder, self.takes.values())
+
+    def _present(self, takes: dict[int, Take]) -> list[Take]:
+        return [take for number, take in sorted(takes.items()) if number not in self.missing]
+
+    def _copy(self, old: Take, new: Take) -> bool:
+        """Copy a sound to its new place; say whether it was not there yet."""
+        source, target = self._folder / old.sound, self._folder / new.sound
+        part = target.with_name(target.name + ".part")
+        _make_folder(target.parent)
+        try:
+            if target.exists():
+                if filecmp.cmp(source, target, shallow=False):
+                    return False
+                raise TakeError(f"{new.sound}: there is another file of that name; move it out of the project")
+            shutil.copyfile(source, part)
+            with part.open("rb+") as file:
+                os.fsync(file.fileno())
+            part.replace(target)
+        except OSError as error:
+            with suppress(OSError):
+                part.unlink(missing_ok=True)
+            raise TakeError(
+                f"{new.sound}: the take cannot be moved there ({reason_of(error)}); check the project's folder"
+            ) from error
+        return True
+
+    def _go_back(self, take: Take, old: Take | None, *, remove: bool) -> None:
+        """Undo the first half of a change that the disk refused."""
+        with suppress(OSError, CorpusError):
+            if remove:
+                self._remove(take)
+            if old is not None:
+                write_take_labels(self._folder, old)
+            write_manifest(self._folder, self._present(self.takes))
+
+    def _remove(self, take: Take) -> None:
+        (self._folder / take.sound).unlink(missing_ok=True)
+        (self._folder / take.labels).unlink(missing_ok=True)
+
+
+def _locked(folder: Path) -> Any:
+    """Make the folder and lock it; None where its disk knows no locks."""
+    _make_folder(folder)
+    lock = lock_at(folder / LOCK)
+    try:
+        lock.acquire(blocking=False)
+    except TimeoutError as error:
+        raise TakeError(
+            f"{shown_name(folder)}: this project is open in another window or program; close it there first"
+        ) from error
+    except NotImplementedError:
+        return None
+    except OSError as error:
+        raise TakeError(
+            f"{shown_name(folder)}: this project cannot be written ({reason_of(error)}); choose another folder"
+        ) from error
+    return lock
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except (OSError, ValueError) as error:
+        raise TakeError(
+            f"{shown_name(folder)}: this folder cannot be made ({reason_of(error)}); choose another"
+        ) from error

@@ -1,0 +1,161 @@
+"""How a variable is distributed over the frames of each phoneme, and how well it tells them apart."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.workbench.separability import mean_separation, separations_of
+from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.progress import Heed, go_on, tell
+from phonemeengine.calibration.scores.scoring import TEN, Codes
+from phonemeengine.features.variables import DEFICITS
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.scores import NO_SENSITIVITIES
+
+N_BINS = 60
+"""Bins of a histogram."""
+OUTERMOST = 0.002
+"""A histogram reaches from this quantile of all frames to the opposite one; what lies beyond is in its end bins."""
+DECADES = 1.5
+"""An amplitude whose middle 90 % span more powers of ten than these is shown on a logarithmic scale."""
+NO_AMPLITUDES = frozenset({"zero_crossings", "f0", *DEFICITS})
+"""Variables that are counts, frequencies or logarithms, and shown on a linear scale."""
+Pair = tuple[Phoneme, Phoneme]
+
+
+@dataclass(frozen=True, eq=False)
+class Spread:
+    """The values of a variable in the frames of one phoneme.
+
+    Attributes
+    ----------
+    n : how many frames there are.
+    minimum, lower_quartile, median, upper_quartile, maximum : of their values.
+    counts : int64, shape (n_bins,): the histogram, over the bins of the `Distribution`.
+    """
+
+    n: int
+    minimum: float
+    lower_quartile: float
+    median: float
+    upper_quartile: float
+    maximum: float
+    counts: NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class Distribution:
+    """A variable over all certain frames.
+
+    Attributes
+    ----------
+    variable : its name.
+    edges : shape (n_bins + 1,): the ascending borders of the bins of all histograms; values beyond the ends are
+        counted in the end bins.
+    logarithmic : whether the bins are equally wide on a logarithmic scale; `edges` are values all the same.
+    spreads : one for each phoneme of which there are frames.
+    separations : shape (11, 11): how well one threshold parts each pair, 0.5..1, as
+        `phonemeengine.calibration.workbench.separability` defines it; NaN where there are no frames.
+    """
+
+    variable: str
+    edges: NDArray[np.float64]
+    logarithmic: bool
+    spreads: Mapping[Phoneme, Spread]
+    separations: NDArray[np.float64]
+
+    @property
+    def separation(self) -> float:
+        """How well the variable separates the ten phonemes: the mean over all pairs, 0.5..1; NaN without a pair."""
+        return mean_separation(self.separations, TEN)
+
+    def separation_of(self, one: Phoneme, other: Phoneme) -> float:
+        """Say how well a threshold on the variable parts two phonemes, 0.5..1; NaN where one has no frames."""
+        return float(self.separations[one, other])
+
+
+@dataclass(frozen=True)
+class RankedVariable:
+    """A variable, and how well it separates what was asked for, 0.5..1; NaN where there was nothing to separate."""
+
+    variable: str
+    separation: float
+
+
+def distribution_of(
+    workbench: Workbench, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
+) -> Distribution:
+    """Return the distribution of a variable over those frames whose label is certain.
+
+    `sensitivities` are those of the other phonemes, where the variable is a phoneme's deficit.
+
+    Raises
+    ------
+    CorpusError : the variable was not measured.
+    """
+    certain = workbench.labels.certain
+    values = workbench.values(variable, sensitivities)
+    return distribution_in(variable, values[certain], workbench.labels.phonemes[certain])
+
+
+def distribution_in(variable: str, values: NDArray[np.float32], phonemes: Codes) -> Distribution:
+    """Give the distribution of a variable over frames: its values, and what is said; both (n_frames,)."""
+    logarithmic = variable not in NO_AMPLITUDES and _spans_decades(values)
+    edges = _edges_over(values, logarithmic=logarithmic)
+    present = [p for p in Phoneme if np.any(phonemes == p)]
+    spreads = {p: _spread_of(values[phonemes == p], edges) for p in present}
+    return Distribution(variable, edges, logarithmic, spreads, separations_of(values, phonemes))
+
+
+def ranked_variables(
+    workbench: Workbench, pair: Pair | None = None, heed: Heed = go_on
+) -> tuple[RankedVariable, ...]:
+    """Rank all measured variables by how well they separate the ten phonemes, or one pair; the best one first.
+
+    Variables that are the same in all frames come last, such as `f0` while nobody measures it.
+
+    Raises
+    ------
+    Cancelled : `heed` did not want to go on.
+    """
+    certain = workbench.labels.certain
+    phonemes = workbench.labels.phonemes[certain]
+    wanted = TEN if pair is None else pair
+    chosen = np.isin(phonemes, wanted)
+    ranked = []
+    for k, name in enumerate(workbench.variables):
+        tell(heed, k / len(workbench.variables))
+        separation = _separation(workbench.values(name)[certain][chosen], phonemes[chosen], wanted)
+        ranked.append(RankedVariable(name, separation))
+    tell(heed, 1.0)
+    return tuple(sorted(ranked, key=lambda r: -np.nan_to_num(r.separation, nan=0.0)))
+
+
+def _separation(values: NDArray[np.float32], phonemes: Codes, wanted: tuple[Phoneme, ...]) -> float:
+    return mean_separation(separations_of(values, phonemes), wanted)
+
+
+def _spread_of(values: NDArray[np.float32], edges: NDArray[np.float64]) -> Spread:
+    minimum, lower, median, upper, maximum = np.quantile(values, (0, 0.25, 0.5, 0.75, 1)).tolist()
+    counts, _ = np.histogram(np.clip(values, edges[0], edges[-1]), edges)
+    return Spread(len(values), minimum, lower, median, upper, maximum, counts.astype(np.int64))
+
+
+def _spans_decades(values: NDArray[np.float32]) -> bool:
+    positive = values[values > 0]
+    if len(positive) < len(values) / 2 or not len(positive):
+        return False
+    low, high = np.log10(np.quantile(positive, (0.05, 0.95)))
+    return bool(high - low > DECADES)
+
+
+def _edges_over(values: NDArray[np.float32], *, logarithmic: bool) -> NDArray[np.float64]:
+    """Spread the bins over the values; those at zero belong to the lowest bin of a logarithmic scale."""
+    reach = values[values > 0] if logarithmic else values
+    low, high = np.quantile(reach, (OUTERMOST, 1 - OUTERMOST)).tolist() if len(reach) else (0.0, 1.0)
+    if not high > low:
+        low, high = (low / 2, low * 2) if logarithmic else (low - 0.5, low + 0.5)
+    edges = np.geomspace(low, high, N_BINS + 1) if logarithmic else np.linspace(low, high, N_BINS + 1)
+    return np.asarray(edges, float)

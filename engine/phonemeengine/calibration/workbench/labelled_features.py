@@ -1,0 +1,242 @@
+"""The workbench: labelled recordings, measured once, that answer at once when a threshold changes.
+
+It holds no sound, only what was measured, so an hour takes some 30 MB. What a new threshold, rule, sensitivity,
+successor, hold or hysteresis changes is worked out in milliseconds; another front end or another variable means
+measuring anew, which takes seconds and is the caller's to do in the background::
+
+    workbench = Workbench(utterances, preset, heed=progress)    # in the background
+    confusion = workbench.confusion(edited)                     # at once, while a threshold is dragged
+    if workbench.needs_measuring(edited):
+        workbench = Workbench(utterances, edited, known=workbench, heed=progress)   # in the background
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.calibration.workbench.batch_smoother import Calmer
+from phonemeengine.calibration.workbench.measuring import Measurement, front_end_of, knowledge_of, measure, names_of, rules_in
+from phonemeengine.calibration.workbench.rule_cache import RuleSheet
+from phonemeengine.progress import Heed, go_on, part_of, tell
+from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
+from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
+from phonemeengine.calibration.scores.scoring import Codes
+from phonemeengine.errors import CorpusError
+from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import DEFICITS
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.rules import RuleRecogniser
+from phonemeengine.recognition.scores import NO_SENSITIVITIES, Sensitivity, deficits_of
+
+_Stamp = tuple[Path, int, int, int]
+"""A sound file as it was measured: path, time of its last change, size, frames."""
+
+
+class Workbench:
+    """Holds labelled recordings in memory as measured variables.
+
+    Making one takes as long as analysing the recordings that `known` has not measured yet; asking it takes
+    milliseconds. One thread may ask it for answers at a time; another one takes a `twin`.
+
+    Parameters
+    ----------
+    utterances : the labelled recordings.
+    preset : what they are measured with.
+    known : an older workbench; what it measured in the same way is taken from there.
+    heed : told how far the measuring is.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    EngineError : the preset's recogniser cannot be used.
+    Cancelled : `heed` did not want to go on.
+    """
+
+    def __init__(
+        self, utterances: Sequence[Utterance], preset: Preset, *, known: "Workbench | None" = None, heed: Heed = go_on
+    ) -> None:
+        self._utterances = tuple(utterances)
+        self._names = names_of(preset)
+        self._front_end = front_end_of(preset)
+        self._knowledge = None if rules_in(preset) is not None else knowledge_of(preset)
+        labels = [frame_labels_of(u.labels) for u in self._utterances]
+        lengths = [len(part.phonemes) for part in labels]
+        self._edges = np.concatenate(([0], np.cumsum(lengths, dtype=np.intp))).astype(np.intp)
+        self._labels = FrameLabels(_joined([p.phonemes for p in labels]), _joined([p.certain for p in labels], bool))
+        measurements = self._measure(preset, known, heed)
+        self._calmer = Calmer(self._edges)
+        self._join(list(measurements))
+
+    @property
+    def utterances(self) -> tuple[Utterance, ...]:
+        """The recordings."""
+        return self._utterances
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """The names of what was measured; deficits follow where the recogniser weighs probabilities."""
+        return self._names if self._scores is None else (*self._names, *DEFICITS)
+
+    @property
+    def labels(self) -> FrameLabels:
+        """What is said in all recordings, one after the other."""
+        return self._labels
+
+    @property
+    def edges(self) -> NDArray[np.intp]:
+        """The first frame of each recording, and the number of all frames; shape (n_recordings + 1,)."""
+        return self._edges
+
+    def values(self, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES) -> NDArray[np.float32]:
+        """Return what was measured in all frames, shape (n_frames,).
+
+        Parameters
+        ----------
+        variable : one of `variables`.
+        sensitivities : of the other phonemes, where it is a phoneme's deficit; its own is left out.
+
+        Raises
+        ------
+        CorpusError : it was not measured.
+        """
+        if self._scores is not None and variable in DEFICITS:
+            phoneme = Phoneme(DEFICITS.index(variable))
+            others = {p: s for p, s in sensitivities.items() if p is not phoneme}
+            return deficits_of(Sensitivity(others).apply(self._scores.T), phoneme)
+        if variable not in self._names:
+            raise CorpusError(
+                f"the variable {variable!r} was not measured in these recordings; add it to the preset and have them "
+                "measured anew"
+            )
+        return np.asarray(self._values[self._names.index(variable)])
+
+    def features(self) -> Features:
+        """Give all that was measured, as a recogniser gets it."""
+        return Features(self._names, self._values.T)
+
+    def twin(self) -> "Workbench":
+        """Give a workbench with the same measurements, for another thread; it takes no time and hardly any memory."""
+        twin = copy(self)
+        twin._sheet = self._new_sheet()
+        return twin
+
+    def needs_measuring(self, preset: Preset) -> bool:
+        """Say whether a preset measures differently, so that a new workbench must be made for it.
+
+        Thresholds, rules, sensitivities, successors, minimum hold and hysteresis need none. Another front end or
+        other variables do, and a recogniser that works without rules, if the recordings were not measured with it.
+        """
+        return self._measures_otherwise(preset, rules_in(preset))
+
+    def confusion(self, preset: Preset) -> Confusion:
+        """Recognise all frames with a preset, and count the answers against the labels.
+
+        Raises
+        ------
+        CorpusError : the recordings must be measured anew.
+        """
+        return confusion_between(self._labels, self.answers(preset), self._edges)
+
+    def answers(self, preset: Preset) -> Codes:
+        """Recognise all frames with a preset: what the analyser says of the files, after the statistics.
+
+        Raises
+        ------
+        CorpusError : the recordings must be measured anew.
+        """
+        rules, settings = rules_in(preset), preset.settings
+        if self._measures_otherwise(preset, rules):
+            raise CorpusError("the recordings were measured with another front end; have them measured anew")
+        scores = None if rules is not None else self._scores_with(preset)
+        codes = self._recognised(rules, scores)
+        if settings.statistics:
+            stays = self._may_stay(rules, scores, settings.hysteresis) if settings.hysteresis > 0 else None
+            codes = codes if stays is None else self._calmer.steadied(codes, stays)
+            codes = self._calmer.held(self._calmer.filled(codes, preset.successors), settings.minimum_hold)
+        if len(self._beyond):
+            codes = codes.copy()
+            codes[self._beyond] = Phoneme.SILENCE
+        return codes
+
+    def _measures_otherwise(self, preset: Preset, rules: RuleRecogniser | None) -> bool:
+        return front_end_of(preset) != self._front_end or (rules is None and knowledge_of(preset) != self._knowledge)
+
+    def _scores_with(self, preset: Preset) -> NDArray[np.float32] | None:
+        """Return the probabilities with the preset's sensitivities, shape (n_phonemes, n_frames), or None."""
+        return None if self._scores is None else Sensitivity(preset.sensitivities).apply(self._scores.T).T
+
+    def _recognised(self, rules: RuleRecogniser | None, scores: NDArray[np.float32] | None) -> Codes:
+        if rules is not None:
+            return self._sheet.recognised(rules)
+        return self._heard if scores is None else scores.argmax(axis=0).astype(np.uint8)
+
+    def _may_stay(
+        self, rules: RuleRecogniser | None, scores: NDArray[np.float32] | None, hysteresis: float
+    ) -> NDArray[np.bool_] | None:
+        if rules is not None:
+            return self._sheet.may_stay(rules, hysteresis)
+        return None if scores is None else np.asarray(scores.max(axis=0) - scores <= hysteresis)
+
+    def _measure(self, preset: Preset, known: "Workbench | None", heed: Heed) -> Iterator[Measurement]:
+        """Measure what is not known yet; the stamps are of the files as they were before."""
+        tell(heed, 0.0)
+        again = {} if known is None or known.needs_measuring(preset) else known.measured
+        self._stamps: list[_Stamp] = []
+        total = max(1, int(self._edges[-1]))
+        for k, utterance in enumerate(self._utterances):
+            first, end = self._edges[k : k + 2].tolist()
+            stamp = _stamp_of(utterance.path, end - first)
+            self._stamps.append(stamp)
+            share = part_of(heed, first / total, end / total)
+            yield again.get(stamp) or measure(utterance.path, preset, end - first, share)
+        tell(heed, 1.0)
+
+    def _join(self, measurements: list[Measurement]) -> None:
+        """Put all recordings side by side, so that each variable is one array."""
+        n = int(self._edges[-1])
+        self._values = np.zeros((len(self._names), n), np.float32)
+        for m, first, end in zip(measurements, self._edges[:-1], self._edges[1:], strict=True):
+            self._values[:, first:end] = m.values
+        self._heard = _joined([m.recognised for m in measurements])
+        told = [m.scores for m in measurements if m.scores is not None]
+        self._scores = np.concatenate(told, axis=1) if told and len(told) == len(measurements) else None
+        beyond = [
+            np.arange(first + m.n_heard, end, dtype=np.intp)
+            for m, first, end in zip(measurements, self._edges[:-1], self._edges[1:], strict=True)
+        ]
+        self._beyond = _joined(beyond, np.intp)
+        self._n_heard = [m.n_heard for m in measurements]
+        self._sheet = self._new_sheet()
+
+    def _new_sheet(self) -> RuleSheet:
+        return RuleSheet(dict(zip(self._names, self._values, strict=True)), int(self._edges[-1]))
+
+    @property
+    def measured(self) -> dict[_Stamp, Measurement]:
+        """What was measured, by the file as it was then, for another workbench."""
+        spans = [slice(int(first), int(end)) for first, end in zip(self._edges[:-1], self._edges[1:], strict=True)]
+        return {
+            stamp: Measurement(
+                self._values[:, span], n_heard, self._heard[span],
+                None if self._scores is None else self._scores[:, span],
+            )
+            for stamp, span, n_heard in zip(self._stamps, spans, self._n_heard, strict=True)
+        }  # fmt: skip
+
+
+def _stamp_of(path: Path, n_frames: int) -> _Stamp:
+    """Tell a file from what it may become; one that is not there is refused by whoever reads it."""
+    try:
+        found = path.stat()
+    except OSError:
+        return path, 0, 0, n_frames
+    return path, found.st_mtime_ns, found.st_size, n_frames
+
+
+def _joined(parts: list[NDArray[Any]], dtype: type = np.uint8) -> NDArray[Any]:
+    return np.concatenate([np.zeros(0, dtype), *parts])

@@ -1,0 +1,120 @@
+"""Labelled recordings as measured variables: what thresholds, rules and the statistics need, without the sound."""
+
+import math
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.analyser import BLOCK, analyses_of
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.progress import Heed, go_on, tell
+from phonemeengine.calibration.scores.scoring import Codes
+from phonemeengine.features.variables import BUILT_IN_NAMES
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.recogniser import RECOGNISERS, recogniser_of
+from phonemeengine.recognition.rules import RuleRecogniser
+from phonemeengine.recognition.scores import scores_in
+from phonemeengine.settings import FRAME_PERIOD, HOP, AnalysisSettings
+
+AFTER_MEASURING = (
+    "statistics", "minimum_hold", "hysteresis", "look_ahead", "intensity_low", "intensity_high",
+)  # fmt: skip
+"""The settings that change nothing that is measured."""
+
+_PLAIN = AnalysisSettings()
+
+
+@dataclass(frozen=True, eq=False)
+class Measurement:
+    """What was measured on one sound.
+
+    Attributes
+    ----------
+    values : float32, shape (n_variables, n_frames): the variables, those of the preset after the built-in ones.
+    n_heard : frames that lie in the sound; what comes after them counts as silence.
+    recognised : uint8, shape (n_frames,): what the recogniser said, before the statistics.
+    scores : float32, shape (n_phonemes, n_frames): the probabilities before the sensitivities, or None.
+    """
+
+    values: NDArray[np.float32]
+    n_heard: int
+    recognised: Codes
+    scores: NDArray[np.float32] | None
+
+    @property
+    def n_frames(self) -> int:
+        """How many frames were measured."""
+        return len(self.recognised)
+
+
+def names_of(preset: Preset) -> tuple[str, ...]:
+    """Give the measured variables, in the order of `Measurement.values`."""
+    return (*BUILT_IN_NAMES, *(v.name for v in preset.variables))
+
+
+def front_end_of(preset: Preset) -> object:
+    """Give all on which the variables depend: where it is equal, nothing need be measured anew."""
+    kept = {name: getattr(_PLAIN, name) for name in AFTER_MEASURING}
+    return replace(preset.settings, **kept), preset.variables
+
+
+def knowledge_of(preset: Preset) -> object:
+    """Give all on which the answers of a recogniser without rules depend, but for the sensitivities."""
+    tuning = replace(preset.tuning, rules=(), sensitivities={})
+    if preset.recogniser in RECOGNISERS:
+        tuning = replace(tuning, thresholds=Thresholds())
+    return preset.recogniser, tuning
+
+
+def rules_in(preset: Preset) -> RuleRecogniser | None:
+    """Give the preset's recogniser if it works by rules."""
+    recogniser = recogniser_of(preset.recogniser, preset.tuning)
+    return recogniser if isinstance(recogniser, RuleRecogniser) else None
+
+
+def measure(path: Path, preset: Preset, n_frames: int, heed: Heed = go_on) -> Measurement:
+    """Analyse a sound file as it is analysed everywhere, and keep what was measured in its first frames.
+
+    Parameters
+    ----------
+    path : the sound file.
+    preset : what it is analysed with.
+    n_frames : how many frames are wanted; those beyond the sound measure 0.
+    heed : told how far it is.
+
+    Raises
+    ------
+    AudioError : the sound cannot be read.
+    EngineError : the recogniser cannot be used.
+    Cancelled : `heed` did not want to go on.
+    """
+    n_names = len(names_of(preset))
+    values = np.zeros((n_names, n_frames), np.float32)
+    recognised = np.zeros(n_frames, np.uint8)
+    scores = None
+    preset = replace(preset, settings=replace(preset.settings, statistics=False), sensitivities={})
+    with SoundReader(path) as reader:
+        for analysis in analyses_of(reader.blocks(BLOCK * HOP), preset):
+            tell(heed, min(1.0, (analysis.start + len(analysis)) / max(1, n_frames)))
+            span = slice(analysis.start, min(analysis.start + len(analysis), n_frames))
+            wanted = analysis.part(slice(max(0, span.stop - span.start)))
+            if not len(wanted):
+                continue
+            values[:, span] = wanted.features.values[:, :n_names].T
+            recognised[span] = wanted.recognised
+            if (told := scores_in(wanted.features)) is not None:
+                scores = _silent_scores(n_frames) if scores is None else scores
+                scores[:, span] = told.T
+        n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
+    return Measurement(values, min(n_heard, n_frames), recognised, scores)
+
+
+def _silent_scores(n_frames: int) -> NDArray[np.float32]:
+    """Return what is likely where there is no sound: silence, as surely as can be."""
+    scores = np.zeros((len(Phoneme), n_frames), np.float32)
+    scores[Phoneme.SILENCE] = 1
+    return scores

@@ -1,0 +1,125 @@
+"""The filters: on waveforms (pre-emphasis) and on amplitude spectra (all others).
+
+Every function takes and gives float32 blocks of shape (n_frames, n_bins) and leaves its input as it is; denoise and
+normalise take a single spectrum of shape (n_bins,) as well.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.errors import SettingsError
+
+Block = NDArray[np.float32]
+TINY: Block = np.array(1e-37, np.float32)
+
+
+def pre_emphasis(waves: Block, a: float) -> Block:
+    """Raise high frequencies: ``x[n] - a x[n-1]``, with x[-1] = x[0] so that a constant gives no edge."""
+    out = waves.copy()
+    out[:, 1:] -= np.float32(a) * waves[:, :-1]
+    out[:, 0] -= np.float32(a) * waves[:, 0]
+    return out
+
+
+class FrequencyShaper:
+    """Scales, blurs over frequency and applies the ramps of the pass filters, in one go.
+
+    All are linear in the spectrum, so together they are one weight for a bin and one for each neighbour.
+    At blur strength 0 nothing is blurred, at 1 every bin is the mean of three; the border repeats, so a flat
+    spectrum stays flat.
+
+    Parameters
+    ----------
+    strength : of the blur, 0..1.
+    gains : of the ramps, shape (n_bins,).
+    scale : what each bin is multiplied with before all else, shape (n_bins,); nothing where it is not given.
+    """
+
+    def __init__(self, strength: float, gains: Block, scale: Block | None = None) -> None:
+        scale = np.ones_like(gains) if scale is None else scale
+        side = strength / 3
+        centre = np.full(len(gains), 1 - 2 * side)
+        centre[[0, -1]] += side
+        self._centre = (centre * gains * scale).astype(np.float32)[np.newaxis]
+        self._below = (side * gains[1:] * scale[:-1]).astype(np.float32)
+        self._above = (side * gains[:-1] * scale[1:]).astype(np.float32)
+        self._blurs = strength > 0
+
+    def shape(self, spectra: Block, out: Block | None = None) -> Block:
+        """Give the shaped spectra, written to `out` where it is given; the input stays as it is."""
+        shaped: Block = np.multiply(spectra, self._centre, out=out)
+        if self._blurs:
+            shaped[:, 1:] += self._below * spectra[:, :-1]
+            shaped[:, :-1] += self._above * spectra[:, 1:]
+        return shaped
+
+
+class TimeSmoother:
+    """Blurs each spectrum with the blurred one before it: ``y[k] = strength y[k-1] + (1 - strength) x[k]``.
+
+    The sound begins after silence, so the first y is ``(1 - strength) x``. A block is smoothed by doubling: every
+    pass adds what lies 1, 2, 4, 8... frames back, until float32 cannot hold its weight: normalising shows even the
+    faintest rest of a sound, so nothing may be left out earlier.
+    """
+
+    def __init__(self, strength: float) -> None:
+        self.last: Block | None = None
+        self._strength = strength
+
+    def push(self, spectra: Block) -> Block:
+        """Smooth the next spectra."""
+        out = spectra * np.float32(1 - self._strength)
+        if self.last is not None and len(self.last) == spectra.shape[1]:
+            out[0] += np.float32(self._strength) * self.last
+        reach, weight = 1, self._strength
+        while reach < len(out) and np.float32(weight) > 0:
+            out[reach:] += np.float32(weight) * out[:-reach]
+            reach, weight = 2 * reach, weight * weight
+        self.last = out[-1]
+        return out
+
+
+def _ramp(n_bins: int, bin_width: float, start: float, end: float) -> Block:
+    frequencies = np.arange(n_bins) * bin_width
+    if end <= start:
+        return np.asarray(frequencies >= start, np.float32)
+    return np.asarray(np.clip((frequencies - start) / (end - start), 0, 1), np.float32)
+
+
+def high_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Block:
+    """Give a gain per bin, shape (n_bins,), that rises from 0 at `start` to 1 at `end` (Hz)."""
+    return _ramp(n_bins, bin_width, start, end)
+
+
+def low_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Block:
+    """Give a gain per bin, shape (n_bins,), that falls from 1 at `start` to 0 at `end` (Hz)."""
+    return 1 - _ramp(n_bins, bin_width, start, end)
+
+
+def denoise(spectra: Block, threshold: float | Block) -> Block:
+    """Set amplitudes below `threshold` (0..1) to 0."""
+    kept: Block = spectra * (spectra >= threshold)
+    return kept
+
+
+def normalise(spectra: Block, maximum: float = 1.0, *, peaks: Block | None = None) -> Block:
+    """Scale each spectrum so that its largest amplitude becomes `maximum`; a silent one stays 0.
+
+    Parameters
+    ----------
+    spectra : shape (n_frames, n_bins), or (n_bins,).
+    maximum : above 0.
+    peaks : the largest amplitudes, shape (n_frames, 1), where they are known already.
+
+    Raises
+    ------
+    SettingsError : the maximum is no number above 0.
+    """
+    if not 0 < maximum < math.inf:
+        raise SettingsError(f"the maximum of a normalised spectrum must be above 0, got {maximum:g}; choose another")
+    if peaks is None:
+        peaks = np.maximum.reduce(spectra, axis=-1, keepdims=True)
+    divisors: Block = np.maximum(peaks / np.float32(maximum), TINY)
+    return spectra / divisors

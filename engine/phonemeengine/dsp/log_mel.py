@@ -1,0 +1,91 @@
+"""What the learned recogniser hears: logarithms of the power in mel bands, of a short window amid each frame."""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.dsp.mel import frequency_of, mel_of
+from phonemeengine.settings import SAMPLE_RATE, WINDOW
+
+SHORT = 1024
+"""Samples of the short window (23.2 ms), the middle of a frame: 46.4 ms would blur the burst of a p."""
+
+N_BANDS = 40
+LOWEST, HIGHEST = 60.0, 8000.0
+"""Where the first band begins and the last one ends, Hz; much speech holds nothing above."""
+
+FLOOR = 1e-11
+"""Added to every power, so that digital silence has a logarithm; a full-scale sine has the power 1."""
+
+Block = NDArray[np.float32]
+_MIDDLE = slice((WINDOW - SHORT) // 2, (WINDOW + SHORT) // 2)
+
+
+def log_mels_of(windows: Block, warps: tuple[float, ...] = (1.0,)) -> Block:
+    """Give the base-10 logarithms of the powers in 40 mel bands, about -11 to 0; see `mel_powers_of`.
+
+    With several `warps` (see `bank_of`) the bands of each lie beside those of the one before: shape
+    (n_frames, n_warps x 40).
+    """
+    powers = mel_powers_of(windows, _banks(warps))
+    powers += np.float32(FLOOR)
+    logarithms: Block = np.log10(powers, out=powers)
+    return logarithms
+
+
+def silence_of(*shape: int) -> Block:
+    """Give what digital silence reads in all 40 bands, shape (*shape, 40)."""
+    return np.full((*shape, N_BANDS), np.log10(FLOOR), np.float32)
+
+
+def mel_powers_of(windows: Block, bank: Block) -> Block:
+    """Give the powers in mel bands.
+
+    Parameters
+    ----------
+    windows : float32, shape (n_frames, 2048), full scale ±1.
+    bank : the bands, as from `bank_of`, shape (n_bins, n_bands).
+
+    Returns
+    -------
+    float32, shape (n_frames, n_bands); a full-scale sine has the power 1.
+    """
+    from scipy.fft import rfft  # noqa: PLC0415 - it costs half a second that a window should not wait for
+
+    bins = rfft(windows[:, _MIDDLE] * _hann(), axis=1)[:, : len(bank)]
+    powers = bins.real * bins.real
+    powers += bins.imag * bins.imag
+    mels: Block = powers.dot(bank)
+    return mels
+
+
+@lru_cache(maxsize=1)
+def _hann() -> Block:
+    """Give the Hann window, scaled so that a full-scale sine on a bin reads 1."""
+    window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(SHORT) / SHORT)
+    return np.asarray(window * 2 / window.sum(), np.float32)
+
+
+def bank_of(warp: float = 1.0) -> Block:
+    """Give the weights of the mel filters, shape (n_bins, 40); each column sums to 1.
+
+    With a `warp`, what lies at a frequency f is looked for at f x warp, as if the speaker's vocal tract were shorter
+    (above 1) or longer; the upper end stays (piecewise linear, as in L. Lee and R. Rose, "A frequency warping
+    approach to speaker normalization", IEEE Trans. Speech and Audio Processing 6(1), 1998).
+    """
+    edges = frequency_of(np.linspace(float(mel_of(LOWEST)), float(mel_of(HIGHEST)), N_BANDS + 2))
+    knee = 0.8 * HIGHEST / max(warp, 1)
+    slope = (HIGHEST - warp * knee) / (HIGHEST - knee)
+    edges = np.where(edges <= knee, edges * warp, warp * knee + (edges - knee) * slope)
+    low, peak, high = edges[:-2], edges[1:-1], edges[2:]
+    frequencies = np.arange(int(HIGHEST * SHORT / SAMPLE_RATE) + 2)[:, None] * SAMPLE_RATE / SHORT
+    weights = np.maximum(0, np.minimum((frequencies - low) / (peak - low), (high - frequencies) / (high - peak)))
+    empty = np.flatnonzero(weights.sum(axis=0) == 0)
+    weights[np.round(peak[empty] * SHORT / SAMPLE_RATE).astype(int), empty] = 1
+    return np.asarray(weights / weights.sum(axis=0), np.float32)
+
+
+@lru_cache(maxsize=8)
+def _banks(warps: tuple[float, ...]) -> Block:
+    return np.concatenate([bank_of(warp) for warp in warps], axis=1)

@@ -1,0 +1,91 @@
+"""Frames become amplitude spectra.
+
+`scipy.fft` is imported at the first use, since it costs half a second that a window should not wait for.
+"""
+
+from collections.abc import Callable
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.dsp.filters import pre_emphasis
+from phonemeengine.dsp.windows import window_of
+from phonemeengine.settings import AnalysisSettings, Decimation, Filter, WindowFunction
+
+Block = NDArray[np.float32]
+
+
+def decimate(frames: Block, step: int, kind: Decimation) -> Block:
+    """Keep every `step`-th sample of each frame.
+
+    Parameters
+    ----------
+    frames : float32, shape (n_frames, n_samples).
+    step : 1, 2 or 4.
+    kind : ``plain`` keeps the samples as they are, so frequencies above the new half rate fold down;
+        ``anti_aliased`` first removes them: the frame is rebuilt from the lowest bins of its own Fourier
+        transform, so every bin that is left reads the same as without decimation.
+
+    Returns
+    -------
+    float32, shape (n_frames, n_samples / step); a view where the samples stay as they are.
+    """
+    if step == 1:
+        return frames
+    if kind is Decimation.PLAIN:
+        return frames[:, ::step]
+    from scipy.fft import irfft, rfft  # noqa: PLC0415 - see the module's docstring
+
+    n = frames.shape[1] // step
+    bins = rfft(frames, axis=1)[:, : n // 2 + 1]
+    bins[:, -1] = 0
+    return np.asarray(irfft(bins, n, axis=1), np.float32) / np.float32(step)
+
+
+class Transform:
+    """Turns raw frames into waveforms, and those into amplitude spectra.
+
+    Parameters
+    ----------
+    settings : the filters of the time domain: quantise, pre-emphasis, window function.
+
+    Attributes
+    ----------
+    scale : float32, shape (1, n_bins): what turns a bin's magnitude into an amplitude, so that a full-scale sine on
+        a bin, or a full-scale constant on bin 0, reads 1.0.
+    """
+
+    def __init__(self, settings: AnalysisSettings) -> None:
+        self._step, self._decimation = settings.step, settings.decimation
+        self._emphasis = settings.pre_emphasis if settings.has(Filter.PRE_EMPHASIS) else 0.0
+        self._windows = settings.window_in_force is not WindowFunction.RECTANGLE
+        self._window = window_of(settings.window_in_force, settings.n_samples)
+        self._n_bins = settings.n_bins
+        self.scale = np.full((1, self._n_bins), 2 / self._window.sum(), np.float32)
+        self.scale[0, 0] /= 2
+
+    def waveforms_of(self, frames: Block) -> Block:
+        """Apply the filters of the time domain; returns float32, shape (n_frames, 2048 / step)."""
+        waves = decimate(frames, self._step, self._decimation)
+        if self._emphasis:
+            waves = pre_emphasis(waves, self._emphasis)
+        return waves * self._window if self._windows else waves
+
+    def magnitudes_of(self, waves: Block) -> Block:
+        """Transform waveforms, already weighted by the window function; times `scale` they are amplitudes.
+
+        Returns
+        -------
+        float32, shape (n_frames, n_bins).
+        """
+        magnitudes: Block = np.abs(_rfft()(waves)[:, : self._n_bins])
+        return magnitudes
+
+
+@lru_cache(maxsize=1)
+def _rfft() -> Callable[[Block], NDArray[np.complex64]]:
+    from scipy.fft import rfft  # noqa: PLC0415 - see the module's docstring
+
+    function: Callable[[Block], NDArray[np.complex64]] = rfft
+    return function

@@ -1,0 +1,180 @@
+"""The way of a block from samples to measured variables: transform, filters, meters."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.dsp.filters import (
+    FrequencyShaper,
+    TimeSmoother,
+    denoise,
+    high_pass_gains,
+    low_pass_gains,
+    normalise,
+)
+from phonemeengine.dsp.mel import mel_edges, mel_spectra_of
+from phonemeengine.dsp.pitch import fundamental_of
+from phonemeengine.dsp.spectrum import Transform
+from phonemeengine.features.measure import BandMeter, Features, peak_levels_of, zero_crossings_of
+from phonemeengine.features.variables import BAND_VARIABLES, ENERGY_VARIABLES, WHOLE_FRAME_VARIABLES, Spectrum, Variable
+from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Filter
+
+ZERO_CROSSINGS, VOLUME, F0 = (WHOLE_FRAME_VARIABLES.index(name) for name in ("zero_crossings", "volume", "f0"))
+MAX_ENERGY = slice(WHOLE_FRAME_VARIABLES.index("max_energy"), WHOLE_FRAME_VARIABLES.index("max_energy") + 1)
+
+FAINTEST = np.array(1e-6, np.float32)
+"""What a variable is divided by at the least, so that the quotient is never endless."""
+
+Block = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A block of frames before anybody has said what they are.
+
+    Attributes
+    ----------
+    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters.
+    mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
+    waveforms : float32, shape (n_frames, n_samples): the windows after the filters of the time domain.
+    features : the measured variables.
+    """
+
+    spectra: Block
+    mel: Block | None
+    waveforms: Block
+    features: Features
+
+    def part(self, frames: slice) -> "Measured":
+        """Give some of the frames of the block, as a block."""
+        mel = None if self.mel is None else self.mel[frames]
+        return Measured(self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames))
+
+
+class SpectrumPath:
+    """The filters of one front end, from raw frames to measured variables; remembers the time smoothing.
+
+    Parameters
+    ----------
+    settings : the filters.
+    variables : the user's own variables.
+    pitch : measure `f0` too; without it `f0` reads 0.
+    """
+
+    def __init__(self, settings: AnalysisSettings, variables: tuple[Variable, ...], *, pitch: bool) -> None:
+        variables = (*BAND_VARIABLES, *variables)
+        blur = settings.frequency_smooth if settings.has(Filter.FREQUENCY_SMOOTH) else 0.0
+        self.names = (*WHOLE_FRAME_VARIABLES, *(v.name for v in variables))
+        self.smoother = TimeSmoother(settings.time_smooth)
+        self._pitch = pitch
+        self._n_bins = settings.n_bins
+        self._transform = Transform(settings)
+        self._shaper = FrequencyShaper(blur, _gains_of(settings), self._transform.scale[0])
+        self._smooths = settings.has(Filter.TIME_SMOOTH) and settings.time_smooth > 0
+        self._denoises = settings.has(Filter.DENOISE) and settings.denoise_threshold > 0
+        self._threshold = np.array(settings.denoise_threshold, np.float32)
+        self._normalises = settings.has(Filter.NORMALISE)
+        self._mel_bands = settings.mel_bands if settings.has(Filter.MEL) else 0
+        self._make_meters((*ENERGY_VARIABLES, *variables))
+
+    def _make_meters(self, variables: tuple[Variable, ...]) -> None:
+        bins = np.arange(self._n_bins, dtype=float) * BIN_WIDTH
+        bands = mel_edges(self._mel_bands, self._n_bins * BIN_WIDTH)[1:-1]
+        raw, mel = ([v for v in variables if v.source is source] for source in (Spectrum.RAW, Spectrum.MEL))
+        self._meter = BandMeter(self.names, [v for v in variables if v not in (*raw, *mel)], bins)
+        self._filtered = self._meter.weights(Spectrum.FILTERED)
+        self._normalised = self._meter.weights(Spectrum.NORMALISED)
+        self._raw_meter = BandMeter(self.names, raw, bins) if raw else None
+        self._mel_meter = BandMeter(self.names, mel, bands) if mel and self._mel_bands else None
+        divided = [(self.names.index(v.name), self.names.index(v.per)) for v in variables if v.per]
+        self._divided = np.array(divided, np.intp).reshape(-1, 2).T
+
+    def nothing(self) -> Measured:
+        """Give a block without frames."""
+        last = self.smoother.last
+        measured = self.push(np.zeros((1, WINDOW), np.float32)).part(slice(0))
+        self.smoother.last = last
+        return measured
+
+    def push(self, frames: Block) -> Measured:
+        """Measure raw frames, shape (n, 2048), at least one."""
+        waves = self._transform.waveforms_of(frames)
+        raw = self._transform.magnitudes_of(waves)
+        if self._smooths:
+            smooth = self.smoother.push(raw)
+        else:
+            smooth, self.smoother.last = raw, raw[-1]
+        spectra = self._meter.room_for(len(frames))
+        self._shaper.shape(smooth, spectra[:, : self._n_bins])  # over frequency, so it may well come after time
+        self._meter.add_maxima(spectra)
+        values: Block = spectra.dot(self._filtered)
+        if self._raw_meter is not None:
+            values += self._raw_meter.widen(raw * self._transform.scale).dot(self._raw_meter.weights(Spectrum.RAW))
+        values[:, ZERO_CROSSINGS] = zero_crossings_of(frames)
+        values[:, VOLUME] = peak_levels_of(frames)
+        if self._pitch:
+            values[:, F0] = fundamental_of(frames)
+        if self._denoises:
+            spectra = denoise(spectra, self._threshold)
+        mel = self._mel_of(spectra) if self._mel_bands else None
+        if self._normalises:
+            spectra = normalise(spectra, peaks=values[:, MAX_ENERGY])
+        values += spectra.dot(self._normalised)
+        if self._mel_meter is not None and mel is not None:
+            values += self._mel_meter.widen(mel).dot(self._mel_meter.weights(Spectrum.MEL))
+        if self._divided.size:
+            divided, divisors = self._divided
+            values[:, divided] /= np.maximum(values[:, divisors], FAINTEST)
+        return Measured(spectra[:, : self._n_bins], mel, waves, Features(self.names, values, frames))
+
+    def _mel_of(self, spectra: Block) -> Block:
+        mel = mel_spectra_of(spectra[:, : self._n_bins], self._mel_bands, BIN_WIDTH)
+        return normalise(mel) if self._normalises else mel
+
+
+class LevelPath:
+    """The way of a block where nobody looks at spectra and variables: its windows, and how loud each is.
+
+    Attributes
+    ----------
+    smoother : has nothing to smooth, and so nothing to remember.
+    """
+
+    names = ("volume",)
+
+    def __init__(self) -> None:
+        self.smoother = TimeSmoother(0)
+
+    def nothing(self) -> Measured:
+        """Give a block without frames."""
+        return self.push(np.zeros((0, WINDOW), np.float32))
+
+    def push(self, frames: Block) -> Measured:
+        """Measure raw frames, shape (n, 2048)."""
+        unseen = np.zeros((len(frames), 0), np.float32)
+        return Measured(unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis], frames))
+
+
+def _gains_of(settings: AnalysisSettings) -> Block:
+    gains = np.ones(settings.n_bins, np.float32)
+    if settings.has(Filter.HIGH_PASS):
+        gains *= high_pass_gains(len(gains), BIN_WIDTH, settings.high_pass_start, settings.high_pass_end)
+    if settings.has(Filter.LOW_PASS):
+        gains *= low_pass_gains(len(gains), BIN_WIDTH, settings.low_pass_start, settings.low_pass_end)
+    return gains
+
+
+def joined(blocks: list[Measured]) -> Measured:
+    """Give consecutive blocks as one; there must be at least one."""
+    mels = [b.mel for b in blocks if b.mel is not None]
+    return Measured(
+        spectra=np.concatenate([b.spectra for b in blocks]),
+        mel=np.concatenate(mels) if mels else None,
+        waveforms=np.concatenate([b.waveforms for b in blocks]),
+        features=Features(
+            blocks[0].features.names,
+            np.concatenate([b.features.values for b in blocks]),
+            np.concatenate([b.features.windows for b in blocks]),
+        ),
+    )

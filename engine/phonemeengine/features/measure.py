@@ -1,0 +1,129 @@
+"""Measure all variables on a block of frames."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.features.variables import Kind, Spectrum, Variable
+from phonemeengine.settings import WINDOW
+
+Block = NDArray[np.float32]
+FLOAT = np.dtype(np.float32)
+ZERO = np.zeros((), FLOAT)
+ONES = np.ones(WINDOW - 1, FLOAT)
+NO_WINDOWS = np.zeros((0, WINDOW), FLOAT)
+
+
+@dataclass(frozen=True)
+class Features:
+    """What was measured on a block of frames.
+
+    Attributes
+    ----------
+    names : the variables, one a column.
+    values : float32, shape (n_frames, n_variables).
+    windows : the samples that were measured, float32, shape (n_frames, 2048), for recognisers that measure for
+        themselves; empty where only the variables were kept.
+    """
+
+    names: tuple[str, ...]
+    values: Block
+    windows: Block = field(default_factory=lambda: NO_WINDOWS)
+
+    def __getitem__(self, name: str) -> Block:
+        """Give one variable's values, shape (n_frames,); KeyError for an unknown name."""
+        try:
+            return self.values[:, self.names.index(name)]
+        except ValueError:
+            raise KeyError(name) from None
+
+    def part(self, frames: slice) -> "Features":
+        """Give some of the frames of the block, as a block."""
+        return Features(self.names, self.values[frames], self.windows[frames])
+
+    def with_columns(self, names: tuple[str, ...], values: Block) -> "Features":
+        """Give the same with more columns, shape (n_frames, n_more)."""
+        return Features(_longer(self.names, names), np.concatenate((self.values, values), axis=1), self.windows)
+
+    def frame(self, k: int) -> dict[str, float]:
+        """Give the values of frame `k` by name."""
+        return dict(zip(self.names, self.values[k].tolist(), strict=True))
+
+
+def zero_crossings_of(frames: Block) -> Block:
+    """Count the sign changes inside each raw frame (2048 samples); zero counts as positive. Shape (n_frames,)."""
+    negative = frames < ZERO
+    counts: Block = (negative[:, 1:] != negative[:, :-1]).dot(ONES)
+    return counts
+
+
+def peak_levels_of(frames: Block) -> Block:
+    """Give the largest absolute sample of each frame, shape (n_frames,)."""
+    levels: Block = np.maximum.reduce(np.abs(frames), axis=1)
+    return levels
+
+
+@lru_cache(maxsize=64)
+def _longer(names: tuple[str, ...], more: tuple[str, ...]) -> tuple[str, ...]:
+    """Join names; the same names give the same object, by which whoever looks them up knows them again."""
+    return names + more
+
+
+class BandMeter:
+    """Measures variables on spectra, and on what denoising and normalising make of them.
+
+    The maxima are written beside the bins of their spectrum, as if they were more bins. What happens to them after
+    that keeps the order of amplitudes, so they stay the maxima, and all variables are one matrix product.
+
+    Parameters
+    ----------
+    names : the columns of what is measured.
+    variables : what to measure.
+    centres : frequency of each bin or band, shape (n_bins,), Hz.
+    """
+
+    def __init__(self, names: tuple[str, ...], variables: Iterable[Variable], centres: NDArray[np.float64]) -> None:
+        reaches = {v: reach for v in variables if (reach := _reach(v, centres)).stop > reach.start}
+        maxima = [v for v in reaches if v.kind is Kind.MAX]
+        self._n_bins, self._n_wide = len(centres), len(centres) + len(maxima)
+        self._edges = np.array([(reaches[v].start, reaches[v].stop) for v in maxima], np.intp).ravel()
+        self._weights = {source: np.zeros((self._n_wide, len(names)), FLOAT) for source in Spectrum}
+        for v, reach in reaches.items():
+            bins = self._n_bins + maxima.index(v) if v.kind is Kind.MAX else reach
+            weight = 1 / (reach.stop - reach.start) if v.kind is Kind.MEAN else 1
+            self._weights[v.source][bins, names.index(v.name)] = weight
+
+    def room_for(self, n_frames: int) -> Block:
+        """Give room for spectra and their maxima: zeros, float32, shape (n_frames, n_bins + n_maxima)."""
+        return np.zeros((n_frames, self._n_wide), FLOAT)
+
+    def add_maxima(self, wide: Block) -> None:
+        """Write the maxima beside the bins."""
+        wide[:, self._n_bins :] = np.maximum.reduceat(wide, self._edges, axis=1)[:, ::2]
+
+    def widen(self, spectra: Block) -> Block:
+        """Give spectra with their maxima beside the bins; float32, shape (n_frames, n_bins + n_maxima)."""
+        wide = self.room_for(len(spectra))
+        wide[:, : self._n_bins] = spectra
+        self.add_maxima(wide)
+        return wide
+
+    def weights(self, source: Spectrum) -> Block:
+        """Give what widened spectra are multiplied with to measure the variables of a source.
+
+        Returns
+        -------
+        float32, shape (n_bins + n_maxima, n_names); the columns of all other variables are 0.
+        """
+        return self._weights[source]
+
+
+def _reach(variable: Variable, centres: NDArray[np.float64]) -> slice:
+    if variable.source is not Spectrum.MEL:
+        reach = variable.bins(len(centres))
+        return slice(reach.start, max(reach.start, reach.stop))
+    first, last = np.searchsorted(centres, (variable.low, np.nextafter(variable.high, np.inf)))
+    return slice(int(first), int(last))

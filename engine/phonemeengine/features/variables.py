@@ -1,0 +1,146 @@
+"""Variables: what is measured on a frame, and over which frequencies.
+
+The band variables are those of the thesis, given there as ranges of bins; the user adds others of the same kind.
+"""
+
+import math
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+
+from phonemeengine.errors import SettingsError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
+
+
+class Kind(StrEnum):
+    """How the amplitudes of a range become one number."""
+
+    SUM = "sum"
+    MAX = "max"
+    MEAN = "mean"
+
+
+class Spectrum(StrEnum):
+    """Which spectrum a variable looks at.
+
+    ``raw`` comes straight from the Fourier transform, ``filtered`` has passed smoothing and the two pass filters,
+    ``normalised`` has passed all filters that are on, ``mel`` is what the mel bank gives (always 0 while it is off).
+    """
+
+    RAW = "raw"
+    FILTERED = "filtered"
+    NORMALISED = "normalised"
+    MEL = "mel"
+
+
+_NAME = re.compile(r"[a-z][a-z0-9_]*")
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One measured number: the sum, maximum or mean of a spectrum's amplitudes over a frequency range.
+
+    Divided by another variable, it says how much stronger one range is than another, however loud the sound.
+
+    Parameters
+    ----------
+    name : lower-case letters, digits and underscores.
+    low, high : the range in Hz, both ends included.
+    kind : sum, max or mean.
+    source : which spectrum.
+    per : name of the variable that it is divided by (0 / 0 is 0); empty where it is not divided.
+
+    Raises
+    ------
+    SettingsError : the name or the range is impossible.
+    """
+
+    name: str
+    low: float
+    high: float
+    kind: Kind = Kind.SUM
+    source: Spectrum = Spectrum.NORMALISED
+    per: str = ""
+
+    def __post_init__(self) -> None:
+        if not _NAME.fullmatch(self.name):
+            raise SettingsError(
+                f"a variable's name must be lower-case letters, digits and underscores, got {self.name[:60]!r}"
+            )
+        if not 0 <= self.low <= self.high <= SAMPLE_RATE / 2:
+            raise SettingsError(
+                f"{self.name} must range within 0..{SAMPLE_RATE / 2:g} Hz and upwards, "
+                f"got {self.low:g}..{self.high:g} Hz"
+            )
+
+    def bins(self, n_bins: int) -> slice:
+        """Give the bins whose centre lies in the range, cut to those that a spectrum has."""
+        return slice(math.ceil(self.low / BIN_WIDTH), min(math.floor(self.high / BIN_WIDTH) + 1, n_bins))
+
+
+def _of_bins(name: str, first: int, last: int, kind: Kind) -> Variable:
+    return Variable(name, first * BIN_WIDTH, last * BIN_WIDTH, kind)
+
+
+BAND_VARIABLES: tuple[Variable, ...] = (
+    Variable("energy_n", 0, SAMPLE_RATE / 2, Kind.SUM),
+    _of_bins("m_szsch1", 80, 130, Kind.SUM),
+    _of_bins("m_s1", 175, 240, Kind.SUM),
+    _of_bins("m_p1", 3, 5, Kind.SUM),
+    _of_bins("m_p2", 200, 220, Kind.MAX),
+    _of_bins("m_ae1", 50, 100, Kind.MAX),
+    _of_bins("m_a1", 12, 27, Kind.SUM),
+    _of_bins("m_o1", 8, 18, Kind.SUM),
+)
+
+ENERGY_VARIABLES: tuple[Variable, ...] = (
+    Variable("energy", 0, SAMPLE_RATE / 2, Kind.SUM, Spectrum.FILTERED),
+    Variable("max_energy", 0, SAMPLE_RATE / 2, Kind.MAX, Spectrum.FILTERED),
+)
+
+WHOLE_FRAME_VARIABLES = ("zero_crossings", "volume", "energy", "max_energy", "f0")
+"""What is measured on the window or on the whole spectrum: a count, 0..1, amplitudes, an amplitude, Hz."""
+
+TABLE_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
+"""What stands beside the variables in a table of frames."""
+
+SCORES = tuple(f"p_{phoneme.label}" for phoneme in Phoneme)
+"""How likely each phoneme is, in the order of `Phoneme`: further columns, of recognisers that measure it."""
+
+DEFICITS = tuple(f"deficit_{phoneme.label}" for phoneme in Phoneme)
+"""By how much each phoneme falls short of being the likeliest, log-odds; worked out from the scores."""
+
+BUILT_IN_NAMES = (*WHOLE_FRAME_VARIABLES, *(v.name for v in BAND_VARIABLES))
+
+
+UNITS = {"zero_crossings": "per window", "f0": "Hz", **dict.fromkeys(DEFICITS, "log-odds")}
+"""Units of what is no amplitude."""
+
+
+def unit_of(name: str, mine: Iterable[Variable] = ()) -> str:
+    """Give the unit of a variable, built in or one of the user's own; a quotient of two is a ratio."""
+    quotients = {variable.name for variable in mine if variable.per}
+    return "ratio" if name in quotients else UNITS.get(name, "amplitude")
+
+
+def check_user_variables(variables: tuple[Variable, ...]) -> None:
+    """Refuse names that are built in, head another column of a table, or stand twice, and unknown divisors.
+
+    Raises
+    ------
+    SettingsError : a name is taken, or a variable is divided by one that is not measured or divided itself.
+    """
+    seen = {*BUILT_IN_NAMES, *TABLE_COLUMNS, *SCORES, *DEFICITS}
+    for variable in variables:
+        if variable.name in seen:
+            raise SettingsError(f"a variable named {variable.name[:60]} exists already; choose another name")
+        seen.add(variable.name)
+    divisors = {*BUILT_IN_NAMES, *(v.name for v in variables if not v.per)}
+    for variable in variables:
+        if variable.per and variable.per not in divisors:
+            raise SettingsError(
+                f"{variable.name[:40]} is divided by {variable.per[:40]!r}, which is not measured or is divided "
+                "itself; name a variable that stands by itself"
+            )

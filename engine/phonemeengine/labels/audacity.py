@@ -1,0 +1,47 @@
+"""Audacity's label tracks: a line for each label, with its start, its end and its name between tabs.
+
+A second line that begins with a backslash tells the frequencies of a label that was drawn in a spectrogram; it is
+passed over. A label without length is a remark at a point, not a stretch of sound, and is passed over too.
+"""
+
+from collections.abc import Sequence
+
+from phonemeengine.labels.label import Label, Mark
+from phonemeengine.errors import CorpusError
+
+FREQUENCIES = "\\"
+"""What a line with frequencies begins with."""
+
+
+def marks_of(text: str, file: str) -> tuple[Mark, ...]:
+    """Read the stretches that have a name from the text of an exported label track.
+
+    Raises
+    ------
+    CorpusError : a line is no label; names it.
+    """
+    lines = [(number, line) for number, line in enumerate(text.split("\n"), 1) if line.strip()]
+    found = [_mark_of(line, f"line {number}", file) for number, line in lines if not line.startswith(FREQUENCIES)]
+    stretches = [mark for mark in found if mark.start != mark.end]
+    if found and not stretches:
+        raise CorpusError(
+            f"{file}: all its labels are points without length; drag each label over its sound and export them again"
+        )
+    return tuple(mark for mark in stretches if mark.name)
+
+
+def format_audacity(labels: Sequence[Label]) -> str:
+    """Write labels, in order of time, as a label track with our names."""
+    return "".join(f"{label.start:.6f}\t{label.end:.6f}\t{label.phoneme.label}\n" for label in labels)
+
+
+def _mark_of(line: str, place: str, file: str) -> Mark:
+    start, end, name = [*line.split("\t", 2), "", ""][:3]
+    try:
+        times = [float(time.strip().replace(",", ".")) for time in (start, end)]
+    except ValueError:
+        raise CorpusError(
+            f"{file}, {place}: a label of Audacity is start, end and name with tabs between them, found "
+            f"{line[:40]!r}; export the label track again"
+        ) from None
+    return Mark(times[0], times[1], name.strip(), place)

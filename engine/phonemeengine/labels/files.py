@@ -1,0 +1,127 @@
+"""Label files of every kind, by the ending of their names: the door for all who read or write labels."""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.labels import audacity
+from phonemeengine.labels import table
+from phonemeengine.labels.label import Label, Mark, in_order
+from phonemeengine.labels.phoneme_map import Mapping, labels_named
+from phonemeengine.labels.text_io import read_text, write_text
+from phonemeengine.labels.textgrid import Tier, format_textgrid, tiers_of
+from phonemeengine.errors import CorpusError
+
+LABEL_SUFFIXES = (".textgrid", ".csv", ".txt")
+"""Endings, in small letters, of label files; where a sound has several, the first counts."""
+
+TIER_NAMES = ("phon", "segment", "mau")
+"""What the names of tiers begin with that hold sounds, not words, in small letters."""
+
+
+def read_labels(
+    path: Path, mapping: Mapping | None = None, *, duration: float | None = None, tier: str | None = None
+) -> tuple[Label, ...]:
+    """Read a label file: TextGrid (.TextGrid), Audacity's labels (.txt), or the corpus format (.csv).
+
+    Parameters
+    ----------
+    path : the file.
+    mapping : what names stand for that nobody knows.
+    duration : length of the sound, seconds, where it is known.
+    tier : of a TextGrid; the first one whose names are phonemes, where it is None.
+
+    Raises
+    ------
+    UnknownPhonemes : names in it stand for no phoneme.
+    CorpusError : it cannot be read, or says something impossible.
+    """
+    mapping = mapping or Mapping()
+    name = shown_name(path)
+    marks = read_marks(path, mapping, duration=duration, tier=tier)
+    return labels_named(marks, mapping.senses_of(names_in(marks), name))
+
+
+def read_marks(
+    path: Path, mapping: Mapping, *, duration: float | None = None, tier: str | None = None
+) -> tuple[Mark, ...]:
+    """Read a label file as `read_labels` does, and leave its names as they are.
+
+    Raises
+    ------
+    CorpusError : it cannot be read, or says something impossible.
+    """
+    name, suffix = shown_name(path), path.suffix.lower()
+    if suffix not in LABEL_SUFFIXES:
+        raise CorpusError(
+            f"{name}: labels are read from .TextGrid, .txt (Audacity) and .csv files; choose one of them"
+        )
+    text = read_text(path)
+    if suffix == ".textgrid":
+        marks = _chosen(tiers_of(text, name), mapping, tier, name).marks
+    else:
+        marks = (table if suffix == ".csv" else audacity).marks_of(text, name)
+    if not marks:
+        raise CorpusError(f"{name}: there is no label in it; label the sounds and save it again")
+    return in_order(marks, name, duration)
+
+
+def names_in(marks: Iterable[Mark]) -> Counter[str]:
+    """Count the names of marks."""
+    return Counter(mark.name for mark in marks)
+
+
+def write_labels(
+    labels: Sequence[Label], path: Path, *, duration: float = 0.0, encoding: str = "utf-8", short: bool = False
+) -> None:
+    """Write labels in the format that the file's name ends with; the old file stays until the new one is complete.
+
+    The corpus format (.csv) keeps everything; a TextGrid and Audacity's labels hold names and times, to the
+    microsecond.
+
+    Parameters
+    ----------
+    labels : in order of time.
+    path : .TextGrid, .txt (Audacity) or .csv.
+    duration : length of the sound, where a TextGrid ends, seconds; the end of the last label where that is later.
+    encoding : of a TextGrid: utf-8, utf-8-sig, or utf-16 (both with a byte order mark).
+    short : write a TextGrid in the short format.
+
+    Raises
+    ------
+    CorpusError : the name ends differently, there is no label, or the file cannot be written.
+    """
+    suffix = path.suffix.lower()
+    if suffix not in LABEL_SUFFIXES:
+        raise CorpusError(
+            f"{shown_name(path)}: labels are written to .TextGrid, .txt (Audacity) and .csv files; choose such a name"
+        )
+    if not labels:
+        raise CorpusError(f"{shown_name(path)}: there is no label to write; label something first")
+    if suffix == ".textgrid":
+        write_text(format_textgrid(labels, duration, short=short), path, encoding)
+    else:
+        write_text(table.format_table(labels) if suffix == ".csv" else audacity.format_audacity(labels), path)
+
+
+def _chosen(tiers: tuple[Tier, ...], mapping: Mapping, wanted: str | None, file: str) -> Tier:
+    """Give the tier of a name, or the one of whose names the most are known."""
+    names = ", ".join(repr(tier.name[:40]) for tier in tiers) or "none"
+    if wanted is not None:
+        found = [tier for tier in tiers if tier.name == wanted]
+        if not found:
+            raise CorpusError(
+                f"{file}: there is no tier of intervals named {wanted!r:.40}, found {names}; choose one"
+            )
+        return found[0]
+    filled = [tier for tier in tiers if tier.marks]
+    if not filled:
+        raise CorpusError(
+            f"{file}: there is no tier of intervals with a label, found {names}; label the sounds in one"
+        )
+    return max(filled, key=lambda tier: (_known_share(tier, mapping), tier.name.lower().startswith(TIER_NAMES)))
+
+
+def _known_share(tier: Tier, mapping: Mapping) -> float:
+    return sum(mapping.knows(mark.name) for mark in tier.marks) / len(tier.marks)

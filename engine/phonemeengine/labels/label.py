@@ -1,0 +1,140 @@
+"""What was said when: a stretch as a file has it, and as one of our phonemes."""
+
+import itertools
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.errors import CorpusError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Run, runs_of
+from phonemeengine.settings import FRAME_PERIOD
+
+CORE = "core"
+"""The certainty of a label that says surely what is heard."""
+
+ROUNDING = 0.001
+"""Seconds by which times may be off because a file rounds them: two labels may overlap, or the last one outlast its
+sound, by as much."""
+
+LONGEST_OVERHANG = 0.05
+"""A label that ends this much after its sound is cut, seconds; one that ends later belongs to another sound."""
+
+LAST_END = 86_400.0
+"""Labels end within a day, seconds."""
+
+
+@dataclass(frozen=True)
+class Label:
+    """What was said in one stretch of a recording.
+
+    Attributes
+    ----------
+    start, end : seconds.
+    phone : the sound in the alphabet of its language.
+    phoneme : the class that it counts as.
+    certainty : ``core``, or why the class is not certain, such as ``ambiguous`` or ``diphthong``.
+    """
+
+    start: float
+    end: float
+    phone: str
+    phoneme: Phoneme
+    certainty: str = CORE
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A stretch of a label file, before anybody knows what its name means.
+
+    Attributes
+    ----------
+    start, end : seconds.
+    name : what stands for the phoneme.
+    place : where it stands in the file, for people, such as ``line 3``.
+    phone : the sound in the alphabet of its language; the name, where it is None.
+    certainty : as in `Label`; None where the file does not say it.
+    """
+
+    start: float
+    end: float
+    name: str
+    place: str
+    phone: str | None = None
+    certainty: str | None = None
+
+
+def in_order(marks: Iterable[Mark], file: str, duration: float | None = None) -> tuple[Mark, ...]:
+    """Give marks in order of time, mended where a file's rounding made them overlap or outlast the sound.
+
+    Parameters
+    ----------
+    marks : in any order.
+    file : what the file is called in a refusal.
+    duration : length of the sound, seconds, where it is known. A mark that ends up to 50 ms after it is cut there;
+        up to 1 ms is rounding and stays.
+
+    Raises
+    ------
+    CorpusError : times that are impossible, overlap by more than 1 ms, or lie beyond the sound.
+    """
+    ordered = sorted(_checked(marks, file), key=lambda mark: (mark.start, mark.end))
+    if duration is not None:
+        ordered = [_within(mark, file, duration) for mark in ordered]
+    for k, (mark, following) in enumerate(itertools.pairwise(ordered)):
+        if mark.end - following.start > ROUNDING:
+            raise CorpusError(
+                f"{file}, {following.place}: labels must not overlap, found {_span(following)} after {_span(mark)} "
+                f"of {mark.place}; move one of their borders"
+            )
+        ordered[k] = replace(mark, end=max(mark.start, min(mark.end, following.start)))
+    return tuple(ordered)
+
+
+def labels_of(phonemes: NDArray[np.uint8], duration: float | None = None) -> tuple[Label, ...]:
+    """Join equal frames of 10 ms into labels without gaps.
+
+    Parameters
+    ----------
+    phonemes : codes of `Phoneme`, shape (n_frames,).
+    duration : length of the sound, seconds, where the last label ends; that of the frames where it is None.
+    """
+    seconds = len(phonemes) * FRAME_PERIOD if duration is None else duration
+    return labels_of_runs(runs_of([(phonemes, np.zeros(len(phonemes), np.float32))], seconds))
+
+
+def labels_of_runs(runs: Iterable[Run]) -> tuple[Label, ...]:
+    """Give stretches of recognised phonemes, in order of time, as labels."""
+    return tuple(Label(run.start, run.end, run.phoneme.label, run.phoneme) for run in runs)
+
+
+def _checked(marks: Iterable[Mark], file: str) -> Iterator[Mark]:
+    for mark in marks:
+        if not (math.isfinite(mark.start) and math.isfinite(mark.end) and mark.start >= 0):
+            fault = "times must be seconds from 0"
+        elif mark.end < mark.start:
+            fault = "a label must not end before it starts"
+        elif mark.end > LAST_END:
+            fault = f"labels must end within a day ({LAST_END:g} s)"
+        else:
+            yield mark
+            continue
+        raise CorpusError(f"{file}, {mark.place}: {fault}, found {_span(mark)}; correct the label")
+
+
+def _within(mark: Mark, file: str, duration: float) -> Mark:
+    if mark.end <= duration + ROUNDING:
+        return mark
+    if mark.start >= duration or mark.end > duration + LONGEST_OVERHANG:
+        raise CorpusError(
+            f"{file}, {mark.place}: the label at {_span(mark)} lies beyond the end of the sound, which lasts "
+            f"{duration:.3f} s; check whether the labels belong to this sound"
+        )
+    return replace(mark, end=duration)
+
+
+def _span(mark: Mark) -> str:
+    return f"{mark.start:g}..{mark.end:g} s"

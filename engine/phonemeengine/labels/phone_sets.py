@@ -1,0 +1,134 @@
+"""What the names of sounds mean in the alphabets that label files are written in: IPA, SAMPA and ARPAbet.
+
+The classes are those of the corpus format: vowels between two classes are ambiguous, diphthongs count as what they
+begin with, and an affricate is a closure that ends in friction.
+"""
+
+import re
+from dataclasses import dataclass
+
+from phonemeengine.labels.label import CORE
+from phonemeengine.phonemes import Phoneme
+
+AMBIGUOUS, DIPHTHONG, AFFRICATE = "ambiguous", "diphthong", "affricate"
+X = Phoneme.UNIDENTIFIED
+
+
+@dataclass(frozen=True)
+class Sense:
+    """What a name stands for: a class, and how certain that is."""
+
+    phoneme: Phoneme
+    certainty: str = CORE
+
+
+Row = tuple[Phoneme, str, str]
+"""A class, a certainty, and the names that have them."""
+
+SILENCES: tuple[Row, ...] = (
+    (Phoneme.SILENCE, CORE, "sil sp pau # ## h# <p:> <sil> [sil] <s> </s> brth"),
+    (X, CORE, "spn"),
+)
+
+ARPABET: tuple[Row, ...] = (
+    (Phoneme.SZ, CORE, "S Z"),
+    (Phoneme.SCH, CORE, "SH ZH"),
+    (Phoneme.SCH, AFFRICATE, "CH JH"),
+    (Phoneme.M, CORE, "M EM"),
+    (Phoneme.P, CORE, "P B"),
+    (Phoneme.A, CORE, "AA"),
+    (Phoneme.A, AMBIGUOUS, "AH"),
+    (Phoneme.A, DIPHTHONG, "AW AY"),
+    (Phoneme.E, CORE, "EH"),
+    (Phoneme.E, AMBIGUOUS, "AE AX ER AXR IX"),
+    (Phoneme.E, DIPHTHONG, "EY"),
+    (Phoneme.I, CORE, "IY"),
+    (Phoneme.I, AMBIGUOUS, "IH"),
+    (Phoneme.O, AMBIGUOUS, "AO"),
+    (Phoneme.O, DIPHTHONG, "OW OY"),
+    (Phoneme.U, CORE, "UW"),
+    (Phoneme.U, AMBIGUOUS, "UH UX"),
+    (X, CORE, "N EN NX NG L EL R Y W WH HH HV T D DX K G F V TH DH Q"),
+)
+
+IPA: tuple[Row, ...] = (
+    (Phoneme.SZ, CORE, "s z sʲ zʲ s̪ z̪"),
+    (Phoneme.SZ, AFFRICATE, "ts dz tsʲ"),
+    (Phoneme.SCH, CORE, "ʃ ʒ ʂ ʐ ʃʲ"),
+    (Phoneme.SCH, AMBIGUOUS, "ɕ ʑ"),
+    (Phoneme.SCH, AFFRICATE, "tʃ dʒ tɕ dʑ tʂ dʐ ʧ ʤ"),
+    (Phoneme.M, CORE, "m mʲ m̩"),
+    (Phoneme.M, AMBIGUOUS, "ɱ"),
+    (Phoneme.P, CORE, "p b pʲ bʲ"),
+    (Phoneme.P, AFFRICATE, "pf"),
+    (Phoneme.A, CORE, "a ɑ ä ɑ̃"),
+    (Phoneme.A, AMBIGUOUS, "ʌ ɐ ɜ"),
+    (Phoneme.A, DIPHTHONG, "aɪ aʊ ai au aj aw ɑɪ ɑʊ aɪə aʊə"),
+    (Phoneme.E, CORE, "e ɛ"),
+    (Phoneme.E, AMBIGUOUS, "æ ə ɘ ɚ ɝ ɛ̃ œ̃"),
+    (Phoneme.E, DIPHTHONG, "eɪ ei ej eə ɛɪ ɛə"),
+    (Phoneme.I, CORE, "i ɪ"),
+    (Phoneme.I, AMBIGUOUS, "ɨ ᵻ"),
+    (Phoneme.I, DIPHTHONG, "iə ɪə"),
+    (Phoneme.O, CORE, "o ɔ"),
+    (Phoneme.O, AMBIGUOUS, "ɒ ɔ̃ õ ɵ ø œ"),
+    (Phoneme.O, DIPHTHONG, "oʊ ou ow əʊ ɔɪ ɔʏ ɔj ɔø"),
+    (Phoneme.U, CORE, "u ʊ"),
+    (Phoneme.U, AMBIGUOUS, "y ʏ ʉ"),
+    (Phoneme.U, DIPHTHONG, "ʊə uə"),
+    (X, CORE, "n n̩ nʲ ɲ ŋ l l̩ lʲ ɫ ʎ ɭ r ɹ ɾ ʁ ʀ rʲ ɻ j w ɥ ʍ h ɦ x χ ç ɣ ʝ t tʲ d dʲ c ɟ k ɡ g q f v ʋ θ ð ʔ"),
+)
+
+SAMPA: tuple[Row, ...] = (
+    (Phoneme.SZ, CORE, "s z"),
+    (Phoneme.SZ, AFFRICATE, "ts dz"),
+    (Phoneme.SCH, CORE, "S Z"),
+    (Phoneme.SCH, AFFRICATE, "tS dZ"),
+    (Phoneme.M, CORE, "m m="),
+    (Phoneme.P, CORE, "p b"),
+    (Phoneme.P, AFFRICATE, "pf"),
+    (Phoneme.A, CORE, "a A A~ a~"),
+    (Phoneme.A, AMBIGUOUS, "V 6 3"),
+    (Phoneme.A, DIPHTHONG, "aI aU"),
+    (Phoneme.E, CORE, "e E"),
+    (Phoneme.E, AMBIGUOUS, "{ @ @` 3` E~ e~ 9~"),
+    (Phoneme.E, DIPHTHONG, "eI e@"),
+    (Phoneme.I, CORE, "i I"),
+    (Phoneme.I, AMBIGUOUS, "1"),
+    (Phoneme.I, DIPHTHONG, "I@"),
+    (Phoneme.O, CORE, "o O"),
+    (Phoneme.O, AMBIGUOUS, "Q O~ o~ 2 9"),
+    (Phoneme.O, DIPHTHONG, "@U oU OI OY"),
+    (Phoneme.U, CORE, "u U"),
+    (Phoneme.U, AMBIGUOUS, "y Y }"),
+    (Phoneme.U, DIPHTHONG, "U@"),
+    (X, CORE, "n n= N J l l= L r R R\\ r\\ 4 j w h x X C G t d k g f v T D ?"),
+)
+
+_IPA_MARKS = str.maketrans("", "", "ˈˌː:ˑʰʼ‿‍|-\u0361\u035c\u032f ")
+_STRESS = re.compile(r"(?<=[A-Z])[012]$")
+_SAMPA_MARKS = re.compile(r"^[\"%']+|:|_h|_>")
+
+
+def _table(rows: tuple[Row, ...]) -> dict[str, Sense]:
+    return {name: Sense(phoneme, certainty) for phoneme, certainty, names in rows for name in names.split()}
+
+
+_SILENCES, _ARPABET, _IPA, _SAMPA = (_table(rows) for rows in (SILENCES, ARPABET, IPA, SAMPA))
+_OWN = {phoneme.label: Sense(phoneme) for phoneme in Phoneme}
+
+
+def own_sense(name: str) -> Sense | None:
+    """Give what one of our own names means, or one that stands for silence in every alphabet; None for another."""
+    small = name.lower()
+    return _OWN.get(small) or _SILENCES.get(small)
+
+
+def senses_in_alphabets(name: str) -> tuple[Sense | None, Sense | None, Sense | None]:
+    """Give what a name means in ARPAbet, IPA and SAMPA, without marks of stress and length; None where it is none."""
+    spelt = name.upper() if name.islower() and name.isascii() else name
+    return (
+        _ARPABET.get(_STRESS.sub("", spelt)),
+        _IPA.get(name.translate(_IPA_MARKS)),
+        _SAMPA.get(_SAMPA_MARKS.sub("", name)),
+    )

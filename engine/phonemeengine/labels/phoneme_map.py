@@ -1,0 +1,155 @@
+"""The names of sounds in label files, and which of our phonemes they stand for.
+
+A name is looked up in the user's mapping, then among our own names, then in IPA, SAMPA and ARPAbet. ``S`` is the
+sound of *see* in ARPAbet and that of *she* in SAMPA: what else stands in the files tells which alphabet they are
+written in, and a name that is then still doubtful counts as unknown.
+"""
+
+import tomllib
+from collections import abc
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import tomli_w
+
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.labels.phone_sets import AFFRICATE, Sense, own_sense, senses_in_alphabets
+from phonemeengine.labels.label import Label, Mark
+from phonemeengine.labels.table import rows_of, table_of
+from phonemeengine.labels.text_io import read_text, write_text
+from phonemeengine.errors import CorpusError, UnknownPhonemes
+from phonemeengine.phonemes import Phoneme
+
+FORMAT = "phonemeanalyser mapping 1"
+COLUMNS = ("name", "phoneme")
+CLOSURE = 0.45
+"""Share of an affricate that is closure, as in the corpus format."""
+
+_OWN = {phoneme.label: phoneme for phoneme in Phoneme}
+
+
+@dataclass(frozen=True)
+class Mapping:
+    """Which phoneme a foreign name stands for, as the user says; it goes before all other knowledge.
+
+    Attributes
+    ----------
+    phonemes : by name, spelt as in the label files.
+    """
+
+    phonemes: abc.Mapping[str, Phoneme] = field(default_factory=dict)
+
+    def knows(self, name: str) -> bool:
+        """Say whether a name may stand for a phoneme."""
+        return name in self.phonemes or own_sense(name) is not None or any(senses_in_alphabets(name))
+
+    def senses_of(self, names: abc.Mapping[str, int], file: str) -> dict[str, Sense]:
+        """Say what the names in some label files mean.
+
+        Parameters
+        ----------
+        names : how often each occurs.
+        file : what the files are called in a refusal.
+
+        Raises
+        ------
+        UnknownPhonemes : some are unknown, or doubtful; it holds them all.
+        """
+        known = {name: Sense(phoneme) for name, phoneme in self.phonemes.items()}
+        known |= {name: own for name in names if name not in known and (own := own_sense(name))}
+        known |= _senses_in_the_same_alphabet([name for name in names if name not in known])
+        unknown = {name: count for name, count in names.items() if name not in known}
+        if unknown:
+            raise UnknownPhonemes(file, unknown)
+        return known
+
+
+def labels_named(marks: Iterable[Mark], senses: abc.Mapping[str, Sense]) -> tuple[Label, ...]:
+    """Give marks as labels; affricates become a closure, which is unidentified, and friction."""
+    return tuple(label for mark in marks for label in _labels_of(mark, senses[mark.name]))
+
+
+def load_mapping(path: Path) -> Mapping:
+    """Load a mapping: TOML with lines ``name = "phoneme"`` in a table ``[phonemes]``, or CSV with name and phoneme.
+
+    Raises
+    ------
+    CorpusError : it cannot be read, or names no phoneme of ours.
+    """
+    file = shown_name(path)
+    text = read_text(path)
+    entries = _entries_of_csv(text, file) if path.suffix.lower() == ".csv" else _entries_of_toml(text, file)
+    return Mapping({name: _phoneme_of(name, phoneme, file) for name, phoneme in entries.items()})
+
+
+def save_mapping(mapping: Mapping, path: Path) -> None:
+    """Save a mapping as CSV where the name ends in ``.csv``, else as TOML.
+
+    Raises
+    ------
+    CorpusError : the file cannot be written.
+    """
+    entries = {name: phoneme.label for name, phoneme in mapping.phonemes.items()}
+    if path.suffix.lower() == ".csv":
+        write_text(table_of(COLUMNS, entries.items()), path)
+    else:
+        write_text(tomli_w.dumps({"format": FORMAT, "phonemes": entries}), path)
+
+
+def _phoneme_of(name: str, phoneme: object, file: str) -> Phoneme:
+    found = _OWN.get(phoneme.strip().lower()) if isinstance(phoneme, str) else None
+    if found is None:
+        raise CorpusError(
+            f"{file}: {name!r:.40} must stand for one of {', '.join(_OWN)}, found {phoneme!r:.40}; correct it"
+        )
+    return found
+
+
+def _senses_in_the_same_alphabet(names: list[str]) -> dict[str, Sense]:
+    """Give what names mean in the alphabets that know the most of them; what these do not agree on is left out."""
+    found = {name: senses_in_alphabets(name) for name in names}
+    n_known = [sum(sense is not None for sense in column) for column in zip(*found.values(), strict=True)]
+    likely = [k for k, n in enumerate(n_known) if n == max(n_known)]
+    meanings = {
+        name: {senses[k] for k in likely if senses[k]} or {sense for sense in senses if sense}
+        for name, senses in found.items()
+    }
+    return {name: sense for name, few in meanings.items() if len(few) == 1 for sense in few if sense}
+
+
+def _labels_of(mark: Mark, sense: Sense) -> tuple[Label, ...]:
+    phone = mark.name if mark.phone is None else mark.phone
+    certainty = mark.certainty or sense.certainty
+    if mark.certainty is not None or sense.certainty != AFFRICATE or sense.phoneme is Phoneme.P:
+        return (Label(mark.start, mark.end, phone, sense.phoneme, certainty),)
+    friction = mark.start + CLOSURE * (mark.end - mark.start)
+    return (
+        Label(mark.start, friction, f"{phone}_cl", Phoneme.UNIDENTIFIED, AFFRICATE),
+        Label(friction, mark.end, f"{phone}_fr", sense.phoneme, AFFRICATE),
+    )
+
+
+def _entries_of_toml(text: str, file: str) -> dict[str, object]:
+    try:
+        document = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise CorpusError(f"{file}: this is no TOML file ({error}); correct it") from error
+    if document.get("format", FORMAT) != FORMAT:
+        raise CorpusError(
+            f"{file}: a mapping begins with format = {FORMAT!r}, found {document['format']!r:.60}; if a newer "
+            "version of the program wrote it, use that"
+        )
+    entries = document.get("phonemes")
+    if not isinstance(entries, dict) or document.keys() - {"format", "phonemes"}:
+        raise CorpusError(f'{file}: a mapping is a table [phonemes] with lines like "AA" = "a"; write it like that')
+    return entries
+
+
+def _entries_of_csv(text: str, file: str) -> dict[str, object]:
+    entries: dict[str, object] = {}
+    for line, row in rows_of(text, COLUMNS, file):
+        if row["name"] in entries:
+            raise CorpusError(f"{file}, line {line}: {row['name']!r:.40} stands there twice; remove one of the rows")
+        entries[row["name"]] = row["phoneme"]
+    return entries

@@ -1,0 +1,74 @@
+"""Label files of the corpus format: CSV with the columns start_s, end_s, phone, class and certainty.
+
+Other tables in CSV, such as the manifest of a corpus, are read by the same door.
+"""
+
+import csv
+import io
+from collections.abc import Iterable, Sequence
+
+from phonemeengine.labels.label import CORE, Label, Mark
+from phonemeengine.errors import CorpusError
+
+COLUMNS = ("start_s", "end_s", "phone", "class", "certainty")
+
+
+def rows_of(text: str, columns: tuple[str, ...], file: str) -> list[tuple[int, dict[str, str]]]:
+    """Read a table in CSV with a header; give for each row the line where it ends, and its cells by column.
+
+    Raises
+    ------
+    CorpusError : it lacks one of `columns`, or has no row, or is no CSV.
+    """
+    reader = csv.DictReader(io.StringIO(text, newline=""), restval="")
+    try:
+        header = reader.fieldnames or ()
+        rows = [(reader.line_num, {str(key): str(value) for key, value in row.items()}) for row in reader]
+    except csv.Error as error:
+        raise CorpusError(f"{file}: it cannot be read as CSV ({error}); check the file") from error
+    missing = [name for name in columns if name not in header]
+    if missing:
+        raise CorpusError(f"{file}: it lacks the column {missing[0]}; it needs {', '.join(columns)}")
+    if not rows:
+        raise CorpusError(f"{file}: there is no row under the header; it needs at least one")
+    return rows
+
+
+def table_of(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """Write a table as CSV with a header."""
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows(rows)
+    return text.getvalue()
+
+
+def marks_of(text: str, file: str) -> tuple[Mark, ...]:
+    """Read the text of a label file of the corpus format.
+
+    Raises
+    ------
+    CorpusError : a column or a row is missing, or a row says something impossible.
+    """
+    return tuple(_mark_of(row, f"line {line}", file) for line, row in rows_of(text, COLUMNS, file))
+
+
+def format_table(labels: Sequence[Label]) -> str:
+    """Write labels, in order of time, in the corpus format."""
+    return table_of(
+        COLUMNS,
+        ((f"{x.start:.6f}", f"{x.end:.6f}", x.phone, x.phoneme.label, x.certainty) for x in labels),
+    )
+
+
+def _mark_of(row: dict[str, str], place: str, file: str) -> Mark:
+    try:
+        start, end = float(row["start_s"]), float(row["end_s"])
+    except ValueError:
+        raise CorpusError(
+            f"{file}, {place}: start_s and end_s must be seconds, found {row['start_s'][:20]!r} and "
+            f"{row['end_s'][:20]!r}; correct the row"
+        ) from None
+    if not row["class"].strip():
+        raise CorpusError(f"{file}, {place}: the class must be a phoneme, found nothing; fill the cell in")
+    return Mark(start, end, row["class"].strip(), place, row["phone"], row["certainty"] or CORE)

@@ -1,0 +1,81 @@
+"""Text files of labels: read whatever encoding Praat writes, and written so that a half one never shows."""
+
+import codecs
+import os
+from contextlib import suppress
+from pathlib import Path
+
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.paths import reason_of
+from phonemeengine.errors import CorpusError
+
+LARGEST = 64 << 20
+"""Bytes of a label file at most: a day of labels has fewer."""
+
+_BYTE_ORDER_MARKS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+WITHIN = 4
+"""Bytes in which text in UTF-16 that begins without a byte order mark shows its zeros."""
+
+
+def read_text(path: Path) -> str:
+    """Give the text of a file in UTF-8 or UTF-16, with or without a byte order mark; line ends become ``\\n``.
+
+    Raises
+    ------
+    CorpusError : it cannot be read, is no text, or is too large.
+    """
+    name = shown_name(path)
+    try:
+        size = path.stat().st_size
+        content = path.read_bytes() if size <= LARGEST else b""
+    except (OSError, ValueError) as error:
+        raise CorpusError(f"{name}: it cannot be read ({reason_of(error)}); check the file") from error
+    if size > LARGEST:
+        raise CorpusError(
+            f"{name}: a file of labels has at most {LARGEST >> 20} MB, this has {size / 1e6:.0f} MB; choose another"
+        )
+    try:
+        text = content.decode(_encoding_of(content))
+    except UnicodeDecodeError as error:
+        raise CorpusError(
+            f"{name}: this is no text in UTF-8 or UTF-16; save it as a text file in one of them"
+        ) from error
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def write_text(text: str, path: Path, encoding: str = "utf-8") -> None:
+    """Write a text file; the old one stays until the new one is complete and on the disk.
+
+    Raises
+    ------
+    CorpusError : it cannot be written.
+    """
+    part = path.with_name(path.name + ".part")
+    try:
+        with part.open("wb") as file:
+            file.write(text.encode(encoding, errors="replace"))
+            file.flush()
+            os.fsync(file.fileno())
+        part.replace(path)
+    except (OSError, ValueError) as error:
+        with suppress(OSError, ValueError):
+            part.unlink()
+        raise CorpusError(
+            f"{shown_name(path)}: it cannot be written ({reason_of(error)}); choose another folder"
+        ) from error
+
+
+def _encoding_of(content: bytes) -> str:
+    for mark, encoding in _BYTE_ORDER_MARKS:
+        if content.startswith(mark):
+            return encoding
+    first = content[:WITHIN]
+    if len(first) == WITHIN and first[1::2] == b"\0\0" and first[::2].strip(b"\0"):
+        return "utf-16-le"
+    if len(first) == WITHIN and first[::2] == b"\0\0" and first[1::2].strip(b"\0"):
+        return "utf-16-be"
+    return "utf-8"

@@ -1,0 +1,203 @@
+"""Praat's TextGrid files, in the long and in the short text format.
+
+To Praat both are one format: it reads the numbers, the texts in double quotes and the flags in angle brackets that
+stand free, one after the other, and takes all else for remarks (Praat manual, "TextGrid file formats"). So does this.
+praatio and textgrid give a cut-off file as if it were whole, or leave out stretches that they cannot read.
+"""
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from phonemeengine.labels.label import Label, Mark
+from phonemeengine.errors import CorpusError
+from phonemeengine.own_files import begins_like
+
+INTERVALS, POINTS = "IntervalTier", "TextTier"
+
+_HEADER = 'File type = "ooTextFile"\nObject class = "TextGrid"\n\n'
+_WORD = re.compile(
+    r'"(?P<text>[^"]*+(?:""[^"]*+)*+)"(?=\s|$)|(?P<remark>![^\n]*)|(?P<flag><[^\s>]*>)(?=\s|$)|(?P<word>\S+)'
+)
+_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|nan|inf(?:inity)?)", re.IGNORECASE | re.ASCII)
+
+Stretch = tuple[float, float, str]
+
+owns = begins_like(
+    b"%sxmin = 0 \nxmax = [0-9.]+ \ntiers\\? <exists> \nsize = [12] \nitem \\[\\]: \n    item \\[1\\]: \n"
+    b'        class = "IntervalTier" \n        name = "phonemes" \n' % _HEADER.encode()
+)
+"""Whether the content of a file is a long TextGrid as it was written here: what Praat saves has no space after the
+number of an item."""
+
+
+@dataclass(frozen=True)
+class Tier:
+    """A tier of stretches: its name, and those stretches that have a name."""
+
+    name: str
+    marks: tuple[Mark, ...]
+
+
+def tiers_of(text: str, file: str) -> tuple[Tier, ...]:
+    """Read the tiers of stretches from the text of a TextGrid; tiers of points are passed over.
+
+    Parameters
+    ----------
+    text : of the whole file, lines ending in ``\\n``.
+    file : what the file is called in a refusal.
+
+    Raises
+    ------
+    CorpusError : this is no TextGrid, or it is cut off or damaged; says where.
+    """
+    if text.startswith("ooBinaryFile"):
+        raise CorpusError(f"{file}: this TextGrid is binary; save it in Praat as a text file")
+    words = _Words(text, file)
+    if not words.text("the kind of file").startswith("ooTextFile") or words.text("the kind of object") != "TextGrid":
+        raise CorpusError(f"{file}: this is no TextGrid; save it in Praat as a TextGrid, as a text file")
+    words.number("where it begins")
+    words.number("where it ends")
+    n_tiers = words.count("the number of tiers") if words.flag() == "<exists>" else 0
+    tiers = [tier for k in range(n_tiers) if (tier := _next_tier(words, k + 1)) is not None]
+    words.check_end()
+    return tuple(tiers)
+
+
+def format_textgrid(labels: Sequence[Label], duration: float, *, short: bool = False) -> str:
+    """Write labels, in order of time, as the text of a TextGrid: a tier ``phonemes`` holds our names.
+
+    Where the sounds have names of their own, a second tier ``phones`` holds those. What lies between labels is
+    empty; labels without length, which Praat does not know, are left out.
+    """
+    tiers = {"phonemes": [(label.start, label.end, label.phoneme.label) for label in labels]}
+    if any(label.phone != label.phoneme.label for label in labels):
+        tiers["phones"] = [(label.start, label.end, label.phone) for label in labels]
+    end = max([duration, *(label.end for label in labels)])
+    lines = list(_lines(tiers, end))
+    if short:
+        return _HEADER + "".join(f"{value}\n" for _, value in lines if value is not None)
+    return _HEADER + "".join(f"{key}{'' if value is None else value} \n" for key, value in lines)
+
+
+class _Words:
+    """The numbers, texts and flags of a file, one after the other."""
+
+    def __init__(self, text: str, file: str) -> None:
+        self._text = text
+        self._file = file
+        self._found = _WORD.finditer(text)
+        self._at = 0
+
+    def text(self, what: str) -> str:
+        kind, value = self._next()
+        if kind != "text":
+            self._refuse(what, "a text in double quotes", value)
+        return value.replace('""', '"')
+
+    def number(self, what: str) -> float:
+        kind, value = self._next()
+        if kind != "number":
+            self._refuse(what, "a number", value)
+        return float(value)
+
+    def count(self, what: str) -> int:
+        number = self.number(what)
+        if not (number >= 0 and math.isfinite(number) and number == int(number)):
+            self._refuse(what, "a whole number from 0", f"{number:g}")
+        return int(number)
+
+    def flag(self) -> str:
+        kind, value = self._next()
+        if kind != "flag":
+            self._refuse("whether there are tiers", "<exists>", value)
+        return value
+
+    def check_end(self) -> None:
+        kind, value = self._next()
+        if kind:
+            self._refuse("the end of the file", "nothing more", value)
+
+    def _next(self) -> tuple[str, str]:
+        """Give the kind and the value of the next word that counts; empty ones at the end of the file."""
+        for match in self._found:
+            kind, value = str(match.lastgroup), match.group(match.lastgroup or 0)
+            self._at = match.start()
+            if kind == "word" and _NUMBER.fullmatch(value):
+                return "number", value
+            if kind in {"text", "flag"}:
+                return kind, value
+            if kind == "word" and value.startswith('"'):
+                break
+        self._found = iter(())
+        return "", ""
+
+    def _refuse(self, what: str, expected: str, value: str) -> None:
+        line = self._text.count("\n", 0, self._at) + 1
+        found = repr(value[:20]) if value else "the end of the file or a text without its closing quote"
+        raise CorpusError(
+            f"{self._file}, line {line}: {what} must be {expected}, found {found}; the file is cut off or damaged, "
+            "so save it in Praat again"
+        )
+
+
+def _next_tier(words: _Words, number: int) -> Tier | None:
+    kind = words.text(f"the kind of tier {number}")
+    name = words.text(f"the name of tier {number}")
+    words.number(f"where tier {name!r:.40} begins")
+    words.number(f"where tier {name!r:.40} ends")
+    n_marks = words.count(f"the number of stretches in tier {name!r:.40}")
+    marks = [
+        mark for k in range(n_marks) if (mark := _next_mark(words, kind, f"tier {name!r:.40}, interval {k + 1}")).name
+    ]
+    return Tier(name, tuple(marks)) if kind == INTERVALS else None
+
+
+def _next_mark(words: _Words, kind: str, place: str) -> Mark:
+    start = words.number(f"the beginning of {place}")
+    end = words.number(f"the end of {place}") if kind == INTERVALS else start
+    return Mark(start, end, words.text(f"the name of {place}").strip(), place)
+
+
+def _lines(tiers: dict[str, list[Stretch]], end: float) -> Iterator[tuple[str, str | None]]:
+    """Give what stands in front of each value in the long format, and the value; None where there is none."""
+    yield "xmin = ", "0"
+    yield "xmax = ", _seconds(end)
+    yield "tiers? ", "<exists>"
+    yield "size = ", str(len(tiers))
+    yield "item []:", None
+    for number, (name, stretches) in enumerate(tiers.items(), 1):
+        filled = list(_filled(stretches, end))
+        yield f"    item [{number}]:", None
+        yield "        class = ", _quoted(INTERVALS)
+        yield "        name = ", _quoted(name)
+        yield "        xmin = ", "0"
+        yield "        xmax = ", _seconds(end)
+        yield "        intervals: size = ", str(len(filled))
+        for k, (first, last, text) in enumerate(filled, 1):
+            yield f"        intervals [{k}]:", None
+            yield "            xmin = ", first
+            yield "            xmax = ", last
+            yield "            text = ", _quoted(text)
+
+
+def _filled(stretches: list[Stretch], end: float) -> Iterator[tuple[str, str, str]]:
+    """Give stretches that follow each other from 0 to the end, with empty ones in between."""
+    at = "0"
+    for first, last, text in [*((_seconds(a), _seconds(b), text) for a, b, text in stretches)]:
+        if float(first) > float(at):
+            yield at, first, ""
+        if float(last) > float(first):
+            yield first, last, text
+            at = last
+    if float(_seconds(end)) > float(at):
+        yield at, _seconds(end), ""
+
+
+def _seconds(value: float) -> str:
+    return f"{value:.6f}".rstrip("0").rstrip(".") or "0"
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace('"', '""') + '"'

@@ -1,0 +1,298 @@
+"""The listening thread: follows a microphone, whatever happens to it.
+
+The thread opens, reads, analyses and hands over to a recording; whoever shows the result calls `take` now and then,
+or `poll`, and never waits for sound.
+"""
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from contextlib import suppress
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.input import CardInput, Input
+from phonemeengine.audio.level import Level, LevelMeter
+from phonemeengine.errors import DeviceError
+from phonemeengine.live.microphone_analyser import Ear, Latency
+from phonemeengine.live.reading import Heard, heard_of
+from phonemeengine.live.status import NOT_LISTENING, QUIET, Status, status_of
+from phonemeengine.live.recorder import Tape
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import FRAME_PERIOD, WINDOW
+
+RETRY = 2.0
+"""Seconds between two tries to reach a device that gives nothing."""
+MOST_WAITING = 500
+"""Blocks that wait for `take` at most; older ones are dropped and counted."""
+LETTING_GO = 5.0
+"""Seconds that `close` waits for the end of the thread at most, while a microphone is open."""
+OPENING = 0.5
+"""The same while none is: a sound system that hangs when it is asked for one holds nobody up."""
+READ_TIMEOUT = 0.1
+"""Seconds that the thread waits for sound before it looks whether all is well."""
+
+
+class Listener:
+    """Listens to a microphone and recognises what it hears, from the moment it is made until it is closed.
+
+    A device that is missing, vanishes, stands still or comes back never raises: `status` says what is going on, and
+    it is tried again every two seconds. All methods return at once.
+
+    Parameters
+    ----------
+    preset : what to recognise with.
+    choice : which microphone, channel and rate; the system's default where it names none.
+    pitch : measure `f0` too, which no rule needs.
+    phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none.
+    tape : records from the first sample on; see `record`.
+    on_heard : called in the listening thread with each block, as soon as it is known; it must not wait.
+    on_sound : called there with each block of sound, shape (n, n_channels), and its rate; it must not wait either.
+    open_input : opens the microphone.
+    """
+
+    def __init__(
+        self, preset: Preset, choice: InputChoice | None = None, *, pitch: bool = False,
+        phonemes_only: bool = False, tape: Tape | None = None,
+        on_heard: Callable[[Analysis], object] = lambda _analysis: None,
+        on_sound: Callable[[NDArray[np.float32], int], object] = lambda _block, _rate: None,
+        open_input: Callable[[InputChoice], Input] = CardInput,
+    ) -> None:  # fmt: skip
+        self.choice = choice or InputChoice()
+        self.n_dropped = 0
+        self._preset = preset
+        self._pitch = pitch
+        self._phonemes_only = phonemes_only
+        self._on_heard = on_heard
+        self._on_sound = on_sound
+        self._open_input = open_input
+        self._source: Input | None = None
+        self._ear: Ear | None = None
+        self._newest: Analysis | None = None
+        self._meter = LevelMeter()
+        self._tape = tape
+        self._error: Exception | None = None
+        self._refusal = "opening the microphone"
+        self._began = self._heard_at = time.monotonic()
+        self._known_at = 0.0
+        self._next_frame = 0
+        self._lost_before = 0.0
+        self._gap_is_loss = False
+        self._closing = False
+        self._pause = threading.Event()
+        self._waiting: deque[Analysis] = deque()
+        self._commands: deque[Callable[[], None]] = deque()
+        self._thread = threading.Thread(target=self._run, name="listening", daemon=True)
+        self._thread.start()
+
+    # -- what is heard ------------------------------------------------------------------------------------
+
+    def poll(self) -> Heard:
+        """Give the newest phoneme and intensity; silence while nothing comes."""
+        return heard_of(self._newest if time.monotonic() - self._heard_at < QUIET else None)
+
+    @property
+    def level(self) -> Level:
+        """What the level meter reads now."""
+        return self._meter.read(time.monotonic())
+
+    def take(self) -> list[Analysis]:
+        """Give what has been found since the last call, oldest first; raises what ended the listening.
+
+        Frames are numbered from the first that was heard; while nothing could be heard, the numbers go on.
+        """
+        if self._error is not None:
+            error, self._error = self._error, None
+            raise error
+        taken = []
+        with suppress(IndexError):
+            while True:
+                taken.append(self._waiting.popleft())
+        return taken
+
+    # -- how it goes --------------------------------------------------------------------------------------
+
+    @property
+    def status(self) -> Status:
+        """Whether sound comes in now, and what is going on."""
+        source, ear = self._source, self._ear
+        if self._closing or not self._thread.is_alive():
+            return NOT_LISTENING
+        if source is None:
+            return Status(listening=False, words=self._refusal)
+        return status_of(source, heard=ear is not None, silent=time.monotonic() - self._heard_at)
+
+    @property
+    def rate(self) -> int:
+        """The device's sample rate, Hz; 0 while none is open."""
+        ear = self._ear
+        return ear.source.rate if ear else 0
+
+    @property
+    def n_channels(self) -> int:
+        """Channels that are heard, and so recorded; 0 while no device is open."""
+        ear = self._ear
+        return ear.n_channels if ear else 0
+
+    @property
+    def seconds(self) -> float:
+        """How long it has been listening, from the first sound to the newest, gaps included, seconds."""
+        ear = self._ear
+        return ear.seconds + ear.lost_seconds if ear else self._next_frame * FRAME_PERIOD
+
+    @property
+    def lost_seconds(self) -> float:
+        """Sound that could not be heard since the beginning: lost by the device, or while there was none; seconds."""
+        ear = self._ear
+        away = time.monotonic() - self._heard_at if self._gap_is_loss else 0.0
+        return self._lost_before + (ear.lost_seconds if ear else away)
+
+    @property
+    def latency(self) -> Latency:
+        """How long a sound takes to become a phoneme here."""
+        ear = self._ear
+        return ear.latency if ear else Latency()
+
+    @property
+    def known_for(self) -> float:
+        """Seconds since the newest frames became known."""
+        return time.monotonic() - self._known_at
+
+    def time_of(self, frame: int) -> float:
+        """Say when a frame that is not long past began, counted from the first sound, gaps included, seconds."""
+        ear = self._ear
+        return frame * FRAME_PERIOD + (ear.lost_seconds if ear else 0.0)
+
+    def age_of(self, frame: int) -> float:
+        """Say how long ago the middle of a frame sounded, seconds."""
+        ear = self._ear
+        return time.monotonic() - ear.time_of(frame) if ear else 0.0
+
+    # -- what it shall do ---------------------------------------------------------------------------------
+
+    @property
+    def preset(self) -> Preset:
+        """What it recognises with; `use` takes another one."""
+        return self._preset
+
+    def use(self, preset: Preset) -> None:
+        """Recognise with another preset from the next block on."""
+        self._preset = preset
+        self._commands.append(lambda: self._ear.use(preset) if self._ear else None)
+
+    def choose(self, choice: InputChoice) -> None:
+        """Listen to another microphone."""
+        self.choice = choice
+        self._commands.append(self._change)
+        self._pause.set()
+
+    def record(self, tape: Tape | None) -> None:
+        """Record everything that is heard from now on; None ends that. Whoever made the tape closes it."""
+        self._tape = tape
+
+    def close(self) -> None:
+        """Stop, and let the microphone go; one that is being opened and hangs is let go when it answers."""
+        self._closing = True
+        self._pause.set()
+        self._thread.join(LETTING_GO if self._source is not None else OPENING)
+
+    # -- the thread ---------------------------------------------------------------------------------------
+
+    def _run(self) -> None:
+        try:
+            self._warm_up()
+            while not self._closing:
+                while self._commands:
+                    self._commands.popleft()()
+                if self._source is None:
+                    self._open()
+                else:
+                    self._listen(self._source)
+        except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
+            self._error = error
+        finally:
+            if self._ear is None:
+                self._lost_before = self.lost_seconds
+            self._gap_is_loss = False
+            self._let_go("not listening")
+
+    def _warm_up(self) -> None:
+        """Analyse silence, so that the first sound need not wait for what is imported at the first use."""
+        analyser = Analyser(self._preset, pitch=self._pitch, phonemes_only=self._phonemes_only)
+        analyser.push(np.zeros(2 * WINDOW, np.float32))
+
+    def _open(self) -> None:
+        try:
+            self._source = self._open_input(self.choice)
+        except DeviceError as error:
+            self._refusal = f"{error}; trying again every 2 s"
+            self._pause.wait(RETRY)
+            self._pause.clear()
+
+    def _listen(self, source: Input) -> None:
+        block = source.read(READ_TIMEOUT)
+        if len(block):
+            self._follow(source, block)
+        elif source.lost:
+            self._let_go(f"{source.name} has gone; trying again every 2 s")
+        elif source.quiet > RETRY:
+            self._let_go(f"nothing comes from {source.name}; trying again every 2 s")
+
+    def _follow(self, source: Input, block: NDArray[np.float32]) -> None:
+        now, gap = time.monotonic(), None
+        if self._ear is None:
+            began = now - len(block) / source.rate
+            gap = max(0.0, began - self._heard_at)
+            self._ear = self._new_ear(source, began, gap)
+        self._heard_at, ear = now, self._ear
+        block = ear.heard_of(block)
+        self._meter.push(block, self._heard_at)
+        self._on_sound(block, source.rate)
+        tape = self._tape
+        if tape is not None:
+            tape.write(block, source.rate, ear.seconds, gap)
+        analysis = ear.follow(block)
+        if len(analysis):
+            self._hand_over(analysis)
+            if tape is not None:
+                tape.follow(analysis)
+
+    def _new_ear(self, source: Input, began: float, gap: float) -> Ear:
+        """Go on counting frames where the clock stands, `gap` seconds after the last sound."""
+        if self._next_frame == 0:
+            self._began = began
+        start = max(self._next_frame, round((began - self._began) / FRAME_PERIOD))
+        if self._gap_is_loss:
+            self._lost_before += gap
+        self._gap_is_loss = True
+        return Ear(
+            source, self.choice.channel, self._preset, pitch=self._pitch, start=start,
+            phonemes_only=self._phonemes_only,
+        )  # fmt: skip
+
+    def _hand_over(self, analysis: Analysis) -> None:
+        self._next_frame = analysis.start + len(analysis)
+        self._waiting.append(analysis)
+        if len(self._waiting) > MOST_WAITING:
+            with suppress(IndexError):  # `take` may have come first
+                self.n_dropped += len(self._waiting.popleft())
+        self._newest = analysis
+        self._known_at = time.monotonic()
+        self._on_heard(analysis)
+
+    def _change(self) -> None:
+        self._let_go("opening the microphone")
+        self._gap_is_loss = False
+
+    def _let_go(self, refusal: str) -> None:
+        source, self._refusal = self._source, refusal
+        if source is not None:
+            if self._ear is not None:
+                self._lost_before += self._ear.lost_seconds
+                self._next_frame += round(self._ear.lost_seconds / FRAME_PERIOD)  # the numbers follow the clock
+            self._source = self._ear = None
+            source.close()

@@ -1,0 +1,123 @@
+"""One opened microphone, from its samples to what was found in them."""
+
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.audio.files import mono_of
+from phonemeengine.audio.input import Input
+from phonemeengine.audio.resampling import Resampler
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, Channel
+
+Block = NDArray[np.float32]
+STEADINESS = 0.98
+"""How much of what was measured before stays in a latency with each block."""
+
+
+@dataclass(frozen=True)
+class Latency:
+    """How long a sound takes to become a phoneme, on the average, seconds.
+
+    Attributes
+    ----------
+    capture : the device's buffers, and the resampler's where there is one.
+    window : from the middle of a frame to the end of its window.
+    hop : waiting for the hop to be complete, half a hop on the average.
+    look_ahead : what the recogniser waits for after a frame.
+    analysis : from a block's arrival to its phonemes.
+    """
+
+    capture: float = 0.0
+    window: float = WINDOW / 2 / SAMPLE_RATE
+    hop: float = HOP / 2 / SAMPLE_RATE
+    look_ahead: float = 0.0
+    analysis: float = 0.0
+
+    @property
+    def total(self) -> float:
+        """All of it, seconds."""
+        return self.capture + self.window + self.hop + self.look_ahead + self.analysis
+
+
+def live(preset: Preset) -> Preset:
+    """Give the preset that looks ahead only as far as it may where somebody waits for the answer."""
+    settings = preset.settings
+    return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, settings.live_look_ahead)))
+
+
+class Ear:
+    """Follows an open microphone.
+
+    Parameters
+    ----------
+    source : the microphone.
+    channel : the channel that is heard, counted from 1; 0 mixes them all.
+    preset : what to recognise with.
+    pitch : measure `f0` too.
+    start : number of its first frame.
+    phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none.
+    """
+
+    def __init__(
+        self, source: Input, channel: int, preset: Preset, *, pitch: bool, start: int, phonemes_only: bool = False
+    ) -> None:  # fmt: skip
+        self.source = source
+        self.start = start
+        self._n_heard = 0
+        self._spent = 0.0
+        self._columns = slice(channel - 1, channel) if channel else slice(None)
+        self.analyser = Analyser(live(preset), pitch=pitch, start=start, phonemes_only=phonemes_only)
+        self._resampler = Resampler(source.rate, 1, steady=True) if source.rate != SAMPLE_RATE else None
+
+    @property
+    def n_channels(self) -> int:
+        """Channels of what is heard."""
+        return len(range(self.source.n_channels)[self._columns])
+
+    @property
+    def latency(self) -> Latency:
+        """How long a sound takes to become a phoneme here; nothing is known before the first."""
+        if not self._spent:
+            return Latency()
+        held_back = self._resampler.delay if self._resampler is not None else 0.0
+        look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD
+        return Latency(self.source.delay + held_back, look_ahead=look_ahead, analysis=self._spent)
+
+    @property
+    def seconds(self) -> float:
+        """Where the next sample lies, counted like the frames: frame k begins at 10k ms."""
+        return self.start * FRAME_PERIOD + self._n_heard / self.source.rate
+
+    @property
+    def lost_seconds(self) -> float:
+        """Sound that the device lost since it was opened, seconds; frames are counted without it."""
+        return self.source.n_lost / self.source.rate
+
+    def heard_of(self, block: Block) -> Block:
+        """Give the channels that are heard, shape (n, n_channels), of what the microphone gave."""
+        return block[:, self._columns]
+
+    def use(self, preset: Preset) -> None:
+        """Recognise with another preset from the next block on."""
+        self.analyser.use(live(preset))
+
+    def follow(self, block: Block) -> Analysis:
+        """Analyse what is heard, shape (n, n_channels)."""
+        began = time.monotonic()
+        self._n_heard += len(block)
+        mono = mono_of(block, Channel.MIX)
+        if self._resampler is not None:
+            mono = self._resampler.push(mono[:, np.newaxis])[:, 0]
+        analysis = self.analyser.push(mono)
+        spent = time.monotonic() - began
+        self._spent = STEADINESS * (self._spent or spent) + (1 - STEADINESS) * spent
+        return analysis
+
+    def time_of(self, frame: int) -> float:
+        """Say when the middle of a frame sounded, on the clock of `time.monotonic`."""
+        sample = (frame - self.start) * HOP + HOP // 2
+        return self.source.time_of(sample / SAMPLE_RATE * self.source.rate + self.source.n_lost)

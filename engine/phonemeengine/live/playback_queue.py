@@ -1,0 +1,58 @@
+"""What is analysed and not heard yet."""
+
+import threading
+from collections import deque
+
+from phonemeengine.analyser import Analysis
+from phonemeengine.settings import SAMPLE_RATE
+
+MOST_WAITING = 1500
+"""Blocks that wait at most; older ones are dropped and counted."""
+
+
+class Waiting:
+    """Holds blocks until they are heard: one thread puts them in, another takes them out.
+
+    Attributes
+    ----------
+    n_dropped : frames that nobody took in time.
+    lock : keeps everything as it is while it is held.
+    """
+
+    def __init__(self) -> None:
+        self.n_dropped = 0
+        self.lock = threading.RLock()
+        self._blocks: deque[tuple[int, Analysis]] = deque()
+
+    def __bool__(self) -> bool:
+        return bool(self._blocks)
+
+    @property
+    def next_frame(self) -> int | None:
+        """The first frame that waits, or None."""
+        return self._blocks[0][1].start if self._blocks else None
+
+    def push(self, due: int, analysis: Analysis) -> None:
+        """Have a block wait until so many samples are heard."""
+        with self.lock:
+            self._blocks.append((due, analysis))
+            while len(self._blocks) > MOST_WAITING:
+                self.n_dropped += len(self._blocks.popleft()[1])
+
+    def take(self, heard: float) -> list[Analysis]:
+        """Give what is due when so many samples are heard, oldest first."""
+        taken = []
+        with self.lock:
+            while self._blocks and self._blocks[0][0] <= heard:
+                taken.append(self._blocks.popleft()[1])
+        return taken
+
+    def ahead(self, heard: float) -> list[tuple[float, Analysis]]:
+        """Give all blocks, each with the seconds until it is due."""
+        with self.lock:
+            return [((due - heard) / SAMPLE_RATE, analysis) for due, analysis in self._blocks]
+
+    def clear(self) -> None:
+        """Forget them."""
+        with self.lock:
+            self._blocks.clear()

@@ -1,0 +1,296 @@
+"""The analysis thread: plays a sound and analyses it a little ahead of what is heard.
+
+The thread reads, plays and analyses; whoever shows the result calls `take` now and then and gets what has been
+heard since. Nothing else passes between the two.
+"""
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+
+import numpy as np
+
+from phonemeengine.analyser import PRE_ROLL, Analyser, Analysis
+from phonemeengine.audio.files import mono_of
+from phonemeengine.audio.output import ClockOutput, Output, open_output
+from phonemeengine.audio.source import Reader
+from phonemeengine.live.playback_queue import Waiting
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
+
+STEP = 2 * HOP
+"""Samples that are read, played and analysed at a time."""
+RETRY = 2.0
+"""Seconds between two tries to find a sound card again."""
+PATIENCE = 1.0
+"""Seconds that a sound card may take to open or close before that goes on without whoever asked for it."""
+WAKING = 0.3
+"""Seconds that a sound card is given to ask for sound."""
+
+
+class Player:
+    """Plays a sound, and hands out its analysis in step with what is heard.
+
+    Starts standing still at the beginning. All methods may be called from any one thread; they return at once.
+    Without a sound card it goes on silently on the clock, and looks for one every two seconds while it plays.
+
+    Parameters
+    ----------
+    reader : the sound; it is closed by `close`. All its channels are heard, one is analysed.
+    preset : what to recognise with.
+    open_device : opens the output for a number of channels.
+    """
+
+    def __init__(self, reader: Reader, preset: Preset, open_device: Callable[[int], Output] = open_output) -> None:
+        self.reader = reader
+        self.loop = False
+        self._open_device = open_device
+        self._output: Output = ClockOutput()
+        self._opened = threading.Event()
+        self._next_try = time.monotonic() + RETRY
+        self._preset = preset
+        self._analyser = Analyser(preset, pitch=True)
+        self._playing = self._running = self._at_end = False
+        self._next_frame = 0
+        self._closing = False
+        self._target: int | None = None
+        self._error: Exception | None = None
+        self._segments: tuple[tuple[int, int], ...] = ((0, 0),)
+        self._waiting = Waiting()
+        self._commands: deque[Callable[[], None]] = deque()
+        self._wake = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="analysis", daemon=True)
+        self._thread.start()
+        self._opened.wait(PATIENCE)
+
+    @property
+    def playing(self) -> bool:
+        """Whether sound is going on."""
+        return self._playing
+
+    @property
+    def finished(self) -> bool:
+        """Whether the end of the file has been heard and taken, and nothing else is asked for."""
+        if self._target is not None:
+            return False
+        drained = self._output.heard >= self._output.n_written
+        return self._at_end and not self._waiting and (drained or not self._playing)
+
+    @property
+    def n_dropped(self) -> int:
+        """Frames that were analysed but not taken in time."""
+        return self._waiting.n_dropped
+
+    @property
+    def output_name(self) -> str:
+        """What plays: the sound card's name, or that there is none."""
+        return self._output.name
+
+    @property
+    def has_card(self) -> bool:
+        """Whether a sound card plays, rather than the clock."""
+        return self._output.is_card
+
+    @property
+    def position(self) -> float:
+        """Seconds from the beginning of the file to what is heard now, or to where a seek is on its way."""
+        if self._target is not None:
+            return self._target * FRAME_PERIOD
+        heard = self._output.heard
+        begun = [segment for segment in self._segments if segment[0] <= heard]
+        written, sample = begun[-1] if begun else self._segments[0]
+        return max(0.0, sample + heard - written) / SAMPLE_RATE
+
+    def play(self) -> None:
+        """Go on from where it stands, as soon as enough is read ahead."""
+        self._playing = True
+        self._wake.set()
+
+    def pause(self) -> None:
+        """Hold still."""
+        self._playing = False
+        self._do(self._hold)
+
+    def seek(self, seconds: float) -> None:
+        """Go to a place in the file, rounded down to a frame."""
+        frame = _frame_at(max(0.0, min(seconds, self.reader.duration)))
+        self._target = frame
+        self._do(lambda: self._jump(frame))
+
+    @property
+    def preset(self) -> Preset:
+        """What it recognises with; `use` takes another one."""
+        return self._preset
+
+    def use(self, preset: Preset) -> None:
+        """Recognise with another preset from the next block on."""
+        self._preset = preset
+        self._do(lambda: self._analyser.use(preset))
+
+    def set_gain(self, gain: float) -> None:
+        """Set the loudness of what is heard, 0..1; the analysis does not change."""
+        self._output.gain = gain
+
+    def take(self) -> list[Analysis]:
+        """Give what has been heard since the last call; raises whatever ended the analysis.
+
+        The frames of each block are numbered from the beginning of the file.
+        """
+        if self._error is not None:
+            error, self._error = self._error, None
+            raise error
+        if self._output.lost:
+            self._do(self._leave_card)
+        return self._waiting.take(self._output.heard)
+
+    def ahead(self) -> list[tuple[float, Analysis]]:
+        """Give what is analysed and not heard yet: `take` gives it later.
+
+        Returns
+        -------
+        each block with the seconds until it is taken, negative ones where it waits for that: the middle of its last
+        frame is heard then.
+        """
+        return self._waiting.ahead(self._output.heard)
+
+    def close(self) -> None:
+        """Stop, and let file and device go; a device that hangs is left to itself."""
+        self._closing = True
+        self._wake.set()
+        self._thread.join(timeout=PATIENCE)
+
+    def _do(self, command: Callable[[], None]) -> None:
+        self._commands.append(command)
+        self._wake.set()
+
+    def _run(self) -> None:
+        try:
+            self._open()
+            self._follow()
+        finally:
+            self._output.close()
+            self.reader.close()
+
+    def _open(self) -> None:
+        try:
+            output = self._open_device(self.reader.n_channels)
+            output.gain, self._output = self._output.gain, output
+        except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
+            self._error = error
+        finally:
+            self._opened.set()
+
+    def _follow(self) -> None:
+        while not self._closing:
+            try:
+                while self._commands:
+                    self._commands.popleft()()
+                if self._misses_card and time.monotonic() > self._next_try:
+                    self._look_for_card()
+                busy = self._playing and not self._at_end and self._output.room >= STEP
+                if busy:
+                    self._advance()
+                elif self._playing and not self._running:
+                    self._running = True
+                    self._output.run(running=True)
+            except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
+                self._error, self._at_end, self._target, busy = error, True, None, False
+            if not busy:
+                self._wake.wait(0.02 if self._playing else 1.0)
+                self._wake.clear()
+
+    def _advance(self) -> None:
+        block = self.reader.read(STEP)
+        if len(block):
+            self._output.write(block)
+            self._queue(self._analyser.push(mono_of(block, self.reader.channel)))
+            return
+        self._queue(self._analyser.finish())
+        if self.loop:
+            rest = max(0, STEP - self.reader.n_samples)  # a sound of a few samples would leave no time for anything
+            self._output.write(np.zeros((rest, self.reader.n_channels), np.float32))
+            self._begin(0)
+        else:
+            self._at_end = True
+
+    def _hold(self) -> None:
+        """Hold the output still: until the user plays on, or until enough is read ahead again."""
+        self._running = False
+        self._output.run(running=False)
+
+    def _jump(self, frame: int) -> None:
+        self._hold()
+        self._waiting.clear()
+        self._output.skip()
+        self._begin(frame)
+        if self._target == frame:
+            self._target = None
+
+    def _begin(self, frame: int) -> None:
+        """Start reading and analysing at a frame, as if the file had been followed until there."""
+        start = max(0, frame - PRE_ROLL)
+        self.reader.seek(start * HOP)
+        self._analyser = Analyser(self._preset, pitch=True, start=start)
+        self._segments = (*self._segments[-8:], (self._output.n_written, frame * HOP))
+        self._next_frame = frame
+        if frame > start:
+            self._queue(self._analyser.push(mono_of(self.reader.read((frame - start) * HOP), self.reader.channel)))
+        self._at_end = False
+
+    def _queue(self, analysis: Analysis) -> None:
+        """Have a block wait until it is heard; frames from before the segment are dropped."""
+        written, sample = self._segments[-1]
+        analysis = analysis.part(slice(max(0, sample // HOP - analysis.start), None))
+        if len(analysis) == 0:
+            return
+        self._next_frame = analysis.start + len(analysis)
+        due = written + (self._next_frame - 1) * HOP + HOP // 2 - sample
+        self._waiting.push(min(due, self._output.n_written), analysis)
+
+    def _leave_card(self) -> None:
+        """Go on silently, since the card has gone."""
+        if self._output.lost:
+            self._change_output(ClockOutput())
+
+    @property
+    def _misses_card(self) -> bool:
+        return self._playing and not self._at_end and not self._output.is_card
+
+    def _look_for_card(self) -> None:
+        """Go on aloud if there is a card again; one that opens and stands still is none."""
+        self._next_try = time.monotonic() + RETRY
+        found = self._open_device(self.reader.n_channels)
+        deadline = time.monotonic() + WAKING
+        while found.is_card and not found.alive and time.monotonic() < deadline:
+            if self._at_end or self._output.room < STEP:
+                time.sleep(0.01)
+            else:
+                self._advance()
+        if found.is_card and found.alive:
+            self._change_output(found)
+        else:
+            found.close()
+
+    def _change_output(self, output: Output) -> None:
+        """Go on elsewhere from the first frame that was not handed out."""
+        old = self._output
+        output.gain = old.gain
+        with self._waiting.lock:
+            place, over = round(self.position * SAMPLE_RATE), self._at_end and not self._waiting
+            frame = self._next_frame if self._waiting.next_frame is None else self._waiting.next_frame
+            self._waiting.clear()
+            self._target = frame
+            self._output = output
+            self._running = False
+        if over:
+            self._segments = ((output.n_written, place),)
+        else:
+            self._begin(frame)
+        self._segments, self._target = self._segments[-1:], None
+        old.close()
+
+
+def _frame_at(seconds: float) -> int:
+    """Give the frame in which a time lies; a frame's own beginning belongs to it, however it is rounded."""
+    return int(seconds / FRAME_PERIOD + 1e-6)

@@ -1,0 +1,227 @@
+"""What is recorded while a microphone is heard: a file, and its phonemes beside it if that is wanted."""
+
+import csv
+import math
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.analyser import Analysis
+from phonemeengine.audio.gaps import Gap, gaps_in_words
+from phonemeengine.audio.recording import Recording
+from phonemeengine.paths import free_path, journal_folder, recordings_folder
+from phonemeengine.errors import RecordingError
+from phonemeengine.recognition.segments import RUN_COLUMNS, Run, RunJoiner
+from phonemeengine.settings import FRAME_PERIOD
+
+
+class Tape:
+    """Records what a listener hears.
+
+    The file is begun with the first block. A microphone that comes back goes on in the same file, where the gap is
+    marked; one with another sample rate or other channels goes into a file of its own.
+
+    Parameters
+    ----------
+    next_path : names a new file; called for each, in the listening thread.
+    with_phonemes : write the phonemes beside it as they are recognised, as a table that ends in ``.csv``.
+    fill_gaps : write silence for the time in which a microphone was away, besides the mark.
+    seconds : how much of each file is recorded at most.
+    journal, rescue : see `Recording`; the user's own folders unless others are named.
+
+    Attributes
+    ----------
+    paths : the files, in their order.
+    gaps : where sound is missing in the newest file.
+    """
+
+    def __init__(
+        self, next_path: Callable[[], Path], *, with_phonemes: bool = False, fill_gaps: bool = False,
+        seconds: float = math.inf, journal: Path | None = None, rescue: Path | None = None,
+    ) -> None:  # fmt: skip
+        self.paths: list[Path] = []
+        self.gaps: list[Gap] = []
+        self._next_path = next_path
+        self._with_phonemes = with_phonemes
+        self._fill_gaps = fill_gaps
+        self._most = seconds
+        self._n_given = 0
+        self._journal = journal or journal_folder()
+        self._rescue = rescue or recordings_folder()
+        self._recording: Recording | None = None
+        self._phonemes: PhonemeTable | None = None
+        self._refusal: str | None = None
+        self._closed = False
+        self._turning = threading.Lock()
+
+    @property
+    def seconds(self) -> float:
+        """Length of what is safely on disk in the newest file, seconds."""
+        return self._recording.seconds if self._recording else 0.0
+
+    @property
+    def path(self) -> Path | None:
+        """The newest file; None before the first sound."""
+        return self._recording.path if self._recording else None
+
+    @property
+    def gap_words(self) -> str:
+        """How long the gaps in the newest file were and what stands for them, in words; nothing without any."""
+        return gaps_in_words(self.gaps, self.seconds, self._recording.rate) if self._recording else ""
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Remarks for the user, a sentence each; mostly none."""
+        return self._recording.notes if self._recording else ()
+
+    @property
+    def failure(self) -> str | None:
+        """Why nothing is recorded any more, as a sentence; None while all is well."""
+        return self._refusal or (self._recording.failure if self._recording else None)
+
+    def write(self, block: NDArray[np.float32], rate: int, began: float, gap: float | None = None) -> None:
+        """Take a block.
+
+        Parameters
+        ----------
+        block : shape (n, n_channels), ±1.
+        rate : Hz.
+        began : when its first sample was heard, seconds of listening.
+        gap : seconds that could not be heard before it; None where it follows the block before.
+        """
+        with self._turning:
+            recording = self._recording
+            if self._closed or self.failure:
+                return
+            if recording is None or (recording.rate, recording.n_channels) != (rate, block.shape[1]):
+                recording = self._begin(rate, block.shape[1], began)
+            elif gap is not None:
+                self._skip(recording, gap, began)
+            n = self._fitting(len(block), rate)
+            if recording is not None and n:
+                recording.write(block[:n])
+                self._n_given += n
+
+    def follow(self, analysis: Analysis) -> None:
+        """Take what was found in what was written."""
+        if self._phonemes is not None and not self._closed:
+            self._phonemes.push(analysis)
+
+    def close(self) -> None:
+        """End the recording and finish its files; what is heard afterwards begins no other."""
+        with self._turning:
+            self._closed = True
+        self._finish(self._recording, self._phonemes)
+
+    def _fitting(self, n: int, rate: int) -> int:
+        """Say how many of `n` samples are still to be recorded."""
+        return round(min(n, self._most * rate - self._n_given))
+
+    def _skip(self, recording: Recording, seconds: float, began: float) -> None:
+        """Mark a gap after which sound comes from `began` on, and fill it where that is wanted."""
+        if self._fitting(1, recording.rate) == 0:
+            return
+        n_silent = self._fitting(round(seconds * recording.rate), recording.rate) if self._fill_gaps else 0
+        gap = Gap(self._n_given, seconds, n_silent)
+        self.gaps.append(gap)
+        recording.skip(seconds, n_silent)
+        self._n_given += n_silent
+        if self._phonemes is not None:
+            self._phonemes.skip(gap, recording.rate, began)
+
+    def _begin(self, rate: int, n_channels: int, began: float) -> Recording | None:
+        old, phonemes = self._recording, self._phonemes
+        if old is not None:  # a disk may take its time, and the microphone does not wait
+            threading.Thread(target=self._finish, args=(old, phonemes), name="recording ends").start()
+        try:
+            path = self._next_path()
+            self._recording = Recording(path, rate, n_channels, journal=self._journal, rescue=self._rescue)
+            self.paths.append(path)
+            self._n_given = 0
+            self.gaps = []
+            self._phonemes = self._table(path, began) if self._with_phonemes else None
+        except RecordingError as error:
+            self._refusal = str(error)
+            return None
+        return self._recording
+
+    def _table(self, path: Path, began: float) -> "PhonemeTable":
+        return PhonemeTable(free_path(path.with_suffix(".csv")), began, self._most)
+
+    def _finish(self, recording: Recording | None, phonemes: "PhonemeTable | None") -> None:
+        if recording is not None:
+            recording.close()
+        if phonemes is not None and recording is not None:
+            phonemes.close(recording.seconds)
+
+
+class PhonemeTable:
+    """Writes the phonemes of a recording as they are recognised; each row is on the disk when its phoneme ends.
+
+    Parameters
+    ----------
+    path : the table, a new file.
+    began : when the recording began, seconds of listening.
+    seconds : how much is recorded at most; no row reaches beyond it.
+
+    Raises
+    ------
+    RecordingError : the table cannot be written.
+    """
+
+    def __init__(self, path: Path, began: float, seconds: float = math.inf) -> None:
+        self._began = self._lag = began
+        self._most = seconds
+        self._joiner = RunJoiner()
+        self._shift: float | None = None
+        self._writing = threading.Lock()
+        try:
+            self._file = path.open("x", encoding="utf-8", newline="", buffering=1)
+            self._rows = csv.DictWriter(self._file, RUN_COLUMNS, lineterminator="\n")
+            self._rows.writeheader()
+        except OSError as error:
+            raise RecordingError(
+                f"{path.name}: this table cannot be written ({error.strerror}); record without the phonemes beside it"
+            ) from error
+
+    def skip(self, gap: Gap, rate: int, began: float) -> None:
+        """Write a row for a gap in the recording; what is heard after it was heard from `began` on."""
+        place, end = round(gap.sample / rate, 6), round((gap.sample + gap.n_silent) / rate, 6)
+        with self._writing:
+            self._write(self._joiner.finish(place - (self._shift or 0.0)))
+            self._joiner, self._shift = RunJoiner(), None
+            self._began, self._lag = began, began - end
+            with suppress(OSError):
+                self._rows.writerow(dict(zip(RUN_COLUMNS, (place, end, gap.label, 0.0), strict=True)))
+
+    def push(self, analysis: Analysis) -> None:
+        """Take the next frames; those from before the recording are left out."""
+        wanted = analysis.part(slice(max(0, round(self._began / FRAME_PERIOD) - analysis.start), None))
+        if len(wanted) == 0:
+            return
+        with self._writing:
+            if self._shift is None:
+                self._shift = wanted.start * FRAME_PERIOD - self._lag
+            self._write(self._joiner.push(wanted.phonemes, wanted.intensities))
+
+    def close(self, duration: float) -> None:
+        """Write the last row, and finish."""
+        with self._writing, suppress(OSError):
+            self._write(self._joiner.finish(duration - (self._shift or 0.0)))
+            self._file.close()
+
+    def _write(self, runs: list[Run]) -> None:
+        """Write rows; a full disk is no matter of the table's, since the recording says so."""
+        with suppress(OSError):
+            for run in runs if not self._file.closed else []:
+                shifted = replace(run, start=self._on_tape(run.start), end=self._on_tape(run.end))
+                if shifted.start < shifted.end:
+                    self._rows.writerow(shifted.row())
+
+    def _on_tape(self, seconds: float) -> float:
+        return min(max(0.0, seconds + (self._shift or 0.0)), self._most)

@@ -1,0 +1,30 @@
+"""How listening goes, in words."""
+
+from dataclasses import dataclass
+
+from phonemeengine.audio.input import Input
+
+QUIET = 0.5
+"""Seconds without a block after which nothing counts as coming: even silence comes every 10 ms."""
+
+
+@dataclass(frozen=True)
+class Status:
+    """Whether sound is coming in at this moment, and what is going on, in words."""
+
+    listening: bool
+    words: str
+
+
+NOT_LISTENING = Status(listening=False, words="not listening")
+
+
+def status_of(source: Input, *, heard: bool, silent: float) -> Status:
+    """Say how it goes with an open microphone, of which something was heard or nothing yet, `silent` seconds ago."""
+    if not heard:
+        return Status(listening=False, words=f"waiting for the first sound from {source.name}")
+    if silent < QUIET:
+        return Status(listening=True, words=source.name)
+    return Status(
+        listening=False, words=f"nothing comes from {source.name} since {silent:.0f} s; trying again every 2 s"
+    )

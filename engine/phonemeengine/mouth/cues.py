@@ -1,0 +1,214 @@
+"""Mouth cues: which shape the mouth has from when to when, cleaned for animators.
+
+A cue that is too short would flicker. What is done about it depends on what it is: lips that meet are seen even when
+brief, so m and p take the time that they lack from their neighbours; everything else gives its time to them.
+"""
+
+import heapq
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+
+from phonemeengine.errors import MouthError
+from phonemeengine.mouth.table import MouthTable
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Run
+
+MINIMUM = 0.06
+"""Seconds that a cue lasts at least, unless told otherwise."""
+LONGEST_MINIMUM = 1.0
+ROUNDING = 1e-9
+"""Seconds by which a cue may fall short of the minimum, since differences of times are rounded."""
+MOST_ANTICIPATION = 0.12
+"""Seconds that the mouth may be ahead of the sound at most."""
+VOWELS = frozenset({Phoneme.I, Phoneme.A, Phoneme.E, Phoneme.U, Phoneme.O})
+
+
+@dataclass(frozen=True)
+class Cue:
+    """A stretch of one mouth shape.
+
+    Attributes
+    ----------
+    start, end : seconds.
+    phoneme : what is said.
+    shape : the mouth shape that the table has for it.
+    intensity : mean intensity, 0..1.
+    """
+
+    start: float
+    end: float
+    phoneme: Phoneme
+    shape: str
+    intensity: float
+
+    @property
+    def duration(self) -> float:
+        """Its length, seconds."""
+        return self.end - self.start
+
+
+def cues_of(
+    runs: Iterable[Run], table: MouthTable, *, minimum: float = MINIMUM, anticipation: float = 0.0
+) -> tuple[Cue, ...]:
+    """Make cues of the runs of a sound; they cover it from its beginning to its end, without gaps.
+
+    Parameters
+    ----------
+    runs : what was said, without gaps; see `runs_of`.
+    table : the mouth shapes.
+    minimum : least duration of a cue, seconds; a sound that is shorter is one cue.
+    anticipation : by how much the mouth is ahead of vowels, seconds; it is ahead of lips that meet by the time that
+        they take to close at most, so that they are shut when m and p are heard. What comes before is shortened by it
+        to half at most, and not below the minimum.
+
+    Raises
+    ------
+    MouthError : a time lies outside its range.
+    """
+    _check("minimum", minimum, LONGEST_MINIMUM)
+    _check("anticipation", anticipation, MOST_ANTICIPATION)
+    cues = [
+        Cue(run.start, run.end, run.phoneme, table.phonemes[run.phoneme], run.intensity)
+        for run in runs
+        if run.end > run.start
+    ]
+    cues = _joined(_Chain(_joined(cues, _same_phoneme), minimum, table.firm).cleaned(), _same_phoneme)
+    return tuple(_ahead(cues, anticipation, minimum, table))
+
+
+def leads_of(table: MouthTable, anticipation: float) -> dict[Phoneme, float]:
+    """Say how early the movement to a phoneme begins, seconds; phonemes that are left out begin on time."""
+    closing = {
+        phoneme: min(anticipation, table.times[phoneme].to_shape) for phoneme in table.firm - {Phoneme.SILENCE}
+    }
+    return dict.fromkeys(VOWELS, anticipation) | closing
+
+
+def joined_by_shape(cues: Iterable[Cue]) -> tuple[Cue, ...]:
+    """Join neighbours of one shape, for programs that show drawings: a drawing that stays is one cue."""
+    return tuple(_joined(cues, lambda one, other: one.shape == other.shape))
+
+
+def _check(name: str, value: float, most: float) -> None:
+    if not 0 <= value <= most:
+        raise MouthError(f"{name} must lie in 0..{most:g} s, got {value:g}; choose another")
+
+
+def _same_phoneme(one: Cue, other: Cue) -> bool:
+    return one.phoneme == other.phoneme
+
+
+def _joined(cues: Iterable[Cue], same: Callable[[Cue, Cue], bool]) -> list[Cue]:
+    joined: list[Cue] = []
+    for cue in cues:
+        if joined and same(joined[-1], cue):
+            joined[-1] = _union(joined[-1], cue)
+        else:
+            joined.append(cue)
+    return joined
+
+
+def _union(one: Cue, other: Cue) -> Cue:
+    longer = one if one.duration >= other.duration else other
+    total = one.duration + other.duration
+    mean = (one.intensity * one.duration + other.intensity * other.duration) / total if total else one.intensity
+    silent = longer.phoneme == Phoneme.SILENCE
+    return replace(longer, start=one.start, end=other.end, intensity=0.0 if silent else mean)
+
+
+def _ahead(cues: list[Cue], anticipation: float, minimum: float, table: MouthTable) -> list[Cue]:
+    """Begin vowels, and lips that meet, early at the cost of what comes before them."""
+    ahead = leads_of(table, anticipation)
+    for k in range(len(cues) - 1, 0, -1):
+        before, cue = cues[k - 1], cues[k]
+        if cue.phoneme in ahead:
+            spare = min(ahead[cue.phoneme], before.duration / 2, max(before.duration - minimum, 0.0))
+            cues[k - 1], cues[k] = replace(before, end=before.end - spare), replace(cue, start=cue.start - spare)
+    return cues
+
+
+class _Chain:
+    """Cues of which each knows its neighbours, so that the shortest can be dealt with first."""
+
+    def __init__(self, cues: list[Cue], minimum: float, firm: frozenset[Phoneme]) -> None:
+        self._cues: list[Cue | None] = list(cues)
+        self._before = list(range(-1, len(cues) - 1))
+        self._after = [*range(1, len(cues)), -1]
+        self._minimum = minimum
+        self._least = minimum - ROUNDING
+        self._firm = firm
+        self._shortest: list[tuple[float, int]] = []
+
+    def cleaned(self) -> list[Cue]:
+        """Deal with every cue that is too short, the shortest first."""
+        for k in range(len(self._cues)):
+            self._watch(k)
+        while self._shortest:
+            duration, k = heapq.heappop(self._shortest)
+            cue = self._cues[k]
+            if cue is not None and cue.duration == duration and not self._lengthened(k, cue):
+                self._dissolve(k, cue)
+        return [cue for cue in self._cues if cue is not None]
+
+    def _watch(self, k: int) -> None:
+        cue = self._cues[k]
+        if cue is not None and cue.duration < self._least:
+            heapq.heappush(self._shortest, (cue.duration, k))
+
+    def _at(self, k: int) -> Cue | None:
+        return self._cues[k] if k >= 0 else None
+
+    def _lengthened(self, k: int, cue: Cue) -> bool:
+        """Have lips that meet take what they lack from neighbours that can spare it."""
+        lack = self._minimum - cue.duration
+        before, after = self._at(self._before[k]), self._at(self._after[k])
+        spares = [max(other.duration - self._minimum, 0.0) if other else 0.0 for other in (before, after)]
+        if cue.phoneme not in self._firm or sum(spares) < lack:
+            return False
+        first = min(spares[0], max(lack / 2, lack - spares[1]))
+        self._cues[k] = replace(cue, start=cue.start - first, end=cue.end + lack - first)
+        if before and first:
+            self._cues[self._before[k]] = replace(before, end=before.end - first)
+        if after and lack > first:
+            self._cues[self._after[k]] = replace(after, start=after.start + lack - first)
+        return True
+
+    def _dissolve(self, k: int, cue: Cue) -> None:
+        """Give the time of a cue to a neighbour that is too short as well, else half of it to each."""
+        b, a = self._before[k], self._after[k]
+        before, after = self._at(b), self._at(a)
+        if before is None and after is None:
+            return
+        self._cues[k] = None
+        if before is not None:
+            self._after[b] = a
+        if after is not None:
+            self._before[a] = b
+        border = self._border(cue, before, after)
+        if before is not None:
+            self._cues[b] = replace(before, end=border)
+        if after is not None:
+            self._cues[a] = replace(after, start=border)
+        self._unite(b, a)
+
+    def _border(self, cue: Cue, before: Cue | None, after: Cue | None) -> float:
+        if before is None or after is None:
+            return cue.start if before is None else cue.end
+        short = [other.duration < self._least for other in (before, after)]
+        if short[0] != short[1]:
+            return cue.end if short[0] else cue.start
+        return (cue.start + cue.end) / 2
+
+    def _unite(self, b: int, a: int) -> None:
+        """Join the neighbours of a cue that went, where they are of one phoneme; else look at each again."""
+        before, after = self._at(b), self._at(a)
+        if before is not None and after is not None and before.phoneme == after.phoneme:
+            self._cues[b], self._cues[a] = _union(before, after), None
+            self._after[b] = self._after[a]
+            if self._after[a] >= 0:
+                self._before[self._after[a]] = b
+            self._watch(b)
+            return
+        for k in (b, a):
+            if k >= 0:
+                self._watch(k)

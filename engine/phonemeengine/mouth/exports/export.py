@@ -1,0 +1,42 @@
+"""What is written: speech as cues, as drawings, and as the movement of a face."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from phonemeengine.mouth.animation import Animation, Life, animation_of
+from phonemeengine.mouth.cues import Cue, joined_by_shape
+from phonemeengine.mouth.utterance import Speech
+from phonemeengine.mouth.table import MouthTable
+
+
+@dataclass(frozen=True)
+class Export:
+    """Everything that a format may write of one sound.
+
+    Attributes
+    ----------
+    speech : what was said.
+    table : the mouth shapes.
+    cues : what was said, cleaned; without gaps from 0 to the end.
+    rate : frames per second, where the format counts frames.
+    life : what else the face does.
+    mesh : the file of the face that shall move, where the format holds one; None for the program's own head.
+    """
+
+    speech: Speech
+    table: MouthTable
+    cues: tuple[Cue, ...]
+    rate: float
+    life: Life = field(default_factory=Life)
+    mesh: Path | None = None
+
+    @cached_property
+    def drawings(self) -> tuple[Cue, ...]:
+        """The cues as drawings: neighbours of one shape are one."""
+        return joined_by_shape(self.cues)
+
+    @cached_property
+    def animation(self) -> Animation:
+        """The movement of the face."""
+        return animation_of(self.speech, self.cues, self.table, self.rate, self.life)

@@ -1,0 +1,135 @@
+"""Writing speech in one format, as somebody wishes."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from phonemeengine.errors import ExportError
+from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Life
+from phonemeengine.mouth.cues import MINIMUM, cues_of
+from phonemeengine.mouth.exports.export import Export
+from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.utterance import Speech
+from phonemeengine.mouth.table import load_table
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """How speech shall be written; None leaves what suits the format.
+
+    Attributes
+    ----------
+    rate : frames per second.
+    minimum : least duration of a cue, seconds; where frames are counted, a frame at least.
+    anticipation : by how much the mouth is ahead of the sound, seconds.
+    table : a mouth table's name or file.
+    mesh : the file of the face that shall move; else it is the program's own head.
+    life : what else the face does.
+    """
+
+    rate: float | None = None
+    minimum: float = MINIMUM
+    anticipation: float | None = None
+    table: str | Path | None = None
+    mesh: Path | None = None
+    life: Life = field(default_factory=Life)
+
+
+class Exporter:
+    """Writes speech in one format; what the format cannot do is said at once.
+
+    Parameters
+    ----------
+    name : of the format, as in `FORMATS`.
+    wishes : how it shall be written.
+
+    Raises
+    ------
+    ExportError : there is no such format, or it cannot do what is wished.
+    MouthError : the table cannot be used.
+    """
+
+    def __init__(self, name: str, wishes: Wishes | None = None) -> None:
+        if name not in FORMATS:
+            raise ExportError(f"there is no format {name!r}; choose one of {', '.join(FORMATS)}")
+        self.name, self.format = name, FORMATS[name]
+        self._wishes = wishes or Wishes()
+        self.life = self._wishes.life
+        self._table = load_table(self._wishes.table or self.format.table)
+        self._rate = self._checked_rate()
+        self._check_table()
+        self._check_mesh()
+        self.export_of(Speech("", 0.0))
+
+    def export_of(self, speech: Speech) -> Export:
+        """Clean the cues of speech, and put together what the format writes."""
+        wishes, anticipation = self._wishes, self._wishes.anticipation
+        cues = cues_of(
+            speech.runs,
+            self._table,
+            minimum=max(wishes.minimum, 1 / self._rate) if self._rate else wishes.minimum,
+            anticipation=self.format.anticipation if anticipation is None else anticipation,
+        )
+        return Export(speech, self._table, cues, self._rate, self.life, wishes.mesh)
+
+    def parts_of(self, speech: Speech) -> Iterator[bytes]:
+        """Give the file, in parts as they are made."""
+        written = self.format.write(self.export_of(speech))
+        if isinstance(written, bytes):
+            yield written
+        else:
+            yield from _encoded(written)
+
+    def _checked_rate(self) -> float:
+        wished, own = self._wishes.rate, self.format.rate
+        if wished is None:
+            return own
+        if not own:
+            raise ExportError(f"{self.name} counts no frames, so it has no frame rate; leave it out")
+        if not LOWEST_RATE <= wished <= HIGHEST_RATE or (self.format.whole_rate and wished != round(wished)):
+            kind = "a whole number" if self.format.whole_rate else "a number"
+            raise ExportError(
+                f"the frame rate of {self.name} must be {kind} in {LOWEST_RATE:g}..{HIGHEST_RATE:g} frames per "
+                f"second, got {wished:g}; choose another"
+            )
+        return wished
+
+    def _check_table(self) -> None:
+        table, known = self._table, self.format
+        for shape in table.phonemes.values():
+            if known.shapes and shape not in known.shapes:
+                raise ExportError(
+                    f"{self.name} knows the shapes {', '.join(sorted(known.shapes))}, but the table {table.name!r} "
+                    f"has {shape!r}; choose another table"
+                )
+            if not shape or shape.split() != [shape]:
+                self._refuse_spaces(shape)
+        if known.movestates and table.movestates != known.movestates:
+            raise ExportError(
+                f"{self.name} holds the {len(known.movestates)} movestates {known.movestates[0]} ... "
+                f"{known.movestates[-1]}, which are not those of the table {table.name!r}; choose another table"
+            )
+
+    def _refuse_spaces(self, shape: str) -> None:
+        """Refuse names that would break the lines of a format that separates by spaces."""
+        if self.format.separated:
+            raise ExportError(
+                f"{self.name} separates names by spaces, so {shape!r} of the table {self._table.name!r} cannot be "
+                "one; rename it there"
+            )
+
+    def _check_mesh(self) -> None:
+        given = self._wishes.mesh
+        if given is not None and not self.format.moves_mesh:
+            raise ExportError(f"{self.name} moves no mesh; leave {given.name} out, or choose gltf")
+
+
+def _encoded(parts: Iterable[str]) -> Iterator[bytes]:
+    """Encode parts of text, many at a time."""
+    waiting: list[str] = []
+    for part in parts:
+        waiting.append(part)
+        if len(waiting) >= 1000:
+            yield "".join(waiting).encode("utf-8", errors="replace")
+            waiting.clear()
+    yield "".join(waiting).encode("utf-8", errors="replace")

@@ -1,0 +1,147 @@
+"""A face's GLB with an animation: a file, or the program's own head, with movement added.
+
+Its morph weights say the speech and blink, and its nodes turn the head.
+
+Everything else in the file stays what it is. See section 3.11 of the glTF 2.0 specification.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.errors import ExportError, MeshError
+from phonemeengine.mouth.animation import Animation
+from phonemeengine.mouth.exports.export import Export
+from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_glb, shipped_glb
+from phonemeengine.mouth.exports.gltf_rotation import turnings_of
+from phonemeengine.mouth.files.glb import chunks_of, document_of
+from phonemeengine.mouth.files.gltf_writing import GENERATOR
+from phonemeengine.mouth.head import HEAD
+from phonemeengine.mouth.head_motion import quaternions_of
+
+FLOAT = 5126
+"""glTF's code for float32."""
+FORMS = {"weights": "SCALAR", "rotation": "VEC4", "translation": "VEC3"}
+"""What values of each property are."""
+WIDTHS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
+"""Numbers of a value, by its form."""
+NAME, EXTRAS = "speech", {"generator": GENERATOR}
+"""The animation that is added, and what it tells of itself."""
+
+
+def owns(content: bytes) -> bool:
+    """Say whether the content of a file is a GLB to which a movement was added here, the last one in it."""
+    try:
+        newest = document_of(chunks_of(content)[0], LARGEST_JSON)["animations"][-1]
+        return bool(newest["extras"] == EXTRAS)
+    except (MeshError, TypeError, KeyError, IndexError):
+        return False
+
+
+def write(export: Export) -> bytes:
+    """Give the GLB with one more animation.
+
+    Raises
+    ------
+    ExportError : the mesh cannot be read, or has none of the table's movestates.
+    """
+    glb = shipped_glb() if export.mesh is None else read_glb(export.mesh)
+    faces = _faces_of(glb.document)
+    known = {name for _, names in faces for name in names}
+    if not known & set(export.table.movestates):
+        wanted, face = ", ".join(export.table.movestates[:3]), (export.mesh or HEAD).name
+        raise ExportError(
+            f"{face}: it has no morph target of the table {export.table.name!r} ({wanted}, ...); choose "
+            "a table for its names with --table, or name the targets in your modelling program"
+        )
+    samplers = _Samplers(glb, export.animation)
+    _move(faces, export.animation, samplers)
+    _turn([node for node, _ in faces], export.animation, samplers)
+    glb.list_of("animations").append({"name": NAME, **samplers.lists(), "extras": EXTRAS})
+    return glb.content()
+
+
+class _Samplers:
+    """What moves with time: samplers, each with the channel that says what it moves."""
+
+    def __init__(self, glb: Glb, animation: Animation) -> None:
+        self.document = glb.document
+        self._glb = glb
+        times = animation.times.astype("<f4")
+        limits = {"min": [float(times[0])], "max": [float(times[-1])]}
+        self._input = _accessor(glb, times, "SCALAR", limits)
+        self._samplers: list[dict[str, Any]] = []
+        self._channels: list[dict[str, Any]] = []
+
+    def push(self, node: int, path: str, values: NDArray[Any]) -> None:
+        """Have a property of a node, such as ``rotation``, take values one after the other."""
+        output = _accessor(self._glb, values.astype("<f4"), FORMS[path], {})
+        self._channels.append({"sampler": len(self._samplers), "target": {"node": node, "path": path}})
+        self._samplers.append({"input": self._input, "output": output, "interpolation": "LINEAR"})
+
+    def lists(self) -> dict[str, Any]:
+        """Give both as an animation has them."""
+        return {"samplers": self._samplers, "channels": self._channels}
+
+
+def _move(faces: Sequence[tuple[int, Sequence[str]]], animation: Animation, samplers: _Samplers) -> None:
+    for node, names in faces:
+        weights = _weights_for(names, animation)
+        if weights is not None:
+            samplers.push(node, "weights", weights)
+
+
+def _turn(nodes: Sequence[int], animation: Animation, samplers: _Samplers) -> None:
+    if not animation.head.any():
+        return
+    for turning in turnings_of(samplers.document, nodes, quaternions_of(animation.head)):
+        for path, values in turning.tracks().items():
+            samplers.push(turning.node, path, values)
+
+
+def _weights_for(names: Sequence[str], animation: Animation) -> NDArray[np.float32] | None:
+    """Give the weights of a mesh's targets, shape (n_frames, n_targets); None where none of them moves."""
+    columns = {name: k for k, name in enumerate(animation.movestates)}
+    if not columns.keys() & set(names):
+        return None
+    weights = np.zeros((len(animation.weights), len(names)), "<f4")
+    for target, name in enumerate(names):
+        if name in columns:
+            weights[:, target] = animation.weights[:, columns[name]]
+    return weights
+
+
+def _accessor(glb: Glb, values: NDArray[np.float32], form: str, limits: dict[str, Any]) -> int:
+    views, accessors = glb.list_of("bufferViews"), glb.list_of("accessors")
+    offset = glb.append(values.tobytes())
+    views.append({"buffer": 0, "byteOffset": offset, "byteLength": values.nbytes})
+    accessors.append(
+        {"bufferView": len(views) - 1, "componentType": FLOAT, "count": values.size // WIDTHS[form], "type": form}
+        | limits
+    )
+    return len(accessors) - 1
+
+
+def _faces_of(document: dict[str, Any]) -> list[tuple[int, list[str]]]:
+    """Give the nodes whose meshes have morph targets with names, and those names."""
+    try:
+        meshes = document.get("meshes", [])
+        named = [_targets_of(mesh) for mesh in meshes]
+        return [
+            (number, named[node["mesh"]])
+            for number, node in enumerate(document.get("nodes", []))
+            if "mesh" in node and named[node["mesh"]]
+        ]
+    except (TypeError, KeyError, IndexError, AttributeError) as error:
+        raise ExportError("the mesh is a damaged glTF file; export it anew from your modelling program") from error
+
+
+def _targets_of(mesh: dict[str, Any]) -> list[str]:
+    """Give the names of a mesh's targets; exporters write them as extras, since glTF itself has none."""
+    n_targets = min((len(primitive.get("targets", [])) for primitive in mesh["primitives"]), default=0)
+    extras = mesh.get("extras")
+    names = extras.get("targetNames", []) if isinstance(extras, dict) else []
+    names = [name if isinstance(name, str) else "" for name in names][:n_targets]
+    return names + [""] * (n_targets - len(names)) if names else []

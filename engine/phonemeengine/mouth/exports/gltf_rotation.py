@@ -1,0 +1,187 @@
+"""Where a head turns in the scene of a glTF, and what its nodes have to do for that.
+
+A face that hangs on bones turns with the bone that is called head, one that is part of a group of that name with the
+group, and any other by itself: about its origin where that lies inside it, else about the middle of its lower edge.
+"""
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.errors import ExportError
+
+HEAD = re.compile(r"(?:.*[^a-z])?head", re.IGNORECASE)
+"""What a node of the head is called, whatever stands before, as in ``mixamorig:Head``."""
+LARGEST = 1e30
+"""How far from the origin a node may be."""
+ORTHOGONAL = 1e-3
+"""How far axes may be from right angles, as a cosine, and still turn."""
+
+Numbers = NDArray[np.float64]
+Node = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Turning:
+    """What a node does while the head turns.
+
+    Attributes
+    ----------
+    node : its number.
+    rotations : shape (n_frames, 4): quaternions x, y, z, w.
+    translations : shape (n_frames, 3), or None where it turns about its own origin.
+    """
+
+    node: int
+    rotations: Numbers
+    translations: Numbers | None
+
+    def tracks(self) -> dict[str, Numbers]:
+        """Give what moves, by the name that glTF has for it."""
+        moved = {} if self.translations is None else {"translation": self.translations}
+        return {"rotation": self.rotations, **moved}
+
+
+def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Numbers) -> list[Turning]:
+    """Give what turns a head; nothing where none of its nodes can.
+
+    Parameters
+    ----------
+    document : of the glTF; nodes that turn and state a matrix state its parts from now on.
+    faces : numbers of the nodes whose meshes have morph targets.
+    turns : shape (n_frames, 4): how the head is turned in the scene, as quaternions x, y, z, w.
+
+    Raises
+    ------
+    ExportError : the scene is damaged.
+    """
+    try:
+        scene = _Scene(document)
+        with np.errstate(over="raise", invalid="raise"):
+            return [turning for node in scene.nodes_that_turn(faces) if (turning := scene.turning_of(node, turns))]
+    except (TypeError, KeyError, IndexError, ValueError, AttributeError, ArithmeticError) as error:
+        raise ExportError("the mesh is a damaged glTF file; export it anew from your modelling program") from error
+
+
+class _Scene:
+    """The nodes of a document, and which lies below which."""
+
+    def __init__(self, document: dict[str, Any]) -> None:
+        self._document = document
+        self._nodes: list[Node] = document["nodes"]
+        self._above = {child: k for k, node in enumerate(self._nodes) for child in node.get("children", ())}
+
+    def nodes_that_turn(self, faces: Iterable[int]) -> list[int]:
+        """Give the topmost nodes with which the faces turn."""
+        found = {node for face in faces if (node := self._node_of(face)) is not None}
+        return sorted(node for node in found if not found & set(list(self._chain(node))[1:]))
+
+    def turning_of(self, number: int, turns: Numbers) -> Turning | None:
+        """Say how a node turns; None where its axes are not at right angles."""
+        node = self._nodes[number]
+        if "matrix" in node and not _take_apart(node):
+            return None
+        rotation = np.array(node.get("rotation", (0, 0, 0, 1)), float)
+        above = self._rotation_above(number)
+        turned = product(product(inverse(above), turns), above)
+        turning = Turning(number, product(turned, rotation), self._translations_of(node, rotation, turned))
+        if not all(np.abs(track).max() < LARGEST for track in turning.tracks().values()):
+            raise ValueError("a number is too large, or none")
+        return turning
+
+    def _node_of(self, face: int) -> int | None:
+        skin = self._nodes[face].get("skin")
+        around = self._chain(face) if skin is None else self._document["skins"][skin]["joints"]
+        named = (node for node in around if HEAD.fullmatch(str(self._nodes[node].get("name", ""))))
+        return next(named, face if skin is None else None)
+
+    def _chain(self, node: int) -> Iterator[int]:
+        """Give a node, and those above it."""
+        for _ in self._nodes:
+            yield node
+            if node not in self._above:
+                return
+            node = self._above[node]
+        raise ValueError("a node lies below itself")
+
+    def _rotation_above(self, number: int) -> Numbers:
+        rotation = np.array((0.0, 0.0, 0.0, 1.0))
+        for k in list(self._chain(number))[1:]:
+            node = self._nodes[k]
+            own = _parts_of(node)[1] if "matrix" in node else np.array(node.get("rotation", (0, 0, 0, 1)), float)
+            rotation = product(own, rotation)
+        return rotation
+
+    def _translations_of(self, node: Node, rotation: Numbers, turned: Numbers) -> Numbers | None:
+        """Keep in its place what a mesh turns about, unless that is the node's origin."""
+        pivot = self._pivot_of(node)
+        if not pivot.any():
+            return None
+        arm = rotated(rotation, pivot * np.array(node.get("scale", (1, 1, 1)), float))
+        stays = np.array(node.get("translation", (0, 0, 0)), float) + arm
+        moved: Numbers = stays - rotated(turned, arm)
+        return moved
+
+    def _pivot_of(self, node: Node) -> Numbers:
+        if "mesh" not in node:
+            return np.zeros(3)
+        parts = self._document["meshes"][node["mesh"]]["primitives"]
+        bounds = [self._document["accessors"][part["attributes"]["POSITION"]] for part in parts]
+        low = np.min([bound["min"] for bound in bounds], axis=0).astype(float)
+        high = np.max([bound["max"] for bound in bounds], axis=0).astype(float)
+        if np.all((low < 0) & (high > 0)):
+            return np.zeros(3)
+        return np.array(((low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2))
+
+
+def product(one: Numbers, other: Numbers) -> Numbers:
+    """Give the rotation that does the other first, and then the one; quaternions x, y, z, w, shape (..., 4)."""
+    one, other = np.broadcast_arrays(one, other)
+    (a, u), (b, v) = ((q[..., 3:], q[..., :3]) for q in (one, other))
+    real = a * b - np.sum(u * v, axis=-1, keepdims=True)
+    return np.concatenate((a * v + b * u + np.cross(u, v), real), axis=-1)
+
+
+def inverse(rotation: Numbers) -> Numbers:
+    """Give the rotation back."""
+    return np.asarray(rotation * np.array((-1.0, -1.0, -1.0, 1.0)))
+
+
+def rotated(rotation: Numbers, point: Numbers) -> Numbers:
+    """Rotate a point, shape (3,), by quaternions, shape (..., 4)."""
+    pure = np.append(point, 0.0)
+    return product(product(rotation, pure), inverse(rotation))[..., :3]
+
+
+def _take_apart(node: Node) -> bool:
+    """Have a node state its translation, rotation and scale instead of its matrix, if it has no shear."""
+    translation, rotation, scale, straight = _parts_of(node)
+    if straight:
+        del node["matrix"]
+        parts = {"translation": translation, "rotation": rotation, "scale": scale}
+        node.update({name: values.tolist() for name, values in parts.items()})
+    return straight
+
+
+def _parts_of(node: Node) -> tuple[Numbers, Numbers, Numbers, bool]:
+    """Give the translation, rotation and scale of a node's matrix, and whether they are all that is in it."""
+    matrix = np.array(node["matrix"], float).reshape(4, 4).T
+    scale = np.linalg.norm(matrix[:3, :3], axis=0)
+    scale[0] *= -1 if np.linalg.det(matrix[:3, :3]) < 0 else 1
+    if not scale.all():
+        return matrix[:3, 3], np.array((0.0, 0.0, 0.0, 1.0)), scale, False
+    axes = matrix[:3, :3] / scale
+    straight = bool(np.abs(axes.T @ axes - np.eye(3)).max() < ORTHOGONAL)
+    return matrix[:3, 3], _quaternion_of(axes), scale, straight
+
+
+def _quaternion_of(axes: Numbers) -> Numbers:
+    """Give the quaternion of a rotation matrix: the eigenvector with the largest eigenvalue (Bar-Itzhack 2000)."""
+    (a, b, c), (d, e, f), (g, h, i) = axes
+    lower = np.diag([a - e - i, e - a - i, i - a - e, a + e + i])
+    lower[1, 0], lower[2, :2], lower[3, :3] = d + b, (g + c, h + f), (h - f, c - g, d - b)
+    return np.asarray(np.linalg.eigh(lower)[1][:, -1])

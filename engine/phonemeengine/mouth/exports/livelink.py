@@ -1,0 +1,43 @@
+"""The CSV of Live Link Face: a row a frame with time code, 52 blend shapes of ARKit and nine angles.
+
+Unreal, Blender, Maya and MotionBuilder read it. The time code is HH:MM:SS:FF with thousandths of a frame; angles of
+head and eyes are in radians.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from phonemeengine.mouth.exports.export import Export
+from phonemeengine.mouth.exports.number_lines import lines_of
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.own_files import begins_like
+
+ANGLES = (
+    "HeadYaw", "HeadPitch", "HeadRoll", "LeftEyeYaw", "LeftEyePitch", "LeftEyeRoll", "RightEyeYaw", "RightEyePitch",
+    "RightEyeRoll",
+)  # fmt: skip
+COLUMNS = ("Timecode", "BlendShapeCount", *(name[0].upper() + name[1:] for name in ARKIT), *ANGLES)
+COUNT = len(COLUMNS) - 2
+
+owns = begins_like(b"%s\n00:00:00:00\\.000,%d(?:,-?\\d\\.\\d{5}){%d}\n" % (",".join(COLUMNS).encode(), COUNT, COUNT))
+"""Whether the content of a file was written here: the recording of an actor begins at the time of day, and has more
+digits."""
+
+
+def write(export: Export) -> Iterator[str]:
+    """Write the header and a row for each frame."""
+    animation = export.animation
+    yield ",".join(COLUMNS) + "\n"
+    eyes = np.zeros((len(animation.weights), len(ANGLES) - 3), np.float32)
+    rows = np.hstack((animation.weights, np.radians(animation.head), eyes))
+    for frame, line in enumerate(lines_of(rows)):
+        yield f"{timecode_of(frame, animation.rate)},{COUNT},{line}\n"
+
+
+def timecode_of(frame: int, rate: float) -> str:
+    """Write the time code of a frame; a rate that is no whole number counts frames as its neighbour does."""
+    seconds, rest = divmod(frame, max(round(rate), 1))
+    minutes, seconds = divmod(seconds, 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours:02d}:{minutes:02d}:{seconds:02d}:{rest:02d}.000"

@@ -1,0 +1,20 @@
+"""The weights of the fifteen visemes of Oculus Lipsync as CSV: a row a frame, its time in seconds first."""
+
+from collections.abc import Iterator
+
+from phonemeengine.mouth.exports.export import Export
+from phonemeengine.mouth.exports.number_lines import lines_of
+from phonemeengine.mouth.blendshape_names import OCULUS
+from phonemeengine.own_files import begins_like
+
+HEADER = ",".join(["time_s", *OCULUS]) + "\n"
+
+owns = begins_like(HEADER.encode())
+
+
+def write(export: Export) -> Iterator[str]:
+    """Write the header and a row for each frame."""
+    animation = export.animation
+    yield HEADER
+    for time, line in zip(animation.times.tolist(), lines_of(animation.weights), strict=True):
+        yield f"{time:.6f},{line}\n"

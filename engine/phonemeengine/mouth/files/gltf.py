@@ -1,0 +1,240 @@
+"""glTF 2.0 and .glb files with morph targets: all meshes of the scene become one."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import MOST_STATES, Figure
+from phonemeengine.mouth.files.glb import Table
+from phonemeengine.mouth.files.gltf_accessors import array_of, count_of
+from phonemeengine.mouth.files.gltf_document import (
+    Beside,
+    Document,
+    numbers_of,
+    table_of,
+    tables_of,
+    text_of,
+    whole_of,
+)
+from phonemeengine.mouth.files.gltf_scene import Transform, name_of, placed, target_names
+from phonemeengine.mouth.mesh import MOST_MATERIALS, MOST_TRIANGLES, MOST_VERTICES, Material, Numbers, Vectors, mesh_of
+from phonemeengine.mouth.movestate import LEAST_MOVE, Movestate, movestate_at
+
+TRIANGLES, STRIP, FAN = 4, 5, 6
+MOST_OFFSETS = 1 << 25
+"""Of all morph targets, moving or not."""
+MOST_PRIMITIVES = 4096
+NUMBER = "_VERTEX"
+"""The attribute that keeps the numbers of vertices of which a .3dm file tells no more."""
+
+
+def parse_gltf(content: bytes, beside: Beside = lambda _name: None) -> Figure:
+    """Read a .glb or .gltf file: positions, normals, colours, triangles, and morph targets.
+
+    The meshes are put where the scene's nodes put them, unless bones carry them. Morph targets of one name in several
+    meshes are one movestate.
+
+    Parameters
+    ----------
+    beside : finds the buffers' files that a .gltf names.
+
+    Raises
+    ------
+    MeshError : it is no glTF, is compressed, or says something impossible.
+    """
+    document = Document(content, beside)
+    gathered = _Gathered(document)
+    with np.errstate(all="ignore"):  # what overflows is refused as infinite
+        for place, transform in placed(document):
+            table = document.entry("meshes", place)
+            names = target_names(table)
+            for primitive in tables_of(table, "primitives"):
+                gathered.push(primitive, names, transform)
+        return gathered.figure(name_of(document))
+
+
+def linear_of(colours: Vectors) -> Vectors:
+    """Turn sRGB colours into the linear ones that glTF has (IEC 61966-2-1)."""
+    return np.where(colours <= 0.04045, colours / 12.92, ((colours + 0.055) / 1.055) ** 2.4).astype(np.float32)
+
+
+def srgb_of(colours: Vectors) -> Vectors:
+    """Turn linear colours into sRGB (IEC 61966-2-1)."""
+    bounded = np.clip(np.nan_to_num(colours), 0, 1)
+    return np.where(bounded <= 0.0031308, bounded * 12.92, 1.055 * bounded ** (1 / 2.4) - 0.055).astype(np.float32)
+
+
+@dataclass
+class _Gathered:
+    """What the primitives that were read so far make together."""
+
+    document: Document
+    points: list[Vectors] = field(default_factory=list)
+    normals: list[Vectors] = field(default_factory=list)
+    colours: list[Vectors] = field(default_factory=list)
+    triangles: list[Numbers] = field(default_factory=list)
+    kinds: list[NDArray[np.uint16]] = field(default_factory=list)
+    numbers: list[NDArray[np.int64]] = field(default_factory=list)
+    moved: dict[str, list[Movestate]] = field(default_factory=dict)
+    n: int = 0
+    n_triangles: int = 0
+    n_offsets: int = 0
+    n_primitives: int = 0
+
+    def push(self, primitive: Table, names: list[str], transform: Transform) -> None:
+        attributes, targets = table_of(primitive, "attributes"), tables_of(primitive, "targets")
+        n = self._count(attributes, len(targets))
+        if not n:
+            return
+        points = self._vectors(attributes, "POSITION", n)
+        self.points.append((points @ transform[:3, :3].T + transform[:3, 3]).astype(np.float32))
+        self.normals.append(self._normals(attributes, n, transform))
+        self.colours.append(self._colours(attributes, primitive, n))
+        self._push_triangles(primitive, n)
+        self._push_numbers(attributes, n)
+        for place, target in enumerate(targets):
+            name = names[place] if place < len(names) else f"target_{place}"
+            self._push_target(name, target, n, transform)
+        self.n += n
+
+    def figure(self, name: str) -> Figure:
+        if not self.n:
+            raise MeshError("there is no mesh in it; export one with it")
+        numbers = np.concatenate(self.numbers)
+        mesh = mesh_of(
+            np.concatenate(self.points), np.concatenate([np.empty((0, 3), np.uint32), *self.triangles]), name=name,
+            normals=np.concatenate(self.normals), colours=np.concatenate(self.colours), materials=self._materials(),
+            material_of=np.concatenate([np.empty(0, np.uint16), *self.kinds]),
+        )  # fmt: skip
+        states = tuple(_joined(name, parts) for name, parts in self.moved.items())
+        if np.array_equal(numbers, np.arange(self.n)):
+            return Figure(mesh, states)
+        return _renumbered(Figure(mesh, states), numbers)
+
+    def _count(self, attributes: Table, n_targets: int) -> int:
+        self.n_primitives += 1
+        if self.n_primitives > MOST_PRIMITIVES:
+            raise MeshError(f"a mesh has at most {MOST_PRIMITIVES} parts; join some")
+        if "POSITION" not in attributes:
+            return 0
+        n = count_of(self.document, whole_of(attributes, "POSITION"))
+        if self.n + n > MOST_VERTICES:
+            raise MeshError(f"a mesh has at most {MOST_VERTICES} vertices; make it coarser")
+        self.n_offsets += n * n_targets
+        if self.n_offsets > MOST_OFFSETS:
+            raise MeshError(f"all morph targets have at most {MOST_OFFSETS} vertices together; make it coarser")
+        return n
+
+    def _vectors(self, attributes: Table, key: str, n: int) -> Vectors:
+        found = array_of(self.document, whole_of(attributes, key))
+        if found.shape != (n, 3):
+            raise MeshError(f"its {key} is of shape {found.shape}, and there are {n} vertices; export it again")
+        vectors = found.astype(np.float32)
+        if not np.all(np.abs(vectors) < 1e18):  # false for NaN
+            raise MeshError(f"its {key} holds a number that is not finite; export it again")
+        return vectors
+
+    def _normals(self, attributes: Table, n: int, transform: Transform) -> Vectors:
+        if "NORMAL" not in attributes:
+            return np.zeros((n, 3), np.float32)
+        cofactors = np.cross(transform[[1, 2, 0], :3], transform[[2, 0, 1], :3])
+        return (self._vectors(attributes, "NORMAL", n) @ cofactors.T).astype(np.float32)
+
+    def _colours(self, attributes: Table, primitive: Table, n: int) -> Vectors:
+        colours = np.ones((n, 3), np.float32)
+        if "COLOR_0" in attributes:
+            found = array_of(self.document, whole_of(attributes, "COLOR_0"))
+            if len(found) != n or found.shape[1] not in (3, 4) or found.dtype.kind != "f":
+                raise MeshError(f"its COLOR_0 is of shape {found.shape}, with {n} vertices; export it again")
+            colours = np.clip(np.nan_to_num(found[:, :3]), 0, 1).astype(np.float32)
+        return srgb_of(colours * self._base_colour(primitive))
+
+    def _base_colour(self, primitive: Table) -> Vectors:
+        if "material" not in primitive:
+            return np.ones(3, np.float32)
+        material = self.document.entry("materials", whole_of(primitive, "material"))
+        colour = numbers_of(table_of(material, "pbrMetallicRoughness"), "baseColorFactor", [1.0] * 4)
+        return np.clip(np.array(colour[:3], np.float32), 0, 1)
+
+    def _materials(self) -> list[Material]:
+        materials = self.document.list_of("materials")[:MOST_MATERIALS]
+        made = []
+        for place, table in enumerate(materials):
+            red, green, blue = srgb_of(self._base_colour({"material": place})).tolist()
+            made.append(Material(text_of(table, "name", "")[:255], (red, green, blue)))
+        return made
+
+    def _push_triangles(self, primitive: Table, n: int) -> None:
+        mode = whole_of(primitive, "mode", TRIANGLES)
+        if mode not in (TRIANGLES, STRIP, FAN):
+            return
+        corners = np.arange(n)
+        if "indices" in primitive:
+            found = array_of(self.document, whole_of(primitive, "indices"))
+            if found.dtype.kind != "u" or found.shape[1] != 1:
+                raise MeshError("the corners of its triangles are no whole numbers; export it again")
+            corners = found[:, 0].astype(np.int64)
+        if len(corners) and corners.max() >= n:
+            raise MeshError(f"a triangle names vertex {corners.max()}, and there are {n}; export it again")
+        triangles = _triangles(corners, mode)
+        self.n_triangles += len(triangles)
+        if self.n_triangles > MOST_TRIANGLES:
+            raise MeshError(f"a mesh has at most {MOST_TRIANGLES} triangles; make it coarser")
+        self.triangles.append((triangles + self.n).astype(np.uint32))
+        material = min(whole_of(primitive, "material", 0), MOST_MATERIALS - 1)
+        self.kinds.append(np.full(len(triangles), material, np.uint16))
+
+    def _push_numbers(self, attributes: Table, n: int) -> None:
+        numbers = self.n + np.arange(n)
+        if NUMBER in attributes:
+            found = array_of(self.document, whole_of(attributes, NUMBER))
+            if found.shape != (n, 1) or not np.all((found >= 0) & (found < MOST_VERTICES)):
+                raise MeshError(f"its {NUMBER} are no numbers of vertices; export it again")
+            numbers = found[:, 0].astype(np.int64)
+        self.numbers.append(numbers)
+
+    def _push_target(self, name: str, target: Table, n: int, transform: Transform) -> None:
+        if len(self.moved) >= MOST_STATES and name not in self.moved:
+            raise MeshError(f"a face has at most {MOST_STATES} morph targets; leave some out")
+        parts = self.moved.setdefault(name, [])
+        if "POSITION" in target:
+            offsets = self._vectors(target, "POSITION", n) @ transform[:3, :3].T
+            moving = np.flatnonzero(np.linalg.norm(offsets, axis=1) > LEAST_MOVE)
+            if len(moving):
+                parts.append(movestate_at(name, moving + self.n, offsets[moving]))
+
+
+def _joined(name: str, parts: list[Movestate]) -> Movestate:
+    numbers = [np.empty(0, np.uint32), *(part.numbers for part in parts)]
+    return movestate_at(
+        name, np.concatenate(numbers), np.concatenate([np.empty((0, 3)), *(p.offsets for p in parts)])
+    )
+
+
+def _triangles(corners: NDArray[np.int64], mode: int) -> NDArray[np.int64]:
+    if mode == TRIANGLES:
+        return corners[: len(corners) // 3 * 3].reshape(-1, 3)
+    if len(corners) < 3:
+        return np.empty((0, 3), np.int64)
+    if mode == FAN:
+        return np.stack((np.full(len(corners) - 2, corners[0]), corners[1:-1], corners[2:]), axis=1)
+    strip = np.stack((corners[:-2], corners[1:-1], corners[2:]), axis=1)
+    strip[1::2] = strip[1::2, [1, 0, 2]]
+    return strip
+
+
+def _renumbered(figure: Figure, numbers: NDArray[np.int64]) -> Figure:
+    """Give the vertices the numbers that they had; those between are at the origin, and nothing uses them."""
+    if len(np.unique(numbers)) < len(numbers):
+        raise MeshError(f"its {NUMBER} names a vertex twice; export it again")
+    mesh, n = figure.mesh, int(numbers.max()) + 1
+    points, colours = np.zeros((n, 3), np.float32), np.ones((n, 3), np.float32)
+    points[numbers], colours[numbers] = mesh.positions, mesh.colours
+    triangles = numbers[mesh.triangles]
+    states = [movestate_at(state.name, numbers[state.numbers], state.offsets) for state in figure.states]
+    made = mesh_of(
+        points, triangles, name=mesh.name, colours=colours, materials=mesh.materials, material_of=mesh.material_of
+    )
+    return Figure(made, tuple(states))

@@ -1,0 +1,121 @@
+"""Writes .glb files: one mesh, its colours, and its movestates as morph targets."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import Face, Figure
+from phonemeengine.mouth.files.glb import Table, glb_of
+from phonemeengine.mouth.files.gltf import NUMBER, TRIANGLES, linear_of
+from phonemeengine.mouth.files.gltf_document import LARGEST_BUFFER
+from phonemeengine.mouth.mesh import Mesh, Vectors
+from phonemeengine.mouth.movestate import Movestate
+
+POINTS = 0
+FLOAT, WHOLE = 5126, 5125
+VERTICES, CORNERS = 34962, 34963
+GENERATOR = "PhonemeAnalyser"
+
+
+def format_glb(figure: Figure) -> bytes:
+    """Write a mesh and its movestates as a .glb file; each movestate is a morph target of its name.
+
+    Raises
+    ------
+    MeshError : the file would be larger than any that is read.
+    """
+    mesh, buffer = figure.mesh, _Buffer()
+    attributes = {
+        "POSITION": buffer.push(mesh.positions, bounded=True),
+        "NORMAL": buffer.push(mesh.normals),
+        "COLOR_0": buffer.push(linear_of(mesh.colours)),
+    }
+    primitive: Table = {"attributes": attributes, "mode": TRIANGLES, "material": 0}
+    if len(mesh.triangles):
+        primitive["indices"] = buffer.push(mesh.triangles.reshape(-1, 1))
+    else:
+        primitive["mode"] = POINTS
+    _push_targets(primitive, figure.states, len(mesh), buffer)
+    return _glb(primitive, figure.states, mesh, buffer)
+
+
+def format_points(face: Face) -> bytes:
+    """Write the vertices of a face as points with morph targets, where its mesh is not known.
+
+    The attribute ``_VERTEX`` keeps their numbers, so that reading the file gives the same movestates.
+
+    Raises
+    ------
+    MeshError : no vertex moves, or the file would be larger than any that is read.
+    """
+    if not len(face.numbers):
+        raise MeshError("no vertex moves, so there is nothing to show; name its mesh with --mesh")
+    buffer = _Buffer()
+    attributes = {
+        "POSITION": buffer.push(face.positions, bounded=True),
+        NUMBER: buffer.push(face.numbers.astype(np.float32).reshape(-1, 1)),
+    }
+    primitive: Table = {"attributes": attributes, "mode": POINTS}
+    within = [
+        Movestate(s.name, np.searchsorted(face.numbers, s.numbers).astype(np.uint32), s.offsets) for s in face.states
+    ]
+    _push_targets(primitive, within, len(face.numbers), buffer)
+    return _glb(primitive, face.states, None, buffer)
+
+
+class _Buffer:
+    """Gathers arrays, and the tables that say where they are."""
+
+    def __init__(self) -> None:
+        self.views: list[Table] = []
+        self.accessors: list[Table] = []
+        self.parts: list[bytes] = []
+        self.size = 0
+
+    def push(self, array: NDArray[np.generic], *, bounded: bool = False) -> int:
+        """Append an array of float32 or uint32, shape (n, width); gives its accessor's number."""
+        whole = array.dtype.kind == "u"
+        content = array.astype("<u4" if whole else "<f4").tobytes()
+        if self.size + len(content) > LARGEST_BUFFER:
+            raise MeshError(f"the .glb would be larger than {LARGEST_BUFFER >> 20} MB; leave out some movestates")
+        target = CORNERS if whole else VERTICES
+        self.views.append({"buffer": 0, "byteOffset": self.size, "byteLength": len(content), "target": target})
+        self.parts.append(content)
+        self.size += len(content)
+        accessor: Table = {
+            "bufferView": len(self.views) - 1, "componentType": WHOLE if whole else FLOAT, "count": len(array),
+            "type": "VEC3" if array.shape[1] == 3 else "SCALAR",
+        }  # fmt: skip
+        if bounded:
+            accessor |= {"min": array.min(axis=0).tolist(), "max": array.max(axis=0).tolist()}
+        self.accessors.append(accessor)
+        return len(self.accessors) - 1
+
+
+def _push_targets(primitive: Table, states: tuple[Movestate, ...] | list[Movestate], n: int, buffer: _Buffer) -> None:
+    if states:
+        primitive["targets"] = [{"POSITION": buffer.push(_dense(state, n), bounded=True)} for state in states]
+
+
+def _dense(state: Movestate, n: int) -> Vectors:
+    offsets = np.zeros((n, 3), np.float32)
+    offsets[state.numbers] = state.offsets
+    return offsets
+
+
+def _glb(primitive: Table, states: tuple[Movestate, ...], mesh: Mesh | None, buffer: _Buffer) -> bytes:
+    shape: Table = {"primitives": [primitive], "extras": {"targetNames": [state.name for state in states]}}
+    if states:
+        shape["weights"] = [0.0] * len(states)
+    if mesh is not None and mesh.name:
+        shape["name"] = mesh.name
+    root: Table = {
+        "asset": {"version": "2.0", "generator": GENERATOR}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}], "meshes": [shape], "accessors": buffer.accessors, "bufferViews": buffer.views,
+        "buffers": [{"byteLength": buffer.size}],
+    }  # fmt: skip
+    if mesh is not None:
+        root["materials"] = [
+            {"name": "face", "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.7}}
+        ]
+    return glb_of(root, buffer.parts)

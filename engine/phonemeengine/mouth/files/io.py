@@ -1,0 +1,140 @@
+"""Opens and saves files of meshes and movestates; the ending says the format."""
+
+import os
+import tempfile
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import Face, Figure, face_of
+from phonemeengine.mouth.files.gltf import parse_gltf
+from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
+from phonemeengine.mouth.files.obj import parse_obj
+from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
+from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
+from phonemeengine.mouth.files.x_file import parse_x
+
+MEGABYTE = 1 << 20
+LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".x": 16}
+"""Megabytes of a file of each kind: so much is read, and no more."""
+LARGEST_BESIDE = 64
+FACES = (".3dm", ".3dma")
+FIGURES = (".obj", ".gltf", ".glb", ".x")
+
+Beside = Callable[[str], bytes | None]
+
+
+def load_figure(path: Path) -> Figure:
+    """Load a mesh, and the movestates that its file has: .obj, .gltf, .glb or .x.
+
+    Raises
+    ------
+    MeshError : the file cannot be read or is no mesh; the message begins with the file's name.
+    """
+    kind = _kind_of(path, FIGURES)
+    content = _content_of(path, LARGEST[kind])
+    try:
+        figure = _figure_of(kind, content, _beside(path.parent))
+    except MeshError as error:
+        raise MeshError(f"{path.name}: {error}") from error
+    return Figure(replace(figure.mesh, name=figure.mesh.name or path.stem), figure.states)
+
+
+def load_face(path: Path) -> Face:
+    """Load movestates: .3dm or .3dma, or a mesh with morph targets.
+
+    Raises
+    ------
+    MeshError : the file cannot be read or holds no movestates; the message begins with the file's name.
+    """
+    kind = _kind_of(path, (*FACES, *FIGURES))
+    if kind in FIGURES:
+        figure = load_figure(path)
+        if not figure.states:
+            raise MeshError(f"{path.name}: this is a mesh without morph targets; use 'movestates export'")
+        return face_of(figure.mesh, figure.states)
+    content = _content_of(path, LARGEST[kind])
+    try:
+        return parse_3dm(content) if kind == ".3dm" else parse_3dma(content)
+    except MeshError as error:
+        raise MeshError(f"{path.name}: {error}") from error
+
+
+def save_face(face: Face, path: Path, figure: Figure | None = None) -> None:
+    """Save movestates: .3dm, .3dma, or .glb, which holds the mesh too if it is given, else just points.
+
+    The old file stays until the new one is complete.
+
+    Raises
+    ------
+    MeshError : the file cannot be written; the message begins with its name.
+    """
+    kind = _kind_of(path, (*FACES, ".glb"))
+    try:
+        if kind == ".glb":
+            content = format_points(face) if figure is None else format_glb(Figure(figure.mesh, face.states))
+        else:
+            content = format_3dm(face) if kind == ".3dm" else format_3dma(face)
+    except MeshError as error:
+        raise MeshError(f"{path.name}: {error}") from error
+    if len(content) > LARGEST[kind] * MEGABYTE:
+        raise MeshError(f"{path.name}: would be larger than {LARGEST[kind]} MB; leave out some movestates")
+    _write(path, content)
+
+
+def _figure_of(kind: str, content: bytes, beside: Beside) -> Figure:
+    if kind == ".obj":
+        return parse_obj(content, beside)
+    return parse_x(content) if kind == ".x" else parse_gltf(content, beside)
+
+
+def _kind_of(path: Path, kinds: tuple[str, ...]) -> str:
+    kind = path.suffix.lower()
+    if kind not in kinds:
+        raise MeshError(f"{path.name}: its ending must be one of {', '.join(kinds)}; choose another file")
+    return kind
+
+
+def _content_of(path: Path, largest: int) -> bytes:
+    try:
+        size = path.stat().st_size
+        if size > largest * MEGABYTE:
+            raise MeshError(
+                f"{path.name}: such a file has at most {largest} MB, this {size / 1e6:.0f} MB; make it smaller"
+            )
+        return path.read_bytes()
+    except OSError as error:
+        raise MeshError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
+
+
+def _beside(folder: Path) -> Beside:
+    """Give what reads a file of the same folder, or below it; never one elsewhere."""
+
+    def read(name: str) -> bytes | None:
+        try:
+            path = (folder / name).resolve()
+            if not path.is_relative_to(folder.resolve()) or not path.is_file():
+                return None
+        except (OSError, ValueError):
+            return None
+        return _content_of(path, LARGEST_BESIDE)
+
+    return read
+
+
+def _write(path: Path, content: bytes) -> None:
+    name = ""
+    try:
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".part")
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        Path(name).chmod(0o644)
+        Path(name).replace(path)
+    except OSError as error:
+        raise MeshError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
+    finally:
+        if name:
+            with suppress(OSError):
+                Path(name).unlink(missing_ok=True)

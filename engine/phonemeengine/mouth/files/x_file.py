@@ -1,0 +1,216 @@
+"""DirectX ``.x`` files as text: meshes, normals, materials, and the frames that place them; left-handed.
+
+No living library reads them; the templates are those of the DirectX SDK (rmxftmpl.x).
+"""
+
+from array import array
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.files.x_text import DEEPEST, Words
+from phonemeengine.mouth.mesh import GREY, MOST_MATERIALS, MOST_TRIANGLES, MOST_VERTICES, Material, mesh_of, summed_at
+
+MAGIC = b"xof 03"
+MIRROR = np.array([1.0, 1.0, -1.0])
+MOST_CORNERS = 1024
+MOST_MESHES = 4096
+MATRIX = np.eye(4)
+
+
+def parse_x(content: bytes) -> Figure:
+    """Read a .x text file; all its meshes become one.
+
+    Raises
+    ------
+    MeshError : it is no .x file, is binary or compressed, or says something impossible; names the line.
+    """
+    if not content.startswith(MAGIC):
+        raise MeshError("a .x file begins with 'xof 03', this does not; choose another file")
+    if content[8:12] != b"txt ":
+        kind = content[8:12].decode("ascii", "replace").strip()
+        raise MeshError(f"this .x file is of the kind {kind!r}, and only text can be read; save it as text")
+    reader = _Reader(Words(content[16:].decode(errors="replace")))
+    with np.errstate(all="ignore"):  # what overflows is refused as infinite
+        reader.blocks(MATRIX, 0)
+        return reader.figure()
+
+
+@dataclass
+class _Part:
+    """A mesh of the file, right-handed."""
+
+    name: str
+    points: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    triangles: NDArray[np.int64]
+    materials: list[Material] = field(default_factory=list)
+    material_of: NDArray[np.uint16] = field(default_factory=lambda: np.zeros(0, np.uint16))
+
+
+class _Reader:
+    """Walks through the blocks, and gathers the meshes."""
+
+    def __init__(self, words: Words) -> None:
+        self._words = words
+        self._materials: dict[str, Material] = {}
+        self._parts: list[_Part] = []
+        self._n = 0
+        self._n_triangles = 0
+
+    def blocks(self, above: NDArray[np.float64], depth: int) -> None:
+        """Read blocks until the one that holds them ends, or the file."""
+        if depth > DEEPEST:
+            raise MeshError(f"{self._words.place}: frames lie in more than {DEEPEST} others; export it flatter")
+        while (kind := self._words.next_word()) not in {"", "}"}:
+            above = self._block(kind, above, depth)
+
+    def figure(self) -> Figure:
+        """Give all meshes as one."""
+        if not self._parts:
+            raise MeshError("there is no mesh in it; export one with it")
+        starts = np.cumsum([0, *(len(part.points) for part in self._parts)])
+        materials: list[Material] = []
+        kinds = []
+        for part in self._parts:
+            kinds.append(part.material_of + len(materials))
+            materials += part.materials or [Material("default", GREY)]
+        if len(materials) > MOST_MATERIALS:
+            raise MeshError(f"a mesh has at most {MOST_MATERIALS} materials, this has {len(materials)}; join some")
+        mesh = mesh_of(
+            np.concatenate([part.points for part in self._parts]),
+            np.concatenate([part.triangles + at for part, at in zip(self._parts, starts, strict=False)]),
+            name=self._parts[0].name, normals=np.concatenate([p.normals for p in self._parts]).astype(np.float32),
+            materials=materials, material_of=np.concatenate(kinds),
+        )  # fmt: skip
+        return Figure(mesh)
+
+    def _block(self, kind: str, above: NDArray[np.float64], depth: int) -> NDArray[np.float64]:
+        words = self._words
+        if kind == "template":
+            words.head()
+            words.leave()
+        elif kind == "Frame":
+            words.head()
+            self.blocks(above, depth + 1)
+        elif kind == "FrameTransformMatrix":
+            words.head()
+            above = words.numbers(4, 4) @ above
+            words.expect("}")
+        elif kind == "Mesh":
+            self._mesh(words.head(), above)
+        elif kind == "Material":
+            self._material(words.head())
+        elif kind == "{":  # a reference to another block
+            words.leave()
+        else:
+            words.head()
+            words.leave()
+        return above
+
+    def _mesh(self, name: str, above: NDArray[np.float64]) -> None:
+        words = self._words
+        n = words.count(MOST_VERTICES - self._n, 3)
+        points = words.numbers(n, 3)
+        faces = _Faces(words, n, MOST_TRIANGLES - self._n_triangles)
+        if len(self._parts) >= MOST_MESHES:
+            raise MeshError(f"it has more than {MOST_MESHES} meshes; join them")
+        self._n, self._n_triangles = self._n + n, self._n_triangles + len(faces.triangles)
+        part = _Part(name, _moved(points, above), np.zeros((n, 3)), faces.triangles[:, ::-1])
+        part.material_of = np.zeros(len(faces.triangles), np.uint16)
+        inner: dict[str, Callable[[], None]] = {
+            "MeshNormals": lambda: self._normals(part, faces, above),
+            "MeshMaterialList": lambda: self._material_list(part, faces),
+        }
+        while (kind := words.next_word()) != "}":
+            if not kind:
+                raise MeshError(f"{words.place}: the mesh is not closed; it is cut off, export it again")
+            if kind == "{":
+                words.leave()
+                continue
+            words.head()
+            inner.get(kind, words.leave)()
+        self._parts.append(part)
+
+    def _normals(self, part: _Part, faces: "_Faces", above: NDArray[np.float64]) -> None:
+        """Read normals; they belong to the corners of faces, and a vertex gets the sum of those of its corners."""
+        words = self._words
+        n = words.count(MOST_TRIANGLES, 3)
+        vectors = words.numbers(n, 3)
+        corners = _Faces(words, n, MOST_TRIANGLES)
+        if corners.sizes != faces.sizes:
+            raise MeshError(f"{words.place}: the faces of normals are not those of the mesh; export it again")
+        words.leave()
+        if not len(corners.corners):
+            return
+        turned = vectors @ _cofactors(above[:3, :3]) * MIRROR
+        given = turned[np.array(corners.corners)]
+        part.normals = summed_at(np.array(faces.corners), given, len(part.points))
+
+    def _material_list(self, part: _Part, faces: "_Faces") -> None:
+        words = self._words
+        n = words.whole(MOST_MATERIALS)
+        n_faces = words.count(MOST_TRIANGLES, 1)
+        places = np.array([*words.wholes(n_faces, max(0, n - 1)), 0])
+        while (kind := words.next_word()) not in {"", "}"}:
+            if kind == "Material":
+                part.materials.append(self._material(words.head()))
+            elif kind == "{":
+                part.materials.append(self._materials.get(words.next_word(), Material("", GREY)))
+                words.expect("}")
+            else:
+                words.head()
+                words.leave()
+        while len(part.materials) < n:
+            part.materials.append(Material("", GREY))
+        which = np.minimum(faces.face_of, max(0, n_faces - 1))
+        part.material_of = places[which].astype(np.uint16)
+
+    def _material(self, name: str) -> Material:
+        red, green, blue = (min(1.0, max(0.0, self._words.number())) for _ in range(3))
+        self._words.leave()
+        made = Material(name[:255], (red, green, blue))
+        if name and len(self._materials) < MOST_MATERIALS:
+            self._materials[name] = made
+        return made
+
+
+class _Faces:
+    """Reads polygons, and cuts them into triangles.
+
+    Attributes
+    ----------
+    sizes : corners of each polygon.
+    corners : vertex numbers of all corners.
+    triangles : shape (m, 3).
+    face_of : shape (m,), the polygon that each triangle is of.
+    """
+
+    def __init__(self, words: Words, n: int, most: int) -> None:
+        self.sizes, self.corners = array("H"), array("l")
+        triangles, face_of = array("l"), array("l")
+        for face in range(words.count(MOST_TRIANGLES, 1)):
+            corners = words.wholes(words.whole(MOST_CORNERS), max(0, n - 1))
+            self.sizes.append(len(corners))
+            self.corners.extend(corners)
+            for k in range(1, len(corners) - 1):
+                triangles.extend((corners[0], corners[k], corners[k + 1]))
+                face_of.append(face)
+            if len(face_of) > most or len(self.corners) > 3 * MOST_TRIANGLES or (corners and not n):
+                raise MeshError(f"{words.place}: a mesh has at most {MOST_TRIANGLES} triangles; make it coarser")
+        self.triangles = np.array(triangles, np.int64).reshape(-1, 3)
+        self.face_of = np.array(face_of, np.int64)
+
+
+def _moved(points: NDArray[np.float64], matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Place points with a matrix whose rows are added up, as DirectX has it, and mirror them to the right hand."""
+    return np.asarray((points @ matrix[:3, :3] + matrix[3, :3]) * MIRROR)
+
+
+def _cofactors(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Give what turns normals where a matrix moves points."""
+    return np.asarray(np.cross(matrix[[1, 2, 0]], matrix[[2, 0, 1]]), np.float64)

@@ -1,0 +1,48 @@
+"""The head that ships with the program: CC0, with the 52 blend shapes of ARKit.
+
+Its origin is where it turns on the neck; a unit is a decimetre. Made by `tests/make_head.py`.
+"""
+
+import zipfile
+import zlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.movestate import movestate_of
+
+HEAD = Path(__file__).with_name("head.npz")
+OWN_LIFE = ("eye", "brow")
+"""States whose names begin so are not interactable: the mouth does not push eyes and brows back."""
+
+
+def load_head() -> Figure:
+    """Load the head and its movestates, whose names are those of ARKit.
+
+    Raises
+    ------
+    MeshError : the program's own file is missing or damaged.
+    """
+    try:
+        with HEAD.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
+            return _figure_of({name: file[name] for name in file.files})
+    except (OSError, ValueError, KeyError, zipfile.BadZipFile, zlib.error) as error:
+        raise MeshError(f"{HEAD.name}: the program's own head cannot be read; install the program again") from error
+
+
+def _figure_of(arrays: dict[str, NDArray[Any]]) -> Figure:
+    colours = (arrays["colours"] / 255).astype(np.float32)
+    mesh = mesh_of(arrays["positions"], arrays["triangles"], name="head", colours=colours)
+    names = [str(name) for name in arrays["names"]]
+    return Figure(
+        mesh,
+        tuple(
+            movestate_of(name, offsets.astype(np.float32), interactable=not name.startswith(OWN_LIFE))
+            for name, offsets in zip(names, arrays["offsets"], strict=True)
+        ),
+    )

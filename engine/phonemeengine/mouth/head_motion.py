@@ -1,0 +1,84 @@
+"""Small movements of the head that go with speech.
+
+The head rises with the voice's pitch and nods with its loudness (Yehia, Kuratate and Vatikiotis-Bateson 2002,
+"Linking facial animation, head motion and speech acoustics"), and never stands quite still.
+"""
+
+import math
+import random
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.mouth.low_pass import Follower
+
+PER_SEMITONE = 0.5
+"""Degrees that the head rises when the pitch lies a semitone above the usual one."""
+MOST_SEMITONES = 7.0
+NOD = 2.5
+"""Degrees that it sinks at full loudness."""
+SWAY = (1.6, 1.0, 0.9)
+"""Degrees that it wanders by itself in yaw, pitch and roll: half of it in silence."""
+PERIODS = ((7.3, 4.1), (6.1, 3.3), (9.7, 5.3))
+"""Seconds of the slow swings that make up the wandering, in yaw, pitch and roll."""
+FOLLOWING, USUAL = 0.18, 4.0
+"""Time constants with which it follows the voice, and learns the usual pitch, seconds."""
+
+
+@dataclass(frozen=True)
+class HeadPose:
+    """How the head is turned, degrees: yaw to its left, pitch upwards, roll to its left shoulder."""
+
+    yaw: float = 0.0
+    pitch: float = 0.0
+    roll: float = 0.0
+
+
+def quaternions_of(poses: NDArray[np.float32]) -> NDArray[np.float64]:
+    """Give poses, shape (n, 3): yaw, pitch and roll in degrees, as quaternions x, y, z, w, shape (n, 4).
+
+    The head looks along z, and its left is x. It rolls first, then nods, then turns.
+    """
+    halves = np.radians(np.asarray(poses, float)) / 2
+    (s, u, p), (c, v, q) = np.sin(halves).T, np.cos(halves).T  # of yaw, pitch and roll
+    parts = (-c * u * q - s * v * p, s * v * q - c * u * p, s * u * q - c * v * p, c * v * q + s * u * p)
+    return np.stack(parts, axis=1)
+
+
+class HeadMotion:
+    """Follows loudness and pitch, and gives the pose of the head at any time after; equal seeds sway alike."""
+
+    def __init__(self, seed: int = 0) -> None:
+        chance = random.Random(seed)  # noqa: S311 - nothing secret depends on it
+        self._phases = [[chance.uniform(0, 2 * math.pi) for _ in periods] for periods in PERIODS]
+        self._loudness, self._rise = Follower(FOLLOWING), Follower(FOLLOWING)
+        self._speaking = Follower(1.0)
+        self._usual: Follower | None = None
+
+    def hear(self, time: float, intensity: float, f0: float = 0.0) -> None:
+        """Take loudness, 0..1, and fundamental frequency, Hz (0 where there is none), from a time on, seconds."""
+        self._loudness.push(time, min(max(intensity, 0.0), 1.0))
+        self._speaking.push(time, 1.0 if intensity > 0.05 else 0.0)
+        if f0 > 0.0:
+            pitch = 12.0 * math.log2(f0)
+            if self._usual is None:
+                self._usual = Follower(USUAL, pitch)
+            rise = pitch - self._usual.at(time)
+            self._usual.push(time, pitch)
+            self._rise.push(time, min(max(rise, -MOST_SEMITONES), MOST_SEMITONES))
+        else:
+            self._rise.push(time, 0.0)
+
+    def pose(self, time: float) -> HeadPose:
+        """Give the pose at a time; times never go back."""
+        still = 0.5 + 0.5 * self._speaking.at(time)
+        yaw, pitch, roll = (
+            width
+            * still
+            * sum(math.sin(2 * math.pi * time / p + q) for p, q in zip(periods, phases, strict=True))
+            / 2
+            for width, periods, phases in zip(SWAY, PERIODS, self._phases, strict=True)
+        )
+        voice = PER_SEMITONE * self._rise.at(time) - NOD * self._loudness.at(time)
+        return HeadPose(yaw, pitch + voice, roll)

@@ -1,0 +1,212 @@
+"""A mesh: vertices, triangles, and how they look.
+
+House coordinates are those of glTF: right-handed, y upwards, z towards the viewer; triangles run counter-clockwise as
+seen from outside.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from phonemeengine.errors import MeshError
+
+MOST_VERTICES = 1 << 20
+MOST_TRIANGLES = 1 << 21
+MOST_MATERIALS = 1 << 12
+FARTHEST = 1e9
+"""The largest coordinate; beyond it a float32 has no room for the offsets of a face."""
+GREY = (0.8, 0.8, 0.8)
+
+Vectors = NDArray[np.float32]
+Numbers = NDArray[np.uint32]
+
+
+@dataclass(frozen=True)
+class Material:
+    """What some triangles are made of: a name, and a colour as red, green, blue in 0..1 (sRGB)."""
+
+    name: str
+    colour: tuple[float, float, float] = GREY
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Vertices and triangles; make one with `mesh_of`, which looks at them first.
+
+    Attributes
+    ----------
+    name : what it is called, may be empty.
+    positions : float32, shape (n_vertices, 3).
+    triangles : uint32, shape (n_triangles, 3), vertex numbers.
+    normals : float32, shape (n_vertices, 3), of length 1.
+    colours : float32, shape (n_vertices, 3), red, green, blue in 0..1 (sRGB).
+    materials : what the triangles are made of, may be empty.
+    material_of : uint16, shape (n_triangles,), the place of each triangle's material in `materials`.
+    """
+
+    name: str
+    positions: Vectors
+    triangles: Numbers
+    normals: Vectors
+    colours: Vectors
+    materials: tuple[Material, ...]
+    material_of: NDArray[np.uint16]
+
+    def __len__(self) -> int:
+        return len(self.positions)
+
+    def vertices(self, numbers: ArrayLike) -> Vectors:
+        """Give where some vertices are, float32, shape (n, 3); shape (3,) for a single number.
+
+        Raises
+        ------
+        MeshError : there is no such vertex; here and below.
+        """
+        found: Vectors = self.positions[self._checked(numbers)].copy()
+        return found
+
+    def with_vertices(self, numbers: ArrayLike, positions: ArrayLike) -> "Mesh":
+        """Give a mesh with some vertices elsewhere, shape (n, 3); this one stays as it is.
+
+        Where triangles changed, the normals are computed anew.
+
+        Raises
+        ------
+        MeshError : as many positions are needed as there are vertices, or one is no number.
+        """
+        places, points = self._checked(numbers), self.positions.copy()
+        with np.errstate(over="ignore"):  # what overflows is refused as infinite
+            given = np.asarray(positions, np.float32)
+        if given.shape not in {(3,), (*places.shape, 3)}:
+            raise MeshError(f"{places.size} vertices need positions of shape ({places.size}, 3), got {given.shape}")
+        points[places] = given
+        _look_at(points, self.triangles)
+        touched = self.triangles[np.any(points != self.positions, axis=1)[self.triangles].any(axis=1)].ravel()
+        normals = self.normals.copy()
+        normals[touched] = normals_of(points, self.triangles)[touched]
+        for array in (points, normals):
+            array.setflags(write=False)
+        return replace(self, positions=points, normals=normals)
+
+    def moved(self, numbers: ArrayLike, offsets: ArrayLike) -> "Mesh":
+        """Give a mesh with some vertices moved by one offset, shape (3,), or by one each, shape (n, 3)."""
+        return self.with_vertices(numbers, self.vertices(numbers) + np.asarray(offsets, np.float32))
+
+    def within(self, centre: ArrayLike, radius: float) -> Numbers:
+        """Give the numbers of all vertices within a sphere, uint32, ascending; those on its surface are in it."""
+        apart = np.linalg.norm(self.positions.astype(np.float64) - np.asarray(centre, np.float64), axis=1)
+        return np.flatnonzero(apart <= radius).astype(np.uint32)
+
+    def _checked(self, numbers: ArrayLike) -> NDArray[np.intp]:
+        asked = np.asarray(numbers)
+        if asked.size and (asked.dtype.kind not in "iu" or not 0 <= asked.min() <= asked.max() < len(self)):
+            worst = asked.max() if asked.dtype.kind not in "iu" or asked.min() >= 0 else asked.min()
+            raise MeshError(f"the mesh has the vertices 0..{len(self) - 1}, got {worst}; choose one of them")
+        return asked.astype(np.intp)
+
+
+def mesh_of(
+    positions: ArrayLike,
+    triangles: ArrayLike = (),
+    *,
+    name: str = "",
+    normals: Vectors | None = None,
+    colours: Vectors | None = None,
+    materials: Sequence[Material] = (),
+    material_of: ArrayLike | None = None,
+) -> Mesh:
+    """Make a mesh of its parts.
+
+    Parameters
+    ----------
+    positions : shape (n_vertices, 3).
+    triangles : shape (n_triangles, 3), vertex numbers.
+    normals : shape (n_vertices, 3) of any length; computed where they are missing or zero.
+    colours : shape (n_vertices, 3); those of the materials where they are missing.
+
+    Raises
+    ------
+    MeshError : too many or no vertices, coordinates that are no numbers, a triangle with a vertex that is not there.
+    """
+    with np.errstate(over="ignore"):  # what overflows is refused as infinite
+        points = np.array(positions, np.float32, order="C").reshape(-1, 3)
+    corners = np.asarray(triangles).reshape(-1, 3)
+    _look_at(points, corners)
+    corners = np.array(corners, np.uint32, order="C")
+    kinds = np.zeros(len(corners), np.uint16) if material_of is None else np.array(material_of, np.uint16)
+    made = tuple(materials)
+    if len(kinds) != len(corners) or (made and len(kinds) and kinds.max() >= len(made)):
+        raise MeshError(f"each triangle names one of {len(made)} materials, and one does not; export it again")
+    if colours is None:
+        colours = _colours_by(made, kinds, corners, len(points))
+    arrays = (
+        points,
+        corners,
+        _unit_normals(points, corners, normals),
+        _colours(colours),
+        kinds,
+    )
+    for array in arrays:
+        array.setflags(write=False)
+    return Mesh(name, *arrays[:4], made, kinds)
+
+
+def normals_of(positions: Vectors, triangles: Numbers) -> Vectors:
+    """Compute the normals of vertices: the sum of those of their triangles, weighed by area.
+
+    Returns
+    -------
+    float32, shape (n_vertices, 3), of length 1; a vertex without an area points along z.
+    """
+    a, b, c = (positions[triangles[:, k]].astype(np.float64) for k in range(3))
+    faces = np.cross(b - a, c - a)
+    return _unit(summed_at(triangles.ravel(), np.repeat(faces, 3, axis=0), len(positions)))
+
+
+def summed_at(numbers: NDArray[np.integer], vectors: NDArray[np.floating], n: int) -> NDArray[np.float64]:
+    """Add vectors, shape (m, 3), at the vertices that `numbers`, shape (m,), gives; shape (n, 3)."""
+    columns = [np.bincount(numbers, vectors[:, axis], minlength=n)[:n] for axis in range(3)]
+    return np.stack(columns, axis=1)
+
+
+def _look_at(points: Vectors, corners: NDArray[np.generic]) -> None:
+    if not 0 < len(points) <= MOST_VERTICES:
+        raise MeshError(f"a mesh has 1..{MOST_VERTICES} vertices, this has {len(points)}; choose another file")
+    if len(corners) > MOST_TRIANGLES:
+        raise MeshError(f"a mesh has at most {MOST_TRIANGLES} triangles, this has {len(corners)}; make it coarser")
+    good = np.abs(points) <= FARTHEST  # false for NaN
+    if not good.all():
+        first = int(np.argmin(good.all(axis=1)))
+        raise MeshError(f"vertex {first} has no finite position ({points[first]}); export it again")
+    if len(corners) and not 0 <= int(corners.min()) <= int(corners.max()) < len(points):
+        worst = int(corners.max()) if int(corners.min()) >= 0 else int(corners.min())
+        raise MeshError(f"a triangle names vertex {worst}, and there are {len(points)}; export it again")
+
+
+def _unit_normals(points: Vectors, corners: Numbers, given: Vectors | None) -> Vectors:
+    if given is None or not np.all(np.abs(given) <= FARTHEST):
+        return normals_of(points, corners)
+    lengths = np.linalg.norm(given, axis=1)
+    if np.all(lengths > 0):
+        return _unit(given.astype(np.float64))
+    return _unit(np.where(lengths[:, np.newaxis] > 0, given, normals_of(points, corners)).astype(np.float64))
+
+
+def _unit(vectors: NDArray[np.float64]) -> Vectors:
+    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
+    ahead = np.array([0.0, 0.0, 1.0])
+    return np.where(lengths > 0, vectors / np.where(lengths > 0, lengths, 1), ahead).astype(np.float32)
+
+
+def _colours(given: Vectors) -> Vectors:
+    return np.clip(np.nan_to_num(given, nan=GREY[0]), 0, 1).astype(np.float32)
+
+
+def _colours_by(materials: tuple[Material, ...], kinds: NDArray[np.uint16], corners: Numbers, n: int) -> Vectors:
+    colours = np.tile(np.array(GREY, np.float32), (n, 1))
+    if materials:
+        table = np.array([material.colour for material in materials], np.float32)
+        colours[corners] = table[kinds][:, np.newaxis]
+    return colours

@@ -1,0 +1,160 @@
+"""What belongs together: a mesh and its movestates, and what of both a .3dm file holds."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh, Numbers, Vectors
+from phonemeengine.mouth.movestate import Movestate, movestate_at
+
+MOST_STATES = 1024
+TOLERANCE = 0.0001
+"""How far apart two vertices may be and still be the same one, in units of the mesh."""
+N_NAMED = 8
+MOST_NEAR = 1 << 22
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """A mesh and its movestates."""
+
+    mesh: Mesh
+    states: tuple[Movestate, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Face:
+    """Movestates, and where the vertices that they move are in the mesh: what a .3dm file holds.
+
+    Attributes
+    ----------
+    states : each has a name of its own.
+    numbers : uint32, shape (n,), all vertices that move, ascending.
+    positions : float32, shape (n, 3), where they are in the mesh.
+    """
+
+    states: tuple[Movestate, ...]
+    numbers: Numbers
+    positions: Vectors
+
+
+def face_of(mesh: Mesh, states: Sequence[Movestate]) -> Face:
+    """Give what a .3dm file holds of a mesh and its movestates.
+
+    Raises
+    ------
+    MeshError : two states of one name, or one that moves a vertex which the mesh does not have.
+    """
+    moving = np.zeros(MOST_VERTICES, bool)
+    for state in states:
+        moving[state.numbers] = True
+    numbers = np.flatnonzero(moving).astype(np.uint32)
+    if len(numbers) and numbers[-1] >= len(mesh):
+        raise MeshError(
+            f"the movestates move vertex {numbers[-1]}, and the mesh has {len(mesh)}; choose the mesh of theirs"
+        )
+    return checked(Face(tuple(states), numbers, mesh.positions[numbers]))
+
+
+def checked(face: Face) -> Face:
+    """Give a face after looking at whether its parts fit together.
+
+    Raises
+    ------
+    MeshError : too many states, two of one name, a position that is no number, or a state that moves a vertex
+        which is not among those that move.
+    """
+    if len(face.states) > MOST_STATES:
+        raise MeshError(f"a face has at most {MOST_STATES} movestates, this has {len(face.states)}; leave some out")
+    names = [state.name for state in face.states]
+    if len(set(names)) < len(names):
+        twice = next(name for name in names if names.count(name) > 1)
+        raise MeshError(f"two movestates are called {twice!r}; rename one")
+    if len(face.positions) and not np.abs(face.positions).max() <= FARTHEST:
+        raise MeshError("a vertex that moves has no finite position; export it again")
+    known = np.zeros(MOST_VERTICES, bool)
+    known[face.numbers] = True
+    for state in face.states:
+        if not known[state.numbers].all():
+            missing = int(state.numbers[~known[state.numbers]][0])
+            raise MeshError(
+                f"movestate {state.name!r} moves vertex {missing}, which the list of all lacks; export it again"
+            )
+    return face
+
+
+def fitted(face: Face, mesh: Mesh, tolerance: float = TOLERANCE) -> Face:
+    """Give a face the numbers of a mesh: as it is where its vertices are in their places, else reorganised.
+
+    Raises
+    ------
+    MeshError : vertices of the face are nowhere in the mesh; names them.
+    """
+    if not len(face.numbers):
+        return face
+    if int(face.numbers[-1]) < len(mesh):
+        apart = np.linalg.norm(mesh.positions[face.numbers] - face.positions, axis=1)
+        if float(apart.max()) <= tolerance:
+            return face
+    return reorganise(face, mesh, tolerance)
+
+
+def reorganise(face: Face, mesh: Mesh, tolerance: float = TOLERANCE) -> Face:
+    """Renumber the vertices of a face by where they are, for a mesh whose exporter changed their order.
+
+    A vertex that the exporter split moves in all its copies. Of several vertices at one place the first becomes the
+    first, and so on; where the mesh has fewer, the last ones are dropped.
+
+    Raises
+    ------
+    MeshError : vertices of the face are nowhere in the mesh; names them.
+    """
+    near = _near(face, mesh, tolerance)
+    by_place: list[list[int]] = [[] for _ in face.numbers]
+    for old, new in _pairs(near):
+        by_place[old].append(new)
+    places = {int(number): place for place, number in enumerate(face.numbers)}
+    return face_of(
+        mesh, [_renumbered(state, [by_place[places[n]] for n in state.numbers.tolist()]) for state in face.states]
+    )
+
+
+def _near(face: Face, mesh: Mesh, tolerance: float) -> list[list[int]]:
+    """Give the vertices of the mesh that are where each vertex of the face was."""
+    from scipy.spatial import cKDTree  # noqa: PLC0415 - takes 200 ms, which only who reorganises should wait for
+
+    if not len(face.numbers):
+        return []
+    tree = cKDTree(mesh.positions)
+    counts = tree.query_ball_point(face.positions, tolerance, return_length=True)
+    if lost := face.numbers[counts == 0].tolist():
+        more = f" and {len(lost) - N_NAMED} others" if len(lost) > N_NAMED else ""
+        raise MeshError(
+            f"{len(lost)} of the {len(counts)} vertices that move are not in the mesh within {tolerance:g}: "
+            f"{', '.join(map(str, lost[:N_NAMED]))}{more}; choose the mesh of theirs, or a larger tolerance"
+        )
+    if counts.sum() > MOST_NEAR:
+        raise MeshError(f"too many vertices are within {tolerance:g} of each other; choose a smaller tolerance")
+    near: list[list[int]] = tree.query_ball_point(face.positions, tolerance, return_sorted=True).tolist()
+    return near
+
+
+def _renumbered(state: Movestate, new: Sequence[Sequence[int]]) -> Movestate:
+    rows = [row for row, numbers in enumerate(new) for _ in numbers]
+    where = [number for numbers in new for number in numbers]
+    return movestate_at(state.name, np.array(where, np.int64), state.offsets[rows], interactable=state.interactable)
+
+
+def _pairs(near: Sequence[Sequence[int]]) -> Iterator[tuple[int, int]]:
+    """Pair the places of old vertices with new ones; `near` says which new ones are where each old one was."""
+    together: dict[tuple[int, ...], list[int]] = {}
+    for old, found in enumerate(near):
+        together.setdefault(tuple(found), []).append(old)
+    taken: set[int] = set()
+    for found, olds in together.items():
+        for k, new in enumerate(found):
+            if new not in taken:
+                taken.add(new)
+                yield olds[min(k, len(olds) - 1)], new

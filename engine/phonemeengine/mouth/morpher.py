@@ -1,0 +1,166 @@
+"""The morpher: how a mouth moves from shape to shape.
+
+Each phoneme begins a movement along half a cosine, from wherever the mouth is going to the new shape, laid over the
+movements that still go on::
+
+    weights = (1 - e) * (what went on before) + e * shape,    e = (1 - cos(pi (t - start) / duration)) / 2
+
+Neither weights nor their speed jump, however fast phonemes follow each other; no weight leaves the range of the
+shapes that it lies between, nor exceeds what the table says; and since every movement is known for all times, it does
+not matter how often anybody looks. Each sound has its own time: a movement to its shape takes as long as its attack
+says, and one to silence as long as the release of what was said before.
+"""
+
+import math
+import random
+from collections import deque
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.mouth.low_pass import Follower
+from phonemeengine.mouth.table import MouthTable
+from phonemeengine.phonemes import Phoneme
+
+HALF_OPEN = 0.6
+"""How far a mouth of two states opens, as a share of the shape of a."""
+MOST_MOVEMENTS = 64
+"""Movements that are remembered at once: more than fit into the longest one would be forgotten, oldest first."""
+
+Weights = NDArray[np.float32]
+
+
+class Detail(Enum):
+    """How much of the speech the mouth follows; far characters need less."""
+
+    PHONEMES = "phonemes"
+    LOUDNESS = "loudness"
+    TWO_STATES = "two-states"
+
+
+@dataclass(slots=True)
+class _Movement:
+    start: float
+    duration: float
+    row: int
+    whole: bool
+    """Whether the shape is full whatever the loudness."""
+    share: float
+
+
+class Morpher:
+    """Follows phonemes as they come, and gives the weights of the movestates at any time after.
+
+    Parameters
+    ----------
+    table : the shapes, and how the mouth moves between them.
+    detail : how much of the speech it follows.
+    seed : of the randomness; equal seeds make equal mouths.
+    """
+
+    def __init__(self, table: MouthTable, *, detail: Detail = Detail.PHONEMES, seed: int = 0) -> None:
+        self.table = table
+        self._manner = table.manner
+        self._detail = detail
+        self._random = random.Random(seed)  # noqa: S311 - nothing secret depends on it
+        self._rows = _rows_of(table, detail, self._random)
+        self._firm = {*table.firm, Phoneme.SILENCE}
+        self._movements = deque([_Movement(-math.inf, 0.0, Phoneme.SILENCE, True, 1.0)], maxlen=MOST_MOVEMENTS)
+        self._code = int(Phoneme.SILENCE)
+        self._loudness = Follower(self._manner.loudness)
+
+    @property
+    def movestates(self) -> tuple[str, ...]:
+        """The names of the movestates, in the order of the weights."""
+        return self.table.movestates
+
+    def hear(self, time: float, phoneme: int, intensity: float) -> None:
+        """Take what is heard from a time on; times, seconds, never go back.
+
+        Parameters
+        ----------
+        time : when it begins, seconds.
+        phoneme : its code, as `Phoneme`.
+        intensity : 0..1.
+        """
+        self.hear_loudness(time, intensity)
+        self.hear_phoneme(time, phoneme)
+
+    def hear_phoneme(self, time: float, phoneme: int) -> None:
+        """Take a phoneme alone from a time on: the loudness goes on."""
+        code = _followed(phoneme, self._detail, self._firm)
+        if code != self._code:
+            self._movements.append(self._movement(time, code))
+            self._code = code
+
+    def hear_loudness(self, time: float, intensity: float) -> None:
+        """Take the loudness alone, 0..1, from a time on: the phoneme goes on."""
+        self._loudness.push(time, min(max(intensity, 0.0), 1.0))
+
+    def weights(self, time: float) -> Weights:
+        """Give the weights at a time, float32, shape (n_movestates,), 1 for the whole movement.
+
+        Movements that have ended by this time are forgotten: times may be looked at in order only.
+        """
+        movements = self._movements
+        gain = self._gain(time)
+        left, shares, rows = 1.0, [], []
+        for movement in reversed(movements):
+            progress = (time - movement.start) / movement.duration if movement.duration else 1.0
+            if progress <= 0.0:
+                continue
+            ease = 1.0 if progress >= 1.0 else 0.5 - 0.5 * math.cos(math.pi * progress)
+            shares.append(left * ease * (movement.share if movement.whole else movement.share * gain))
+            rows.append(movement.row)
+            left *= 1.0 - ease
+            if left <= 0.0:
+                while movements[0] is not movement:
+                    movements.popleft()
+                break
+        weights: Weights = np.array(shares, np.float32) @ self._rows[rows]
+        return weights
+
+    def _movement(self, time: float, code: int) -> _Movement:
+        times, spread = self.table.times, self._manner.randomness
+        whole = code in self._firm or self._detail is Detail.TWO_STATES
+        closes = code == Phoneme.SILENCE
+        duration = times[Phoneme(self._code)].to_rest if closes else times[Phoneme(code)].to_shape
+        vary_time, vary_shape = self._random.uniform(-spread, spread), self._random.uniform(-2 * spread, 0.0)
+        if code not in self._firm:
+            duration *= 1 + vary_time
+        return _Movement(time, duration, code, whole, 1.0 if code in self._firm else 1.0 + vary_shape)
+
+    def _gain(self, time: float) -> float:
+        quiet = 0.0 if self._detail is Detail.LOUDNESS else self._manner.quiet
+        return quiet + (1.0 - quiet) * self._loudness.at(time)
+
+
+def _followed(phoneme: int, detail: Detail, firm: set[Phoneme]) -> int:
+    """Give the phoneme that the mouth shows."""
+    closed = phoneme == Phoneme.SILENCE or (detail is Detail.TWO_STATES and phoneme in firm)
+    if detail is Detail.PHONEMES:
+        return int(phoneme)
+    return int(Phoneme.SILENCE if closed else Phoneme.A)
+
+
+def _rows_of(table: MouthTable, detail: Detail, chance: random.Random) -> Weights:
+    """Give the weights of every phoneme with the habits of one mouth; lips that meet do so in every mouth."""
+    rows, spread = table.weights(), table.manner.randomness
+    habits = np.array([chance.uniform(-spread, 0.0) for _ in table.movestates], np.float32)
+    loose = [p for p in Phoneme if p not in {*table.firm, Phoneme.SILENCE}]
+    rows[loose] *= 1 + _alike_on_both_sides(habits, table.movestates)
+    if detail is Detail.TWO_STATES:
+        rows[Phoneme.A] *= HALF_OPEN
+    return rows
+
+
+def _alike_on_both_sides(habits: Weights, movestates: tuple[str, ...]) -> Weights:
+    """Draw the right half of a face towards its left one: a habit is no paralysis."""
+    columns = {name: k for k, name in enumerate(movestates)}
+    for name, k in columns.items():
+        left = columns.get(f"{name.removesuffix('Right')}Left") if name.endswith("Right") else None
+        if left is not None:
+            habits[k] = habits[left] + (habits[k] - habits[left]) / 4
+    return habits

@@ -1,0 +1,62 @@
+"""Where recordings and presets go: folders and free names. The only door to platformdirs."""
+
+import os
+from datetime import datetime
+from pathlib import Path
+
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.errors import RecordingError
+
+FOLDER = "PhonemeAnalyser"
+"""Name of our folders among those of the user."""
+
+
+def recordings_folder() -> Path:
+    """Give the folder in which recordings are made unless the user chooses one; it need not exist."""
+    from platformdirs import user_music_path  # noqa: PLC0415 - as below
+
+    return user_music_path() / FOLDER
+
+
+def presets_folder() -> Path:
+    """Return the folder of the user's own presets; it need not exist."""
+    from platformdirs import user_documents_path  # noqa: PLC0415 - as below
+
+    return user_documents_path() / FOLDER / "presets"
+
+
+def journal_folder() -> Path:
+    """Give the folder in which running recordings are noted; it need not exist."""
+    from platformdirs import user_data_path  # noqa: PLC0415 - takes 15 ms, which only who records should wait for
+
+    return user_data_path(FOLDER, appauthor=False) / "unfinished"
+
+
+def new_take(folder: Path, suffix: str) -> Path:
+    """Give a free name for a recording that begins now, and make the folder if need be.
+
+    Raises
+    ------
+    RecordingError : the folder cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except (OSError, ValueError) as error:
+        raise RecordingError(
+            f"{shown_name(folder)}: this folder for recordings cannot be made ({reason_of(error)}); choose another"
+        ) from error
+    return free_path(folder / f"{datetime.now().astimezone():%Y-%m-%d %H-%M-%S}{suffix}")
+
+
+def free_path(path: Path) -> Path:
+    """Give the path itself, or if there is such a file, one with a number behind its name."""
+    number, free = 1, path
+    while os.path.lexists(free):
+        number += 1
+        free = path.with_name(f"{path.stem} ({number}){path.suffix}")
+    return free
+
+
+def reason_of(error: OSError | ValueError) -> str:
+    """Give the system's own words for an error."""
+    return (error.strerror if isinstance(error, OSError) else None) or str(error)

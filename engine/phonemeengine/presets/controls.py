@@ -1,0 +1,352 @@
+"""Controls: the numbers of a preset by which its recogniser is tuned, each with what it is compared with right now.
+
+Every recogniser has its own: rules have thresholds or limits, those that weigh probabilities have sensitivities, and
+all have the calm of the statistics. Whoever shows them needs to know no recogniser.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
+
+import numpy as np
+
+from phonemeengine.features.variables import DEFICITS, SCORES, Spectrum
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS, PhonemeData, Thresholds
+from phonemeengine.recognition.recogniser import HEARERS, RECOGNISERS, Recogniser
+from phonemeengine.recognition.rules import CONDITIONS, RULES, Condition, Rule, RuleRecogniser
+from phonemeengine.recognition.scores import MOST_LOG_ODDS, deficits_of
+from phonemeengine.settings import BIN_WIDTH, LIMITS, Filter
+
+CONDITION_OF = {c.threshold: c for c in CONDITIONS}
+"""The comparison of the thesis rules in which a threshold stands."""
+LIMIT_ROOM = 4.0
+"""The slider of a rule's limit reaches to so many times what the limit was."""
+MOST_NAMES = 2
+"""So many phonemes are named beside the slider of a limit."""
+MOST_HOLD = 0.2
+"""Seconds; who wants a phoneme to stay longer types it."""
+FILTERS_NOTE = "what shapes the variables"
+NOTES = (
+    ("Silence", "all of these, else it is no silence"),
+    ("SZ and SCH", "SZ if both, SCH if the first only"),
+    ("P", "all of these"),
+    ("A and E", "A if both, E if the first only"),
+    ("U, O, I, M", "below the first; M if no other"),
+)
+"""The rules of the thesis in words, in the order of `RULE_FIELDS`."""
+RANGES: dict[str, tuple[float, int]] = {
+    "time_smooth": (1, 3),
+    "frequency_smooth": (1, 3),
+    "high_pass_start": (1300, 1),
+    "high_pass_end": (1300, 1),
+    "denoise_threshold": (0.1, 5),
+    "zero_crossings": (1500, 1),
+    "energy": (20, 4),
+    "max_energy": (1, 5),
+    "m_szsch1": (51, 3),
+    "m_s1": (66, 3),
+    "energy_n": (150, 3),
+    "m_p1": (3, 4),
+    "m_p2": (1, 4),
+    "m_ae1": (1, 4),
+    "m_a1": (16, 3),
+    "m_o1": (11, 3),
+}
+"""The largest usual value, and decimals, by variable or by filter parameter."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """What controls are compared with: one frame, and what was said of it.
+
+    Attributes
+    ----------
+    values : the measured variables by name, with the probabilities where the recogniser weighs some.
+    shortfall : by how much the phoneme that is shown falls short of being named; None where nobody knows.
+    lasted : how long the phoneme has been shown, seconds.
+    """
+
+    values: Mapping[str, float]
+    shortfall: float | None = None
+    lasted: float = 0.0
+
+
+@dataclass(frozen=True)
+class Control:
+    """A number of a preset that tunes its recogniser.
+
+    Attributes
+    ----------
+    name : tells it from all others of a preset; for the numbers of PhonemeData their names there.
+    label : what it is called beside its slider.
+    low, high : the range of a slider; lower and higher numbers can be typed.
+    decimals : digits after the point that matter.
+    read : gives its value in a preset.
+    write : gives the preset with another value.
+    live : gives what it is compared with in a moment, or None.
+    sign : `<` or `>`: how what is measured is compared with it; empty where nothing is.
+    variable : the variable that is compared with it; empty where it is none.
+    unit : of the value; empty where it has none.
+    hint : what it does, for a person.
+    places : the conditions of own rules whose limit it is, each by the numbers of rule and condition.
+    """
+
+    name: str
+    label: str
+    low: float
+    high: float
+    decimals: int
+    read: Callable[[Preset], float] = field(compare=False)
+    write: Callable[[Preset, float], Preset] = field(compare=False)
+    live: Callable[[Preset, Moment], float | None] = field(compare=False)
+    sign: str = ""
+    variable: str = ""
+    unit: str = ""
+    hint: str = ""
+    places: tuple[tuple[int, int], ...] = ()
+
+
+@dataclass(frozen=True)
+class ControlGroup:
+    """Controls that belong together.
+
+    Attributes
+    ----------
+    title : what the group is about.
+    note : how they work together; may be empty.
+    controls : in the order in which they are shown.
+    """
+
+    title: str
+    note: str
+    controls: tuple[Control, ...]
+
+
+def controls_of(preset: Preset, recogniser: Recogniser | None) -> tuple[ControlGroup, ...]:
+    """Return all that a preset's recogniser is tuned by.
+
+    They stay true while only their numbers change; another recogniser or other rules have others.
+
+    Parameters
+    ----------
+    preset : whose numbers they read and write.
+    recogniser : made from the preset; None where it cannot be made, which has the thresholds of the thesis.
+    """
+    groups = [*_groups_of(preset, recogniser), _calm(has_hysteresis=_knows_shortfalls(recogniser))]
+    return tuple(group for group in groups if group.controls)
+
+
+def unused_settings(preset: Preset) -> frozenset[str]:
+    """Return the filters and further settings that change nothing of what a preset's recogniser says.
+
+    The names are those of `Filter` and of the fields of `AnalysisSettings`. Of a recogniser of another package all
+    that is known is that it neither looks ahead nor says by how much a phoneme falls short.
+    """
+    unused: set[str] = set() if preset.recogniser == "learned" else {"look_ahead"}
+    if preset.recogniser in HEARERS:
+        return frozenset(unused | {step.value for step in Filter})
+    if preset.recogniser not in RECOGNISERS:
+        return frozenset(unused | {"hysteresis"})
+    compared = {c.variable for rule in _rules_of(preset) for c in rule.conditions}
+    if not any(v.name in compared and v.source is Spectrum.MEL for v in preset.variables):
+        unused.add(Filter.MEL)
+    return frozenset(unused)
+
+
+def _rules_of(preset: Preset) -> tuple[Rule, ...]:
+    return preset.rules if preset.recogniser == "rules" else RULES
+
+
+def _groups_of(preset: Preset, recogniser: Recogniser | None) -> Iterator[ControlGroup]:
+    if recogniser is not None and recogniser.scores:
+        yield from _sensitivities(preset)
+        return
+    used = Thresholds.__dataclass_fields__.keys() if recogniser is None else recogniser.used_thresholds
+    yield ControlGroup("Filters", FILTERS_NOTE, tuple(_number_control(name) for name in FILTER_FIELDS))
+    complete = all(name in used for names in RULE_FIELDS for name in names)
+    for (title, note), names in zip(NOTES, RULE_FIELDS, strict=True):
+        controls = tuple(_number_control(name) for name in names if name in used)
+        yield ControlGroup(title, note if complete else "", controls)
+    if preset.recogniser == "rules":
+        yield from _limits_in(preset)
+
+
+def _knows_shortfalls(recogniser: Recogniser | None) -> bool:
+    return isinstance(recogniser, RuleRecogniser) or (recogniser is not None and bool(recogniser.scores))
+
+
+# -- the numbers of PhonemeData ----------------------------------------------------------------------------------
+
+
+def _number_control(name: str) -> Control:
+    condition = CONDITION_OF.get(name)
+    variable = condition.variable if condition else ""
+    unit = BIN_WIDTH if name.startswith("high_pass") else 1.0
+    high, decimals = RANGES[variable or name]
+    rule = f"{name[0].upper()}: " if variable == "m_o1" else ""  # three that else read alike
+    return Control(
+        name=name,
+        label=f"{rule}{variable} {condition.sign}" if condition else _words(name),
+        low=0.0,
+        high=high,
+        decimals=decimals,
+        read=lambda preset: float(getattr(preset.phoneme_data, name)) * unit,
+        write=lambda preset, value: _with_number(preset, name, value / unit),
+        live=lambda _preset, moment: moment.values.get(variable),
+        sign=condition.sign if condition else "",
+        variable=variable,
+        unit="Hz" if name in LIMITS and LIMITS[name][2] == "Hz" else "",
+        hint=f"PhonemeData name: {name}" + (", in bins there, in Hz here" if unit != 1 else ""),
+    )
+
+
+def _with_number(preset: Preset, name: str, value: float) -> Preset:
+    """Return the preset with another number of PhonemeData; of the bounds of the high-pass, the other gives way."""
+    data = preset.phoneme_data
+    numbers = {f.name: getattr(data, f.name) for f in fields(PhonemeData)} | {name: value}
+    if name == "high_pass_start":
+        numbers["high_pass_end"] = max(value, numbers["high_pass_end"])
+    if name == "high_pass_end":
+        numbers["high_pass_start"] = min(value, numbers["high_pass_start"])
+    return preset.with_phoneme_data(PhonemeData(**numbers))
+
+
+def _words(name: str) -> str:
+    words = name.replace("_", " ").replace("frequency", "freq.").removesuffix(" threshold")
+    return words.replace("high pass", "high-pass")
+
+
+# -- the limits of rules -----------------------------------------------------------------------------------------
+
+
+def _limits_in(preset: Preset) -> Iterator[ControlGroup]:
+    """Yield a group for each variable, with one control for each limit, however many conditions share it."""
+    places: dict[str, dict[float, list[tuple[int, int]]]] = {}
+    for k, rule in enumerate(preset.rules):
+        for j, c in enumerate(rule.conditions):
+            if not c.threshold:
+                places.setdefault(c.variable, {}).setdefault(c.limit, []).append((k, j))
+    for variable, limits in places.items():
+        ordered = sorted(limits.items())
+        controls = (_limit_control(preset.rules, variable, limit, found) for limit, found in ordered)
+        yield ControlGroup(variable, "", tuple(controls))
+
+
+def _limit_control(rules: tuple[Rule, ...], variable: str, limit: float, places: list[tuple[int, int]]) -> Control:
+    signs = {rules[k].conditions[j].sign for k, j in places}
+    asked = list(dict.fromkeys(rules[k].phoneme.label for k, _ in places))
+    first, number = places[0]
+    return Control(
+        name=f"limit {first + 1}.{number + 1}",
+        label=", ".join(asked[:MOST_NAMES]) + ("…" if len(asked) > MOST_NAMES else ""),
+        low=0.0,
+        high=RANGES[variable][0] if variable in RANGES else LIMIT_ROOM * max(abs(limit), 1e-3),
+        decimals=4,
+        read=lambda preset: preset.rules[first].conditions[number].limit,
+        write=lambda preset, value: replace(preset, rules=_with_limit(preset.rules, places, value)),
+        live=lambda _preset, moment: moment.values.get(variable),
+        sign=signs.pop() if len(signs) == 1 else ">",
+        variable=variable,
+        hint=f"{len(places)} conditions of the rules for {', '.join(asked)} compare {variable} with this",
+        places=tuple(places),
+    )
+
+
+def _with_limit(rules: tuple[Rule, ...], places: list[tuple[int, int]], limit: float) -> tuple[Rule, ...]:
+    changed = set(places)
+    return tuple(
+        replace(rule, conditions=tuple(_limited(c, limit, (k, j) in changed) for j, c in enumerate(rule.conditions)))
+        for k, rule in enumerate(rules)
+    )
+
+
+def _limited(condition: Condition, limit: float, changes: bool) -> Condition:
+    return replace(condition, limit=limit) if changes else condition
+
+
+# -- sensitivities -----------------------------------------------------------------------------------------------
+
+
+def _sensitivities(preset: Preset) -> Iterator[ControlGroup]:
+    """Yield a control for each phoneme that the recogniser can name."""
+    templates = preset.templates if preset.recogniser == "templates" else None
+    named = set(Phoneme) if templates is None else {Phoneme.SILENCE, *templates.means}
+    apart = {Phoneme.SILENCE: "Silence", Phoneme.UNIDENTIFIED: "Other sounds"}
+    sounds = tuple(_sensitivity_control(p) for p in Phoneme if p in named - apart.keys())
+    yield ControlGroup("Sounds", "the likeliest is named", sounds)
+    for phoneme, title in apart.items():
+        yield ControlGroup(title, "", (_sensitivity_control(phoneme),) if phoneme in named else ())
+
+
+def _sensitivity_control(phoneme: Phoneme) -> Control:
+    return Control(
+        name=f"sensitivity_{phoneme.label}",
+        label=phoneme.label,
+        low=-MOST_LOG_ODDS / 2,
+        high=MOST_LOG_ODDS / 2,
+        decimals=2,
+        read=lambda preset: preset.sensitivities.get(phoneme, 0.0),
+        write=lambda preset, value: replace(preset, sensitivities=_sensitised(preset.sensitivities, phoneme, value)),
+        live=lambda preset, moment: _deficit(preset.sensitivities, moment.values, phoneme),
+        sign="<",
+        variable=DEFICITS[phoneme],
+        hint=(
+            f"added to the log-odds of {phoneme.label}: each +1 makes it 2.7 times likelier. The bar is by how much "
+            "it falls short of the likeliest other one: it is named while the bar is left of the handle."
+        ),
+    )
+
+
+def _sensitised(
+    sensitivities: Mapping[Phoneme, float], phoneme: Phoneme, value: float
+) -> Mapping[Phoneme, float]:  # fmt: skip
+    others = {p: s for p, s in sensitivities.items() if p is not phoneme}
+    return {**others, phoneme: value} if value else others
+
+
+def _deficit(sensitivities: Mapping[Phoneme, float], values: Mapping[str, float], phoneme: Phoneme) -> float | None:
+    """Return by how much a phoneme falls short before its own sensitivity; None before anything was measured."""
+    if SCORES[0] not in values:
+        return None
+    scores = np.array([[values[name] for name in SCORES]], np.float32)
+    return float(deficits_of(scores, phoneme)[0]) + sensitivities.get(phoneme, 0.0)
+
+
+# -- the calm of the statistics ----------------------------------------------------------------------------------
+
+
+def _calm(*, has_hysteresis: bool) -> ControlGroup:
+    hold = _setting_control(
+        "minimum_hold", "hold", MOST_HOLD, "s", lambda _preset, moment: moment.lasted,
+        "A phoneme stays so long at least. The bar is how long it has been there.",
+    )  # fmt: skip
+    hysteresis = _setting_control(
+        "hysteresis", "hysteresis", 1.0, "", lambda _preset, moment: moment.shortfall,
+        "Another phoneme follows only where it is the better one by so much. The bar is by how much it is now.",
+    )  # fmt: skip
+    return ControlGroup("Calm", "lower follows faster", (hysteresis, hold) if has_hysteresis else (hold,))
+
+
+def _with_statistics(preset: Preset, changes: dict[str, Any]) -> Preset:
+    """Return the preset with other numbers of the statistics, which are switched on, else they would not act."""
+    return replace(preset, settings=replace(preset.settings, statistics=True, **changes))
+
+
+def _setting_control(
+    name: str, label: str, high: float, unit: str, live: Callable[[Preset, Moment], float | None], hint: str
+) -> Control:  # fmt: skip
+    return Control(
+        name=name,
+        label=f"{label} >",
+        low=0.0,
+        high=high,
+        decimals=2,
+        read=lambda preset: float(getattr(preset.settings, name)),
+        write=lambda preset, value: _with_statistics(preset, {name: value}),
+        live=live,
+        sign=">",
+        unit=unit,
+        hint=hint,
+    )

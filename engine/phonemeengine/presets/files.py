@@ -1,0 +1,168 @@
+"""Preset files: TOML, and the old PhonemeData text."""
+
+import os
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+from phonemeengine.paths import presets_folder
+from phonemeengine.errors import EngineError, ModelError, PresetError
+from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
+from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.model import Model, load_model, save_model
+
+FACTORY = Path(__file__).resolve().parents[2] / "presets"
+"""The folder of the presets that ship with the program."""
+DEFAULT_PRESET = FACTORY / "learned.toml"
+THESIS_PRESET = FACTORY / "thesis.toml"
+_NAMES = ("learned", "extended", "templates", "thesis", "thesis-calm", "thesis-anti-aliased")
+FACTORY_PRESETS = tuple(FACTORY / f"{name}.toml" for name in _NAMES)
+"""The presets that ship with the program, the surest one first."""
+THESIS_PRESETS = tuple(path for path in FACTORY_PRESETS if path.stem.startswith("thesis"))
+FACTORY_PRESET_OF = {
+    "learned": "learned.toml", "rules": "extended.toml", "templates": "templates.toml", "thesis": "thesis.toml",
+}  # fmt: skip
+"""The factory preset that was tuned with each of the program's own recognisers."""
+LARGEST_FILE = 1 << 20
+PHONEME_DATA_SUFFIXES = (".phonemedata", ".txt")
+
+
+def load_preset(path: str | os.PathLike[str]) -> Preset:
+    """Return the preset of a TOML file or a PhonemeData file, or the one of that name, such as ``learned``.
+
+    A PhonemeData file always means the thesis's recogniser, front end and statistics, with its 21 numbers. A bare
+    name is that of a factory preset or of one in `presets_folder`, unless there is such a file.
+
+    Raises
+    ------
+    PresetError : the file cannot be read or is no preset; the message begins with the file's name.
+    """
+    path = preset_path(path)
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise PresetError(
+                f"{path.name}: a preset is smaller than 1 MB, this has {path.stat().st_size / 1e6:.1f} MB; "
+                "choose a .toml or .phonemedata file"
+            )
+        text = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise PresetError(f"{path.name}: this is not a text file; choose a .toml or .phonemedata file") from error
+    except OSError as error:
+        if path.name == str(path) and not path.suffix and not path.exists():
+            known = ", ".join(sorted(_names()))
+            raise PresetError(f"{path}: there is no such preset; name a file, or one of {known}") from None
+        raise PresetError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
+    try:
+        if path.suffix.lower() == ".toml":
+            return preset_from_toml(text, path.parent)
+        return _of_phoneme_data(text, path.stem)
+    except EngineError as error:
+        raise PresetError(f"{path.name}: {error}") from error
+
+
+def save_preset(preset: Preset, path: Path) -> None:
+    """Save a preset: as PhonemeData where the name ends in ``.phonemedata`` or ``.txt``, else as TOML.
+
+    What a PhonemeData file cannot hold is lost there; `beyond_phoneme_data` says what that is. A model is saved
+    beside it, under the same name with ``.npz``. The old files stay until the new ones are complete.
+
+    Raises
+    ------
+    PresetError : a file cannot be written.
+    """
+    if is_phoneme_data(path):
+        _write(path, format_phoneme_data(preset.phoneme_data).encode(errors="replace"))
+        return
+    beside = path.with_suffix(".npz")
+    if preset.model is not None and not _holds(beside, preset.model):
+        save_model(preset.model, beside)
+    text = preset_to_toml(preset, beside.name if preset.model is not None else "")
+    _write(path, text.encode(errors="replace"))
+
+
+def preset_path(name: str | os.PathLike[str]) -> Path:
+    """Return the file of a preset that is given by its path, or by the bare name of a factory or own preset."""
+    path = Path(name)
+    if path.name != str(path) or path.exists():
+        return path
+    return _names().get(str(path), path)
+
+
+def _names() -> dict[str, Path]:
+    return {path.stem: path for path in (*own_presets(), *FACTORY_PRESETS)}
+
+
+def own_presets() -> tuple[Path, ...]:
+    """Return the preset files in the user's own folder, by name."""
+    folder = presets_folder()
+    suffixes = (".toml", *PHONEME_DATA_SUFFIXES)
+    found = [path for path in folder.iterdir() if path.suffix.lower() in suffixes] if folder.is_dir() else []
+    return tuple(sorted(found, key=lambda path: path.name.lower()))
+
+
+def factory_preset(recogniser: str) -> Preset | None:
+    """Return the factory preset that was tuned with a recogniser; None for one of another package."""
+    name = FACTORY_PRESET_OF.get(recogniser)
+    return load_preset(FACTORY / name) if name else None
+
+
+def is_phoneme_data(path: Path) -> bool:
+    """Say whether a file of this name holds the 21 numbers of PhonemeData, and nothing else."""
+    return path.suffix.lower() in PHONEME_DATA_SUFFIXES
+
+
+def beyond_phoneme_data(preset: Preset) -> tuple[str, ...]:
+    """Return what of a preset a PhonemeData file cannot hold, in the user's words; empty where it holds all."""
+    kept = Preset().with_phoneme_data(preset.phoneme_data)
+
+    def differ(names: Sequence[str]) -> bool:
+        return any(getattr(preset.settings, name) != getattr(kept.settings, name) for name in names)
+
+    lost = {
+        f"the recogniser {preset.recogniser}": preset.recogniser != kept.recogniser,
+        "filters other than the thesis's": differ(FRONT_END),
+        "hold and hysteresis": differ(STATISTICS),
+        "the range of the intensity": differ(INTENSITY),
+        "your variables": preset.variables != kept.variables,
+        "rules": preset.rules != kept.rules,
+        "the learned model": preset.model is not None,
+        "templates": preset.templates is not None,
+        "sensitivities": any(preset.sensitivities.values()),
+        "the table of successors": dict(preset.successors) != dict(kept.successors),
+        "notes": bool(preset.notes.strip()),
+    }
+    return tuple(words for words, is_lost in lost.items() if is_lost)
+
+
+def _of_phoneme_data(text: str, name: str) -> Preset:
+    """Return the thesis with a file's numbers; bounds that were round in Hz before they became float32 are again."""
+    preset = Preset(name=name).with_phoneme_data(parse_phoneme_data(text))
+    settings = preset.settings
+    rounded = replace(
+        settings,
+        high_pass_start=float(f"{settings.high_pass_start:.7g}"),
+        high_pass_end=float(f"{settings.high_pass_end:.7g}"),
+    )
+    same = replace(preset, settings=rounded)
+    is_same = format_phoneme_data(same.phoneme_data) == format_phoneme_data(preset.phoneme_data)
+    return same if is_same else preset
+
+
+def _holds(path: Path, model: Model) -> bool:
+    try:
+        return load_model(path) == model
+    except ModelError:
+        return False
+
+
+def _write(path: Path, content: bytes) -> None:
+    part = path.with_name(path.name + ".part")
+    try:
+        part.write_bytes(content)
+        part.replace(path)
+    except OSError as error:
+        with suppress(OSError):
+            part.unlink()
+        raise PresetError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error

@@ -1,0 +1,103 @@
+"""The preset: everything that a recognition was tuned with, as one value."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, fields, replace
+
+from phonemeengine.errors import PresetError
+from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_user_variables
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.model import Model
+from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, Thresholds
+from phonemeengine.recognition.recogniser import Tuning, check_recogniser
+from phonemeengine.recognition.rules import Rule
+from phonemeengine.recognition.scores import NO_SENSITIVITIES, check_sensitivities
+from phonemeengine.recognition.smoothing import SUCCESSORS
+from phonemeengine.recognition.templates import Templates
+from phonemeengine.settings import BIN_WIDTH, AnalysisSettings
+
+_IN_BINS = ("high_pass_start", "high_pass_end")
+
+
+@dataclass(frozen=True)
+class Preset:
+    """A calibrated recognition.
+
+    Attributes
+    ----------
+    name : what people call it.
+    settings : the front end.
+    thresholds : the numbers that the rules compare with.
+    variables : the user's own variables.
+    recogniser : name of the recogniser.
+    rules : what the recogniser "rules" asks, in this order; each condition compares a variable with a number.
+    model : what the recogniser "learned" knows.
+    templates : what the recogniser "templates" compares with.
+    sensitivities : by phoneme, log-odds in nats that "learned" and "templates" add to those of the phoneme, -10..10.
+    successors : what replaces an unidentified frame after each phoneme.
+    notes : free text.
+
+    Raises
+    ------
+    EngineError : a variable's name is taken, a rule asks for a variable that nobody measures, there are no rules to
+        ask, or there is no such recogniser, or there are two.
+    """
+
+    name: str = "untitled"
+    settings: AnalysisSettings = field(default_factory=AnalysisSettings)
+    thresholds: Thresholds = field(default_factory=Thresholds)
+    variables: tuple[Variable, ...] = ()
+    recogniser: str = "thesis"
+    rules: tuple[Rule, ...] = ()
+    model: Model | None = None
+    templates: Templates | None = None
+    sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: NO_SENSITIVITIES)
+    successors: Mapping[Phoneme, Phoneme] = field(default_factory=lambda: SUCCESSORS)
+    notes: str = ""
+
+    def __post_init__(self) -> None:
+        check_user_variables(self.variables)
+        check_recogniser(self.recogniser)
+        check_sensitivities(self.sensitivities)
+        if self.recogniser == "rules" and not self.rules:
+            raise PresetError(
+                'the recogniser "rules" asks rules of the preset\'s own, and it has none; add them under [[rules]], '
+                "or choose another recogniser"
+            )
+        _check_rules(self.rules, {*BUILT_IN_NAMES, *(v.name for v in self.variables)})
+
+    @property
+    def summary(self) -> str:
+        """What it is, in one line: the first one of its notes; empty where it has none."""
+        return self.notes.strip().partition("\n")[0]
+
+    @property
+    def tuning(self) -> Tuning:
+        """What the recogniser is made from."""
+        look_ahead = self.settings.look_ahead
+        return Tuning(self.thresholds, self.rules, self.model, self.templates, look_ahead, self.sensitivities)
+
+    @property
+    def phoneme_data(self) -> PhonemeData:
+        """The 21 numbers of the old file format."""
+        numbers = {name: getattr(self.settings, name) for name in FILTER_FIELDS}
+        for name in _IN_BINS:
+            numbers[name] /= BIN_WIDTH
+        return PhonemeData(**asdict(self.thresholds), **numbers)
+
+    def with_phoneme_data(self, data: PhonemeData) -> "Preset":
+        """Return the preset with these 21 numbers; a blur or denoise that changes is on while it is above 0."""
+        numbers = {name: getattr(data, name) for name in FILTER_FIELDS}
+        for name in _IN_BINS:
+            numbers[name] = float(f"{numbers[name] * BIN_WIDTH:.15g}")  # what was round in Hz is so again
+        thresholds = Thresholds(**{f.name: getattr(data, f.name) for f in fields(Thresholds)})
+        return replace(self, settings=self.settings.with_numbers(**numbers), thresholds=thresholds)
+
+
+def _check_rules(rules: tuple[Rule, ...], known: set[str]) -> None:
+    for rule in rules:
+        for condition in rule.conditions:
+            if condition.variable not in known:
+                raise PresetError(
+                    f"a rule for {rule.phoneme.label} asks for the variable {condition.variable[:60]}, which nobody "
+                    "measures; add it, or change the rule"
+                )

@@ -1,0 +1,199 @@
+"""A trained model and its file: arrays in an ``.npz``, never anything that is executed."""
+
+import json
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.errors import ModelError
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.npz import arrays_in
+from phonemeengine.recognition.network import TAPS, Layer
+
+FORMAT = 1
+"""The version of the file's layout; a newer one is refused."""
+LARGEST_FILE = 8 << 20
+MOST_LAYERS, MOST_CHANNELS, MOST_DILATION = 32, 1024, 256
+MOST_WARPS, LEAST_WARP, MOST_WARP = 8, 0.5, 2.0
+MOST_FRAMES_AHEAD = 5
+"""Frames of 10 ms that the longest look-ahead has."""
+
+Block = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class Head:
+    """Turns what the network found into a score for each phoneme.
+
+    Attributes
+    ----------
+    weights : float32, shape (n_channels, n_phonemes).
+    bias : float32, shape (n_phonemes,).
+    """
+
+    weights: Block
+    bias: Block
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """What a learned recogniser knows; two models are equal if their arrays are.
+
+    Attributes
+    ----------
+    layers : the network.
+    heads : one for each look-ahead, 0, 1, ... frames.
+    warps : of the mel bands, as if the speaker's vocal tract were shorter (above 1) or longer; what is heard with
+        each is mixed, see `phonemeengine.recognition.vtln`.
+    anchors : stretches of the speech that it was trained on, as `phonemeengine.dsp.log_mel` gives it, shape (n, n_frames,
+        40), so that an adaptation to one voice does not forget them; may be empty.
+    about : what it was trained with, in words, for people: name, speakers, seed, figures.
+    """
+
+    layers: tuple[Layer, ...]
+    heads: tuple[Head, ...]
+    warps: tuple[float, ...] = (1.0,)
+    anchors: Block = field(default_factory=lambda: np.zeros((0, 0, N_BANDS), np.float32))
+    about: dict[str, Any] = field(default_factory=dict)
+
+    @cached_property
+    def digest(self) -> str:
+        """A fingerprint of the arrays."""
+        hashed = sha256()
+        for name, array in sorted(_arrays_of(self).items()):
+            hashed.update(name.encode() + array.tobytes())
+        return hashed.hexdigest()
+
+    def rounded(self) -> "Model":
+        """Give the model with the precision of its file, so that saving it changes nothing."""
+        layers = tuple(Layer(_halved(layer.weights), layer.bias, layer.dilation) for layer in self.layers)
+        heads = tuple(Head(_halved(h.weights), h.bias) for h in self.heads)
+        return replace(self, layers=layers, heads=heads, anchors=_halved(self.anchors))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Model) and self.digest == other.digest
+
+    def __hash__(self) -> int:
+        return hash(self.digest)
+
+
+def save_model(model: Model, path: Path) -> None:
+    """Write a model's file: weights as float16, which loses nothing that can be heard.
+
+    The old file stays until the new one is complete.
+
+    Raises
+    ------
+    ModelError : it cannot be written.
+    """
+    about = np.frombuffer(json.dumps(model.about, sort_keys=True).encode(), np.uint8)
+    part = path.with_name(path.name + ".part")
+    try:
+        with part.open("wb") as file:
+            np.savez_compressed(file, allow_pickle=False, about=about, **_arrays_of(model))
+        part.replace(path)
+    except OSError as error:
+        with suppress(OSError):
+            part.unlink()
+        raise ModelError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
+
+
+def load_model(path: Path) -> Model:
+    """Read a model's file.
+
+    Raises
+    ------
+    ModelError : the file cannot be read, is damaged, is of a newer version, or holds what no model has.
+    """
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise ModelError(
+                f"{path.name}: a model is smaller than 8 MB, this has {path.stat().st_size / 1e6:.0f} MB; "
+                "choose another"
+            )
+        return _model_of(arrays_in(path, LARGEST_FILE))
+    except OSError as error:
+        raise ModelError(
+            f"{path.name}: the model cannot be read ({error.strerror}); put it beside its preset"
+        ) from error
+    except ModelError as error:
+        raise ModelError(f"{path.name}: {str(error).removeprefix(path.name + ': ')}") from error
+    except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
+        raise ModelError(f"{path.name}: the model's file is damaged; get it anew, or train it again") from error
+
+
+def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
+    arrays: dict[str, NDArray[Any]] = {
+        "format": np.array(FORMAT),
+        "dilations": np.array([layer.dilation for layer in model.layers]),
+        "n_heads": np.array(len(model.heads)),
+        "warps": np.array(model.warps),
+        "anchors": model.anchors.astype(np.float16),
+    }
+    for k, layer in enumerate(model.layers):
+        arrays[f"layer_{k}_weights"] = layer.weights.astype(np.float16)
+        arrays[f"layer_{k}_bias"] = layer.bias.astype(np.float32)
+    for k, head in enumerate(model.heads):
+        arrays[f"head_{k}_weights"] = head.weights.astype(np.float16)
+        arrays[f"head_{k}_bias"] = head.bias.astype(np.float32)
+    return arrays
+
+
+def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
+    if int(arrays["format"]) != FORMAT:
+        raise ModelError(
+            f"the model is of version {int(arrays['format'])}, and this program reads version {FORMAT}; "
+            "update the program, or train the model again"
+        )
+    dilations, n_heads = arrays["dilations"], int(arrays["n_heads"])
+    if not (0 < len(dilations) <= MOST_LAYERS and 0 < n_heads <= MOST_FRAMES_AHEAD + 1):
+        raise ModelError(f"a model has 1..{MOST_LAYERS} layers and 1..{MOST_FRAMES_AHEAD + 1} heads; get it anew")
+    if not np.all((dilations >= 1) & (dilations <= MOST_DILATION)):
+        raise ModelError(f"its dilations must lie in 1..{MOST_DILATION} frames; get it anew")
+    width, layers = N_BANDS, []
+    for k, dilation in enumerate(dilations):
+        bias = _checked(arrays[f"layer_{k}_bias"], (None,))
+        layers.append(Layer(_checked(arrays[f"layer_{k}_weights"], (TAPS * width, len(bias))), bias, int(dilation)))
+        if k and len(bias) != width:
+            raise ModelError("its layers do not fit together; get it anew")
+        width = len(bias)
+    heads = tuple(
+        Head(
+            _checked(arrays[f"head_{k}_weights"], (width, len(Phoneme))),
+            _checked(arrays[f"head_{k}_bias"], (len(Phoneme),)),
+        )
+        for k in range(n_heads)
+    )
+    anchors = _checked(arrays["anchors"], (None, None, N_BANDS))
+    return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, _about_of(arrays["about"]))
+
+
+def _warps_of(array: NDArray[Any]) -> tuple[float, ...]:
+    known = array.dtype.kind == "f" and array.ndim == 1 and 0 < len(array) <= MOST_WARPS
+    if not (known and np.all((array >= LEAST_WARP) & (array <= MOST_WARP))):
+        raise ModelError(f"a model has 1..{MOST_WARPS} warps of {LEAST_WARP:g}..{MOST_WARP:g}; get it anew")
+    return tuple(array.tolist())
+
+
+def _halved(array: Block) -> Block:
+    return array.astype(np.float16).astype(np.float32)
+
+
+def _checked(array: NDArray[Any], shape: tuple[int | None, ...]) -> Block:
+    """Give an array as float32, after looking at its shape and its numbers."""
+    fits = array.ndim == len(shape) and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True))
+    if not fits or array.dtype.kind != "f" or array.size > MOST_CHANNELS**2 * TAPS or not np.all(np.isfinite(array)):
+        raise ModelError("its arrays do not fit together; get it anew, or train it again")
+    return array.astype(np.float32)
+
+
+def _about_of(array: NDArray[Any]) -> dict[str, Any]:
+    about = json.loads(array.tobytes())
+    return about if isinstance(about, dict) else {}

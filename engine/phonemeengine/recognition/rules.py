@@ -1,0 +1,214 @@
+"""Rules: a list of comparisons for each phoneme; the first rule whose comparisons all hold names the phoneme.
+
+The thesis rules are a table here, compared with the preset's thresholds; extended rules are the preset's own.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.trace import Comparison, Trace
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A comparison of a variable with a threshold of the preset, such as ``m_a1 < a_a1``, or with a number.
+
+    Attributes
+    ----------
+    variable : what is measured.
+    sign : ``<`` or ``>``.
+    threshold : name of a threshold; empty where `limit` is the number.
+    limit : the number.
+    """
+
+    variable: str
+    sign: str
+    threshold: str = ""
+    limit: float = 0.0
+
+    def __str__(self) -> str:
+        return f"{self.variable} {self.sign} {self.threshold or self.limit}"
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A phoneme, and the conditions that must all hold for it."""
+
+    phoneme: Phoneme
+    conditions: tuple[Condition, ...]
+
+
+def _rule(phoneme: Phoneme, *conditions: str) -> Rule:
+    parts = [condition.split() for condition in conditions]
+    return Rule(phoneme, tuple(Condition(variable, sign, threshold) for variable, sign, threshold in parts))
+
+
+RULES: tuple[Rule, ...] = (
+    _rule(
+        Phoneme.SILENCE,
+        "zero_crossings < silence_zero_crossings",
+        "energy < silence_energy",
+        "max_energy < silence_max_energy",
+        "m_szsch1 < silence_szsch1",
+    ),
+    _rule(Phoneme.SZ, "m_szsch1 > szsch_szsch1", "m_s1 > sz_s1"),
+    _rule(Phoneme.SCH, "m_szsch1 > szsch_szsch1"),
+    _rule(
+        Phoneme.P,
+        "max_energy > p_max_energy",
+        "energy_n > p_energy_n",
+        "m_p1 > p_p1",
+        "m_p2 < p_p2",
+    ),
+    _rule(Phoneme.A, "m_ae1 > ae_ae1", "m_a1 < a_a1"),
+    _rule(Phoneme.E, "m_ae1 > ae_ae1"),
+    _rule(Phoneme.U, "m_ae1 < ouim_ae1", "m_o1 > u_o1"),
+    _rule(Phoneme.O, "m_ae1 < ouim_ae1", "m_o1 > o_o1"),
+    _rule(Phoneme.I, "m_ae1 < ouim_ae1", "m_o1 > i_o1"),
+    _rule(Phoneme.M, "m_ae1 < ouim_ae1"),
+)
+"""The rules of the thesis."""
+
+CONDITIONS: tuple[Condition, ...] = tuple(dict.fromkeys(c for rule in RULES for c in rule.conditions))
+"""Every comparison of the thesis rules once."""
+
+OTHERWISE = Rule(Phoneme.UNIDENTIFIED, ())
+"""What fires where no other rule does."""
+
+_SIGNS = {">": 1, "<": -1}
+
+
+class RuleRecogniser:
+    """Recognises by rules; says which one fired, and by what margins.
+
+    All comparisons of a block are one; what a value exceeds its limit by is the margin, positive where it holds.
+
+    Parameters
+    ----------
+    rules : in the order in which they are asked.
+    thresholds : the numbers that conditions name.
+    """
+
+    look_ahead = 0
+    scores: tuple[str, ...] = ()
+
+    def __init__(self, rules: Sequence[Rule], thresholds: Thresholds) -> None:
+        self._rules = (*rules, OTHERWISE)
+        self._conditions = tuple(dict.fromkeys(c for rule in rules for c in rule.conditions))
+        self._limits_of = {c: _limit_of(c, thresholds) for c in self._conditions}
+        self._asked = self._columns_of_rules()
+        members = np.zeros((len(self._conditions) + 1, len(self._rules)), np.float32)
+        members[self._asked.T, np.arange(len(self._rules))] = 1
+        self._members = members[:-1]
+        self._labels = [self._label_of(number) for number in range(len(self._rules))]
+        self._phonemes = np.array([rule.phoneme for rule in self._rules], np.uint8)
+        self._by_phoneme = np.argsort(self._phonemes, kind="stable")
+        self._named, self._firsts = np.unique(self._phonemes[self._by_phoneme], return_index=True)
+        self._names: tuple[str, ...] = ()
+
+    @property
+    def used_thresholds(self) -> frozenset[str]:
+        """The fields of `Thresholds` that it compares with."""
+        return frozenset(c.threshold for c in self._conditions if c.threshold)
+
+    @property
+    def rules(self) -> tuple[Rule, ...]:
+        """What it asks, in this order; the last one always holds."""
+        return self._rules
+
+    def limit_of(self, condition: Condition) -> float:
+        """Give what one of its conditions compares with."""
+        return self._limits_of[condition]
+
+    def recognise(self, features: Features) -> Recognition:
+        """Recognise a block."""
+        failures = (self._compared(features) <= self._limits).dot(self._members)
+        return Recognition(self._phonemes[failures.argmin(axis=1)])
+
+    def shortfalls(self, features: Features) -> NDArray[np.float32]:
+        """Say how much the limits would have to give way until each phoneme is named, as a share of them.
+
+        For a rule to fire, its own comparisons must hold, and of each rule before it one must fail; the phoneme that
+        is named falls short by 0. Returns float32, shape (n_frames, n_phonemes).
+        """
+        margins = (self._compared(features) - self._limits) / np.maximum(np.abs(self._limits), 1e-9)
+        always = np.full((len(margins), 1), np.inf, np.float32)
+        strengths = np.concatenate((margins, always), axis=1)[:, self._asked].min(axis=2)
+        in_the_way = np.maximum.accumulate(strengths, axis=1)[:, :-1]
+        costs = np.maximum(-strengths, 0)
+        costs[:, 1:] = np.maximum(costs[:, 1:], in_the_way)
+        least = np.full((len(margins), len(Phoneme)), np.inf, np.float32)
+        least[:, self._named] = np.minimum.reduceat(costs[:, self._by_phoneme], self._firsts, axis=1)
+        return least
+
+    def explain(self, features: Features, k: int) -> Trace:
+        """Say why frame `k` of a block is recognised as it is: all comparisons down to the rule that fired.
+
+        A frame on which a variable of the rules was not measured yet is unidentified without comparisons.
+        """
+        if not {c.variable for c in self._conditions} <= set(features.names):
+            return Trace(OTHERWISE.phoneme, OTHERWISE.phoneme.label, ())
+        row = Features(features.names, features.values[k : k + 1])
+        margins = (self._compared(row) - self._limits)[0]
+        fired = int((margins <= 0).dot(self._members).argmin())
+        values, of_condition = row.frame(0), dict(zip(self._conditions, margins.tolist(), strict=True))
+        comparisons = tuple(
+            Comparison(
+                rule=self._labels[number],
+                variable=c.variable,
+                value=values[c.variable],
+                sign=c.sign,
+                threshold=c.threshold,
+                limit=self._limits_of[c],
+                margin=of_condition[c],
+            )
+            for number, rule in enumerate(self._rules[: fired + 1])
+            for c in rule.conditions
+        )
+        return Trace(self._rules[fired].phoneme, self._labels[fired], comparisons)
+
+    def _columns_of_rules(self) -> NDArray[np.intp]:
+        """Give the conditions of each rule by number, shape (n_rules, n_asked); the last number always holds."""
+        numbers = {c: k for k, c in enumerate(self._conditions)}
+        columns = np.full((len(self._rules), max(1, *(len(r.conditions) for r in self._rules))), len(numbers))
+        for k, rule in enumerate(self._rules):
+            columns[k, : len(rule.conditions)] = [numbers[c] for c in rule.conditions]
+        return columns
+
+    def _label_of(self, number: int) -> str:
+        """Give the phoneme's name, with a number where several rules have the same."""
+        phoneme = self._rules[number].phoneme
+        same = [k for k, rule in enumerate(self._rules) if rule.phoneme is phoneme]
+        return phoneme.label if len(same) == 1 else f"{phoneme.label} {same.index(number) + 1}"
+
+    def _compared(self, features: Features) -> NDArray[np.float32]:
+        """What must exceed the limits for a comparison to hold: values, those of `<` with their sign turned.
+
+        Shape (n_frames, n_conditions).
+        """
+        if features.names is not self._names:
+            self._names = features.names
+            self._signed = np.zeros((len(features.names), len(self._conditions)), np.float32)
+            for k, c in enumerate(self._conditions):
+                self._signed[features.names.index(c.variable), k] = _SIGNS[c.sign]
+            self._limits = np.array([[_SIGNS[c.sign] * self._limits_of[c] for c in self._conditions]], np.float32)
+        compared: NDArray[np.float32] = features.values.dot(self._signed)
+        return compared
+
+
+class ThesisRules(RuleRecogniser):
+    """The thesis rules with one set of thresholds."""
+
+    def __init__(self, thresholds: Thresholds) -> None:
+        super().__init__(RULES, thresholds)
+
+
+def _limit_of(condition: Condition, thresholds: Thresholds) -> float:
+    return float(getattr(thresholds, condition.threshold) if condition.threshold else condition.limit)

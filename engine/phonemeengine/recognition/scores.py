@@ -1,0 +1,120 @@
+"""Scores: how likely each phoneme is, as recognisers measure it who name the likeliest one.
+
+They become columns of the features, one for each phoneme, and all that such a recogniser says is read from them.
+"""
+
+import math
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.errors import SettingsError
+from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import SCORES
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.trace import Comparison, Trace
+
+__all__ = ["SCORES", "Sensitivity", "check_sensitivities", "scores_in", "shortfalls_of_scores", "trace_of_scores"]
+
+Block = NDArray[np.float32]
+
+N_NEAREST = 5
+"""How many phonemes a trace compares."""
+MOST_LOG_ODDS = 10.0
+"""A sensitivity lies within ± this: e to the tenth is 22 000 to one."""
+
+
+class Sensitivity:
+    """Makes some phonemes likelier than they were measured to be.
+
+    A sensitivity is added to the log-odds (natural logarithm) of its phoneme, as a prior is in Bayes' rule: each +1
+    makes the phoneme e times likelier beside any other one.
+
+    Parameters
+    ----------
+    sensitivities : by phoneme, log-odds in nats; those that are not named have 0.
+    """
+
+    def __init__(self, sensitivities: Mapping[Phoneme, float]) -> None:
+        self._factors = np.exp([sensitivities.get(p, 0.0) for p in Phoneme]).astype(np.float32)
+        self._acts = bool((self._factors != 1).any())
+
+    def apply(self, scores: Block) -> Block:
+        """Return the probabilities, shape (n_frames, n_phonemes), with the sensitivities; each frame adds up to 1."""
+        if not self._acts:
+            return scores
+        weighed = scores * self._factors
+        weighed /= np.add.reduce(weighed, axis=1, keepdims=True)
+        return weighed
+
+
+def check_sensitivities(sensitivities: Mapping[Phoneme, float]) -> None:
+    """Refuse sensitivities beyond ±`MOST_LOG_ODDS`.
+
+    Raises
+    ------
+    SettingsError : names the phoneme, the limit and what came.
+    """
+    for phoneme, value in sensitivities.items():
+        if not (math.isfinite(value) and abs(value) <= MOST_LOG_ODDS):
+            raise SettingsError(
+                f"the sensitivity for {phoneme.label} must lie within ±{MOST_LOG_ODDS:g}, got {value:g}"
+            )
+
+
+NO_SENSITIVITIES: Mapping[Phoneme, float] = MappingProxyType({})
+LEAST_PROBABILITY = 1e-9
+"""Below it a logarithm means nothing: float32 probabilities add up to 1 within some 1e-7."""
+
+
+def deficits_of(scores: Block, phoneme: Phoneme) -> Block:
+    """Return by how much a phoneme falls short of the likeliest other one, shape (n_frames,), in nats of log-odds.
+
+    Where it is below 0 the phoneme is named; a sensitivity above it would have named it.
+
+    Parameters
+    ----------
+    scores : probabilities, shape (n_frames, n_phonemes).
+    phoneme : which one.
+    """
+    logs = np.log(np.maximum(scores, np.float32(LEAST_PROBABILITY)))
+    deficits: Block = np.delete(logs, phoneme, axis=1).max(axis=1) - logs[:, phoneme]
+    return deficits
+
+
+def scores_in(features: Features) -> NDArray[np.float32] | None:
+    """Give the columns of the scores, shape (n_frames, n_phonemes), or None where nobody has measured them yet."""
+    if SCORES[0] not in features.names:
+        return None
+    first = features.names.index(SCORES[0])
+    return features.values[:, first : first + len(SCORES)]
+
+
+def shortfalls_of_scores(features: Features) -> NDArray[np.float32] | None:
+    """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
+    scores = scores_in(features)
+    if scores is None:
+        return None
+    shortfalls: NDArray[np.float32] = scores.max(axis=1, keepdims=True) - scores
+    return shortfalls
+
+
+def trace_of_scores(features: Features, k: int) -> Trace:
+    """Say why frame `k` of a block is recognised as it is: the likeliest phonemes, the best one first.
+
+    The best is compared with the second, all others with the best. Frames that nobody has scored are unidentified.
+    """
+    scores = scores_in(features)
+    if scores is None:
+        return Trace(Phoneme.UNIDENTIFIED, Phoneme.UNIDENTIFIED.label, ())
+    row = scores[k]
+    order = [Phoneme(int(code)) for code in np.argsort(-row, kind="stable")[:N_NEAREST]]
+    best = order[0]
+    return Trace(best, best.label, tuple(_compared(row, p, order[1] if p is best else best) for p in order))
+
+
+def _compared(row: NDArray[np.float32], phoneme: Phoneme, rival: Phoneme) -> Comparison:
+    value, limit = float(row[phoneme]), float(row[rival])
+    return Comparison(phoneme.label, SCORES[phoneme], value, ">", SCORES[rival], limit, value - limit)

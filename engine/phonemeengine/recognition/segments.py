@@ -1,0 +1,70 @@
+"""Stretches of equal phonemes, as time lines and mouth cues need them."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
+
+RUN_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
+"""The columns of a table of runs."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """A stretch of one phoneme: seconds from the sound's beginning, and its mean intensity 0..1."""
+
+    start: float
+    end: float
+    phoneme: Phoneme
+    intensity: float
+
+    def row(self) -> dict[str, Any]:
+        """Give it as a row of a table, in seconds to the microsecond."""
+        values = (round(self.start, 6), round(self.end, 6), self.phoneme.label, round(self.intensity, 3))
+        return dict(zip(RUN_COLUMNS, values, strict=True))
+
+
+class RunJoiner:
+    """Joins equal frames into runs, as the frames come."""
+
+    def __init__(self) -> None:
+        self._code, self._first, self._frame, self._total = -1, 0, 0, 0.0
+
+    def push(self, phonemes: NDArray[np.uint8], intensities: NDArray[np.float32]) -> list[Run]:
+        """Take the next frames, both of shape (n_frames,), and give the runs that ended."""
+        runs = []
+        for code, intensity in zip(phonemes.tolist(), intensities.tolist(), strict=True):
+            if code != self._code and self._frame > self._first:
+                runs.append(self._run(self._frame * FRAME_PERIOD))
+                self._first, self._total = self._frame, 0.0
+            self._code = code
+            self._total += intensity
+            self._frame += 1
+        return runs
+
+    def finish(self, duration: float) -> list[Run]:
+        """Give the run that is still open, which ends where the sound does, at `duration` seconds."""
+        return [self._run(duration)] if self._frame > self._first else []
+
+    def _run(self, end: float) -> Run:
+        mean = self._total / (self._frame - self._first)
+        return Run(self._first * FRAME_PERIOD, end, Phoneme(self._code), mean)
+
+
+def runs_of(blocks: Iterable[tuple[NDArray[np.uint8], NDArray[np.float32]]], duration: float) -> Iterator[Run]:
+    """Join equal frames into runs that cover a sound from 0 to its end without gaps.
+
+    Parameters
+    ----------
+    blocks : phonemes and intensities of consecutive blocks of frames, each of shape (n_frames,).
+    duration : seconds of the whole sound, where the last run ends.
+    """
+    joiner = RunJoiner()
+    for phonemes, intensities in blocks:
+        yield from joiner.push(phonemes, intensities)
+    yield from joiner.finish(duration)

@@ -1,0 +1,93 @@
+"""The statistics step: a phoneme stays a minimum time, and an unidentified frame takes the likeliest successor."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
+
+SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType(
+    {
+        Phoneme.SILENCE: Phoneme.U,
+        Phoneme.UNIDENTIFIED: Phoneme.O,
+        Phoneme.SZ: Phoneme.SZ,
+        Phoneme.SCH: Phoneme.I,
+        Phoneme.M: Phoneme.O,
+        Phoneme.P: Phoneme.O,
+        Phoneme.I: Phoneme.O,
+        Phoneme.A: Phoneme.M,
+        Phoneme.E: Phoneme.O,
+        Phoneme.U: Phoneme.U,
+        Phoneme.O: Phoneme.U,
+    }
+)
+"""What a frame is likeliest to be where the rules say nothing, by the phoneme that they named last.
+
+Counted on labelled speech by `phonemeengine.calibration.fits.fit_thesis`, with the thresholds of the preset Thesis: the
+class of which the largest share is found there. The rules say nothing mostly where the band of the second formant is
+neither strong (a, e) nor weak (u, o, i, m), hence the many o. The entry of unidentified is what is
+likeliest after anything.
+"""
+
+UNREPLACED: Mapping[Phoneme, Phoneme] = MappingProxyType(dict.fromkeys(Phoneme, Phoneme.UNIDENTIFIED))
+"""The table that leaves unidentified frames alone, for recognisers who know what is another sound."""
+
+
+class Statistics:
+    """Calms a stream of phonemes; looks only back.
+
+    Parameters
+    ----------
+    minimum_hold : seconds that a phoneme stays at least before another may follow.
+    successors : what replaces an unidentified frame, by the phoneme that was identified last.
+    hysteresis : a phoneme stays while it falls short of being named by no more than this.
+    """
+
+    def __init__(
+        self, minimum_hold: float, successors: Mapping[Phoneme, Phoneme] = SUCCESSORS, hysteresis: float = 0.0
+    ) -> None:
+        self.hysteresis = hysteresis
+        self._least = max(1, round(minimum_hold / FRAME_PERIOD))
+        self._successors = [int(successors.get(p, p)) for p in Phoneme]
+        self._current = self._identified = int(Phoneme.SILENCE)
+        self._steady = int(Phoneme.SILENCE)
+        self._held = self._least
+
+    def wavers(self, phonemes: NDArray[np.uint8]) -> bool:
+        """Say whether hysteresis has anything to decide about the next phonemes: mostly none changes."""
+        return self.hysteresis > 0 and bool((phonemes != self._steady).any())
+
+    def push(self, phonemes: NDArray[np.uint8], shortfalls: NDArray[np.float32] | None = None) -> NDArray[np.uint8]:
+        """Take the next phonemes, shape (n_frames,), and give the calmed ones.
+
+        `shortfalls` says by how much each phoneme falls short of being named, shape (n_frames, n_phonemes); without
+        them there is no hysteresis, which is all the same where the phonemes do not waver.
+        """
+        if shortfalls is not None:
+            phonemes = self._steadied(phonemes.tolist(), (shortfalls <= self.hysteresis).tolist())
+        return self._held_on(phonemes)
+
+    def _steadied(self, phonemes: list[int], may_stay: list[list[bool]]) -> NDArray[np.uint8]:
+        steady, out = self._steady, []
+        for raw, stays in zip(phonemes, may_stay, strict=True):
+            steady = steady if stays[steady] else raw
+            out.append(steady)
+        self._steady = steady
+        return np.array(out, np.uint8)
+
+    def _held_on(self, phonemes: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        current, held, identified = self._current, self._held, self._identified
+        unidentified = int(Phoneme.UNIDENTIFIED)
+        out = []
+        for raw in phonemes.tolist():
+            identified = identified if raw == unidentified else raw
+            wanted = self._successors[identified] if raw == unidentified else raw
+            if wanted != current and held >= self._least:
+                current, held = wanted, 0
+            held += 1
+            out.append(current)
+        self._current, self._held, self._identified = current, held, identified
+        return np.array(out, np.uint8)

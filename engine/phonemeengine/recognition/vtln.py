@@ -1,0 +1,58 @@
+"""Which vocal tract fits a speaker: that with which the network is the surest of what it names.
+
+The same sound is named several times, with mel bands that are warped as if the speaker's vocal tract were longer or
+shorter (L. Lee and R. Rose, "A frequency warping approach to speaker normalization", IEEE Trans. Speech and Audio
+Processing 6(1), 1998). What they say is mixed; those that were sure count more.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
+
+Block = NDArray[np.float32]
+
+MEMORY = 10.0
+"""Seconds over which sureness is remembered, so that another speaker may come."""
+TRUST = 0.1
+"""How much a frame's sureness, a logarithm of a probability, tells about the tract: neighbouring frames say the same
+again and again."""
+
+_KEPT = math.exp(-FRAME_PERIOD / MEMORY)
+
+
+class TractJudge:
+    """Mixes what was heard with several vocal tracts, and remembers which of them were sure.
+
+    Parameters
+    ----------
+    n_tracts : how many they are.
+    """
+
+    def __init__(self, n_tracts: int) -> None:
+        self._evidence = [0.0] * n_tracts
+
+    def mix(self, shares: Block) -> Block:
+        """Take the probabilities of the next frames, shape (n, n_tracts, n_phonemes); gives (n, n_phonemes)."""
+        if shares.shape[1] == 1:
+            return shares[:, 0]
+        sure = np.maximum.reduce(shares, axis=2).tolist()
+        silent = shares[:, :, Phoneme.SILENCE].tolist()
+        weights = np.array([self._weigh(*frame) for frame in zip(sure, silent, strict=True)], np.float32)
+        mixed: Block = np.matmul(weights[:, np.newaxis], shares)
+        return mixed[:, 0]
+
+    def _weigh(self, sure: list[float], silent: list[float]) -> list[float]:
+        """Give how much each tract counts in a frame; silence tells nothing about them."""
+        speaks = sum(silent) < len(silent) / 2
+        self._evidence = [
+            _KEPT * before + (math.log(now) if speaks else 0.0)
+            for before, now in zip(self._evidence, sure, strict=True)
+        ]
+        most = max(self._evidence)
+        odds = [math.exp(TRUST * (evidence - most)) for evidence in self._evidence]
+        total = sum(odds)
+        return [chance / total for chance in odds]

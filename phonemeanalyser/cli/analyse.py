@@ -1,0 +1,90 @@
+"""Analyse files without a window: each sound file becomes a table of its phonemes, or of every frame's variables."""
+
+import argparse
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TextIO
+
+from phonemeengine.errors import EngineError
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import Channel
+from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
+from phonemeanalyser.cli.arguments import add_channel, add_overwrite
+from phonemeanalyser.cli.jobs import Job, is_single, jobs_of, sound_of, watched, work_through
+from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
+
+
+@dataclass(frozen=True)
+class Table:
+    """What is written.
+
+    Attributes
+    ----------
+    kind : ``csv``, ``json``, ``textgrid`` (labels for Praat) or ``audacity`` (labels for Audacity).
+    features : every frame with its variables, not runs of equal phonemes.
+
+    Raises
+    ------
+    EngineError : labels hold no variables.
+    """
+
+    kind: str
+    features: bool
+
+    def __post_init__(self) -> None:
+        if self.features and self.format.write_frames is None:
+            raise EngineError(
+                f"a file of labels ({self.format.ending}) has no place for the variables of every frame; leave out "
+                "--features, or write them with --format csv or json"
+            )
+
+    @property
+    def format(self) -> TableFormat:
+        """Its kind, as the engine knows it."""
+        return TABLES[self.kind]
+
+    @property
+    def write(self) -> Writer:
+        """What writes it."""
+        return (self.format.write_frames if self.features else None) or self.format.write_runs
+
+
+def analyse(words: list[str]) -> int:
+    """Analyse sound files as the command line asks; 1 where one could not be."""
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser analyse", description="Write the phonemes of sound files as tables."
+    )
+    parser.add_argument("inputs", type=Path, nargs="+", metavar="INPUT", help="sound files, or folders of them")
+    parser.add_argument("-o", "--out", type=Path, help="folder for the tables, or a file for one (default: print)")
+    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
+    parser.add_argument("--format", choices=list(TABLES), dest="kind", help="default: as OUT ends, else csv")
+    parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
+    add_channel(parser)
+    add_overwrite(parser)
+    options = parser.parse_args(words)
+    table = Table(options.kind or kind_for(options.inputs, options.out), options.features)
+    preset = load_preset(options.preset)
+    jobs = jobs_of(options.inputs, options.out, table.format.ending)
+    guard = Guard(table.format.owns, options.overwrite)
+    return 1 if work_through(jobs, lambda job: _analyse(job, options.channel, preset, table, guard)) else 0
+
+
+def kind_for(inputs: list[Path], out: Path | None) -> str:
+    """Give the format that the name of a single table asks for; ``csv`` where it asks for none."""
+    if out is None or not is_single(inputs, out):
+        return "csv"
+    return {form.ending.lower(): kind for kind, form in TABLES.items()}.get(out.suffix.lower(), "csv")
+
+
+def _analyse(job: Job, channel: Channel, preset: Preset, table: Table, guard: Guard) -> None:
+    guard.check(job.target)
+    with sound_of(job, channel) as reader:
+
+        def write(file: TextIO) -> None:
+            table.write(file, watched(reader, preset, pitch=table.features), reader, preset)
+
+        if job.target is None:
+            print_whole(write)
+        else:
+            write_whole(job.target, write, guard)

@@ -1,0 +1,78 @@
+"""``phonemeanalyser export``: what sound files say, as mouth cues and movements for other programs."""
+
+import argparse
+from pathlib import Path
+
+from phonemeengine.audio.file_access import shown_name
+from phonemeengine.errors import EngineError
+from phonemeengine.mouth.animation import Life
+from phonemeengine.mouth.exports.exporter import Exporter, Wishes
+from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.utterance import speech_of
+from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import Channel
+from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, number
+from phonemeanalyser.cli.jobs import Job, jobs_of, sound_of, watched, work_through
+from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
+
+
+def export(words: list[str]) -> int:
+    """Export sound files as the command line asks; 1 where one could not be."""
+    options = _options(words)
+    life = Life(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
+    wishes = Wishes(options.fps, options.minimum, options.anticipation, options.table, options.mesh, life)
+    exporter = Exporter(options.kind, wishes)
+    if exporter.format.moves_mesh and options.out is None:
+        raise EngineError(f"{options.kind} is no text to be printed; name a file or a folder with -o")
+    preset = load_preset(options.preset)
+    jobs = jobs_of(options.inputs, options.out, exporter.format.full_ending)
+    guard = Guard(exporter.format.owns, options.overwrite)
+    return 1 if work_through(jobs, lambda job: _export(job, options.channel, preset, exporter, guard)) else 0
+
+
+def _export(job: Job, channel: Channel, preset: Preset, exporter: Exporter, guard: Guard) -> None:
+    guard.check(job.target)
+    with sound_of(job, channel) as reader:
+        pitch = exporter.format.moves_head and exporter.life.head
+        analyses = watched(reader, preset, pitch=pitch)
+        speech = speech_of(analyses, shown_name(job.source), reader.duration, job.source)
+    parts = exporter.parts_of(speech)
+    if job.target is None:
+        text = b"".join(parts).decode()
+        print_whole(lambda file: file.writelines([text]))
+    else:
+        write_whole_bytes(job.target, parts, guard)
+
+
+def _options(words: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser export",
+        description="Write what sound files say as mouth cues and movements for other programs.",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog=_formats(),
+    )
+    parser.add_argument("inputs", type=Path, nargs="+", metavar="FILE", help="sound files, or folders of them")
+    parser.add_argument("-o", "--out", type=Path, help="folder, or a file for one (default: print)")
+    parser.add_argument("--format", choices=FORMATS, required=True, dest="kind", metavar="F", help="see below")
+    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
+    parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
+    parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
+    add_mouth(parser)
+    parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
+    parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
+    parser.add_argument("--no-head", action="store_true", help="keep the head still")
+    add_channel(parser)
+    add_overwrite(parser)
+    return parser.parse_args(words)
+
+
+def _formats() -> str:
+    lines = ["formats:"]
+    for name, form in FORMATS.items():
+        rate = f"{form.rate:g} fps, " if form.rate else ""
+        lines.append(f"  {name:<13} {form.words} ({rate}ahead {form.anticipation:g} s, table {form.table})")
+    return "\n".join(lines)

@@ -1,0 +1,232 @@
+"""Live from the command line: recognise what a microphone hears, or record it."""
+
+import json
+import math
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import FrameType
+
+from phonemeengine.analyser import Analysis
+from phonemeengine.audio.devices import InputChoice, chosen_input, inputs_of
+from phonemeengine.audio.stream import devices
+from phonemeengine.paths import free_path
+from phonemeengine.errors import DeviceError, RecordingError
+from phonemeengine.live.listener import Listener
+from phonemeengine.live.recorder import Tape
+from phonemeengine.mouth.osc import OscMouth, OscSettings
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import FRAME_PERIOD
+
+LOOK = 0.2
+"""Seconds between two looks at how it goes."""
+LEAST_LOSS = 0.005
+"""Seconds; less is not told."""
+PATIENCE = 3.0
+"""Seconds that a microphone which gives nothing is waited for beyond the time that was asked for."""
+
+
+def list_devices() -> None:
+    """Print the microphones, a line each; a star marks the system's default.
+
+    Raises
+    ------
+    DeviceError : there is none.
+    """
+    found = inputs_of(devices())
+    if not found:
+        raise DeviceError("there is no microphone; plug one in, or check that the sound system runs")
+    for device in found:
+        star = "*" if device.is_default else " "
+        print(f"{star} {device.label}  ({device.n_inputs} channels, {device.rate} Hz)")
+
+
+def listen(
+    preset: Preset, choice: InputChoice, seconds: float | None, kind: str, osc: OscSettings | None = None
+) -> None:
+    """Print a line at each change of phoneme, for some seconds or until Ctrl-C.
+
+    Parameters
+    ----------
+    kind : ``text``, or ``json`` for a JSON object on each line.
+    osc : where the mouth is sent to as well.
+
+    Raises
+    ------
+    DeviceError : the microphone is not there.
+    MouthError : the receiver of the mouth is unknown.
+    """
+    chosen_input(choice, devices())
+    changes = _Changes(_as_json if kind == "json" else _as_text)
+    with _sending(osc) as mouth, _quiet_libraries(), _ended_by_signals():
+
+        def follow(analysis: Analysis) -> None:
+            changes.follow(analysis)
+            if mouth is not None:
+                mouth.follow(analysis)
+
+        changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_heard=follow)
+        try:
+            _attend(listener, seconds, lambda: None)
+        finally:
+            listener.close()
+            if listener.lost_seconds:
+                print(f"phonemeanalyser: {listener.lost_seconds:.2f} s were lost on the way", file=sys.stderr)
+
+
+def record(
+    path: Path, preset: Preset, choice: InputChoice, seconds: float | None, *, with_phonemes: bool,
+    fill_gaps: bool = False,
+) -> None:  # fmt: skip
+    """Record to a file, for some seconds or until Ctrl-C; see `Tape`.
+
+    Raises
+    ------
+    DeviceError : the microphone is not there.
+    RecordingError : the file cannot be written, or no sound came.
+    """
+    chosen_input(choice, devices())
+    limit = math.inf if seconds is None else seconds
+    tape = Tape(_names_from(path), with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
+    with _quiet_libraries(), _ended_by_signals():
+        listener = Listener(preset, choice, phonemes_only=True, tape=tape)
+        try:
+            _attend(listener, seconds, lambda: _check(tape))
+        finally:
+            listener.close()
+            tape.close()
+            _report(tape, listener)
+    if tape.failure:
+        raise RecordingError(tape.failure)
+    if not tape.paths:
+        raise RecordingError(
+            f"{path.name}: no sound came from the microphone, so nothing was recorded; check its plug"
+        )
+
+
+@contextmanager
+def _sending(osc: OscSettings | None) -> Iterator[OscMouth | None]:
+    """Send the mouth meanwhile, and say at the end if nothing could be sent."""
+    if osc is None:
+        yield None
+        return
+    mouth = OscMouth(osc.address, osc.table)
+    try:
+        yield mouth
+    finally:
+        mouth.close()
+        if mouth.failure:
+            print(f"phonemeanalyser: {mouth.failure}", file=sys.stderr)
+
+
+class _Changes:
+    """Prints a line whenever the phoneme is another."""
+
+    def __init__(self, line_of: Callable[[float, str, float, float], str]) -> None:
+        self.listener: Listener | None = None
+        self._line_of = line_of
+        self._last = -1
+
+    def follow(self, analysis: Analysis) -> None:
+        """Look through the next frames."""
+        for k, code in enumerate(analysis.phonemes.tolist()):
+            if code != self._last:
+                self._last = code
+                frame = analysis.start + k
+                age = self.listener.age_of(frame) if self.listener else 0.0
+                began = self.listener.time_of(frame) if self.listener else frame * FRAME_PERIOD
+                line = self._line_of(began, Phoneme(code).label, float(analysis.intensities[k]), 1000 * age)
+                sys.stdout.write(line + "\n")
+                sys.stdout.flush()
+
+
+def _as_text(time_s: float, phoneme: str, intensity: float, _latency_ms: float) -> str:
+    return f"{time_s:8.2f} s  {phoneme:<12}  {intensity:.2f}"
+
+
+def _as_json(time_s: float, phoneme: str, intensity: float, latency_ms: float) -> str:
+    values = {"time_s": round(time_s, 2), "phoneme": phoneme, "intensity": round(intensity, 3)}
+    return json.dumps(values | {"latency_ms": round(latency_ms, 1)})
+
+
+def _attend(listener: Listener, seconds: float | None, look: Callable[[], None]) -> None:
+    """Stay until so much has been heard; say what happens to the microphone."""
+    wanted = math.inf if seconds is None else seconds
+    end = time.monotonic() + wanted + PATIENCE
+    said = ""
+    while (left := wanted - listener.seconds) > 0 and time.monotonic() < end:
+        time.sleep(min(LOOK, left))
+        listener.take()
+        look()
+        status = listener.status
+        words = f"listening to {status.words}" if status.listening else status.words.split(" since ")[0]
+        if words != said:
+            print(f"phonemeanalyser: {words}", file=sys.stderr, flush=True)
+            said = words
+
+
+def _check(tape: Tape) -> None:
+    if tape.failure:
+        raise RecordingError(tape.failure)
+
+
+def _names_from(path: Path) -> Callable[[], Path]:
+    """Give the path itself, and numbered ones after it."""
+    names: Iterator[Path] = iter([path])
+    return lambda: next(names, None) or free_path(path)
+
+
+def _report(tape: Tape, listener: Listener) -> None:
+    lost = listener.lost_seconds - sum(gap.seconds for gap in tape.gaps)
+    other = " more" if tape.gaps else ""
+    missing = f", {lost:.2f} s{other} were lost on the way" if lost >= LEAST_LOSS else f", nothing{other} lost"
+    gaps = f", {tape.gap_words}" if tape.gaps else ""
+    for path in tape.paths[:-1]:
+        print(f"phonemeanalyser: {path}: recorded until the microphone changed", file=sys.stderr)
+    if tape.path is not None and tape.seconds:
+        print(f"phonemeanalyser: {tape.path}: {tape.seconds:.2f} s recorded{gaps}{missing}", file=sys.stderr)
+    for note in tape.notes:
+        print(f"phonemeanalyser: note: {note}", file=sys.stderr)
+
+
+@contextmanager
+def _ended_by_signals() -> Iterator[None]:
+    """Have Ctrl-C, and what asks a process to end, be the ordinary end."""
+
+    def end(_number: int, _frame: FrameType | None) -> None:
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGTERM, end) if threading.current_thread() is threading.main_thread() else None
+    try:
+        yield
+    except KeyboardInterrupt:
+        pass
+    finally:
+        if before is not None:
+            signal.signal(signal.SIGTERM, before)
+
+
+@contextmanager
+def _quiet_libraries() -> Iterator[None]:
+    """Keep what ALSA and PortAudio print about devices off standard error, which is for sentences."""
+    sys.stderr.flush()
+    theirs, stderr = os.dup(2), sys.stderr
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 2)
+    os.close(nowhere)
+    if stderr is sys.__stderr__:
+        sys.stderr = os.fdopen(os.dup(theirs), "w", buffering=1)
+    try:
+        yield
+    finally:
+        os.dup2(theirs, 2)
+        os.close(theirs)
+        if sys.stderr is not stderr:
+            sys.stderr.close()
+            sys.stderr = stderr

@@ -1,0 +1,165 @@
+"""``phonemeanalyser score``: how right presets are on labelled recordings."""
+
+import argparse
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from tqdm import tqdm
+
+from phonemeengine.labels.phoneme_map import Mapping, load_mapping
+from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, Noise, NoiseAdder, NoiseKind
+from phonemeengine.calibration.scores.comparison import compare
+from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
+from phonemeengine.calibration.scores.evaluation import CorpusScores, score_corpus
+from phonemeengine.errors import AudioError, CorpusError, PresetError
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import Channel
+from phonemeanalyser.cli.arguments import add_channel, number
+from phonemeanalyser.cli.jobs import say_cut_off
+from phonemeanalyser.reports.numbers import json_of
+from phonemeanalyser.reports.page import page_of
+from phonemeanalyser.reports.report import Report, ScoredPreset, printable
+from phonemeanalyser.reports.text import text_of
+from phonemeanalyser.cli.output_files import print_whole, write_whole
+
+KINDS = {".html": "html", ".htm": "html", ".json": "json"}
+"""The formats that an ending asks for; text is the format of all others."""
+MOST_LAG_MS = 1000.0
+
+
+@dataclass(frozen=True)
+class Named:
+    """A preset, the title that tells it from another one, and where it came from."""
+
+    title: str
+    preset: Preset
+
+
+def score(words: list[str]) -> int:
+    """Score presets as the command line asks; 1 where a sound could not be read."""
+    options = _options(words)
+    presets = _presets_of(options.preset, options.against)
+    noise = None if options.noise is None else Noise(NoiseKind(options.noise), options.snr, options.seed)
+    mapping = None if options.map is None else load_mapping(options.map)
+    troubles = _Troubles()
+    utterances = _recordings_in(options.corpus, mapping, options.channel, troubles)
+    scored: list[ScoredPreset] = []
+    for named in presets:
+        adder = None if noise is None else NoiseAdder(noise, utterances)
+        scored.append(ScoredPreset(named.title, _scored(utterances, named, options.lag / 1000, adder, troubles)))
+        utterances = tuple(answers.utterance for answers in scored[-1].scores.answers)
+    comparison = compare(*(preset.scores for preset in scored)) if len(scored) > 1 else None
+    report = Report(options.corpus, tuple(scored), comparison, noise, tuple(troubles.sentences))
+    _write(report, options.kind or KINDS.get((options.out or Path()).suffix.lower(), "text"), options.by, options.out)
+    return 1 if troubles.sentences else 0
+
+
+class _Troubles:
+    """Collects what could not be read, and says it at once."""
+
+    def __init__(self) -> None:
+        self.sentences: list[str] = []
+
+    def push(self, error: AudioError) -> None:
+        self.sentences.append(str(error))
+        tqdm.write(f"phonemeanalyser: {error}", file=sys.stderr)
+
+
+def _recordings_in(
+    folder: Path, mapping: Mapping | None, channel: Channel, troubles: _Troubles
+) -> tuple[Utterance, ...]:
+    if not folder.exists():
+        raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")
+    utterances = read_recordings(folder, mapping, channel=channel, passed_over=troubles.push)
+    say_cut_off(utterances)
+    return utterances
+
+
+def _scored(
+    utterances: Sequence[Utterance], named: Named, lag: float, adder: NoiseAdder | None, troubles: _Troubles
+) -> CorpusScores:
+    with tqdm(
+        utterances, desc=named.title, unit="recording", leave=False, delay=1, disable=None, file=sys.stderr
+    ) as progress:
+        return score_corpus(progress, named.preset, lag=lag, noise=adder, passed_over=troubles.push)
+
+
+def _presets_of(first: Path, against: Path | None) -> list[Named]:
+    one = load_preset(first)
+    if against is None:
+        return [Named(printable(one.name), one)]
+    other = load_preset(against)
+    if one == other:
+        raise PresetError(
+            f"{printable(first.name)} and {printable(against.name)} hold the same preset; name two that differ"
+        )
+    titles = [one.name, other.name]
+    if one.name == other.name:
+        same_file = first.name == against.name
+        titles = [f"{one.name} ({path if same_file else path.name})" for path in (first, against)]
+    return [Named(printable(title), preset) for title, preset in zip(titles, (one, other), strict=True)]
+
+
+def _write(report: Report, kind: str, by: str, out: Path | None) -> None:
+    parts = _parts_of(report, kind, by)
+    if out is None:
+        print_whole(lambda file: file.writelines(parts))
+    else:
+        write_whole(out, lambda file: file.writelines(parts))
+
+
+def _parts_of(report: Report, kind: str, by: str) -> Iterator[str]:
+    if kind == "html":
+        yield page_of(report)
+    elif kind == "json":
+        yield json_of(report)
+    else:
+        yield text_of(report, by)
+
+
+def _options(words: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser score",
+        description="Recognise labelled recordings with one or two presets, and tell how right the answers are.",
+    )
+    parser.add_argument(
+        "corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv, or with sounds beside label files"
+    )
+    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, metavar="A", help="preset or PhonemeData file")
+    parser.add_argument("--against", type=Path, metavar="B", help="another one, which is compared with it")
+    parser.add_argument(
+        "--format", choices=["text", "json", "html"], dest="kind", help="(default: as OUT ends, else text)"
+    )
+    parser.add_argument("-o", "--out", type=Path, help="file to write (default: print)")
+    parser.add_argument("--by", choices=["corpus", "speaker"], default="corpus", help="rows of the text's table")
+    parser.add_argument("--lag", type=_lag, default=0.0, metavar="MS", help="take the answers to come so late")
+    parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
+    add_channel(parser)
+    parser.add_argument("--noise", choices=[k.value for k in NoiseKind], help="add noise before the analysis")
+    parser.add_argument("--snr", type=_snr, metavar="DB", help="how far the noise is below the speech")
+    parser.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the noise (default: 0)")
+    options = parser.parse_args(words)
+    if (options.noise is None) != (options.snr is None):
+        parser.error("--noise and --snr go together: say what noise, and how far below the speech")
+    return options
+
+
+def _lag(text: str) -> float:
+    if not abs(lag := number(text)) <= MOST_LAG_MS:
+        raise argparse.ArgumentTypeError(f"must lie in -{MOST_LAG_MS:g}..{MOST_LAG_MS:g} ms, got {text!r}")
+    return lag
+
+
+def _snr(text: str) -> float:
+    if not LOWEST_SNR <= (snr := number(text)) <= HIGHEST_SNR:
+        raise argparse.ArgumentTypeError(f"must lie in {LOWEST_SNR:g}..{HIGHEST_SNR:g} dB, got {text!r}")
+    return snr
+
+
+def _seed(text: str) -> int:
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"must be a whole number from 0, got {text!r}")
+    return int(text)

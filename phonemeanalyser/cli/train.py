@@ -1,0 +1,73 @@
+"""``phonemeanalyser train``: from labelled speech to a preset, its model and its card."""
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from tqdm import tqdm
+
+from phonemeengine.calibration.learning.model_card import card_of
+from phonemeengine.calibration.learning.pipeline import Taught, teach
+from phonemeengine.calibration.learning.training import Course
+from phonemeengine.errors import ModelError
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from phonemeanalyser.cli.arguments import add_channel
+from phonemeanalyser.cli.output_files import write_whole
+
+
+def train(words: list[str]) -> int:
+    """Run the command; returns its exit code."""
+    options = _options(words)
+    course = Course(seed=options.seed, n_epochs=options.epochs, width=options.width)
+    with tqdm(
+        total=100, unit="%", file=sys.stderr, disable=None, bar_format="{desc}: {n:.0f} %|{bar}| {elapsed}"
+    ) as bar:
+
+        def told(what: str, share: float) -> None:
+            bar.set_description(what)
+            bar.update(100 * share - bar.n)
+
+        taught = teach(options.corpora, course, options.variations, options.folds, told, options.channel)
+    model = replace(taught.model, about=_about(options.out.stem, taught, course))
+    preset, card = options.out.with_suffix(".toml"), options.out.with_suffix(".md")
+    notes = f"Trained by phonemeanalyser train; {card.name} tells on what, and how well it does."
+    shipped = load_preset(DEFAULT_PRESET)
+    save_preset(replace(shipped, name=preset.stem, model=model, notes=notes, sensitivities={}), preset)
+    text = card_of(options.out.stem, taught, course, options.variations)
+    write_whole(card, lambda file: print(text, file=file, end=""))
+    print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}; {preset} uses it")
+    if taught.everyone is not None:
+        e = taught.everyone
+        print(f"speakers left out: macro F1 {e.ten_f1:.3f}, mouth shapes {e.mouth_acc:.3f}, vowels {e.vowel5:.3f}")
+    return 0
+
+
+def _about(name: str, taught: Taught, course: Course) -> dict[str, object]:
+    figures = {} if taught.everyone is None else {"macro_f1": round(taught.everyone.ten_f1, 3)}
+    return {"name": name, "seed": course.seed, "epochs": course.n_epochs, "speakers": len(taught.sources), **figures}
+
+
+def _options(words: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="phonemeanalyser train",
+        description="Train the learned recogniser on folders of labelled speech; writes the model, a preset that "
+        "uses it (the same name, .toml) and its card (.md).",
+    )
+    parser.add_argument("corpora", type=Path, nargs="+", metavar="CORPUS", help="folder with manifest.csv")
+    parser.add_argument("-o", "--out", type=Path, required=True, metavar="MODEL", help="the model's file, .npz")
+    parser.add_argument("--seed", type=int, default=1, help="of all chance (default 1)")
+    parser.add_argument("--epochs", type=int, default=Course.n_epochs, help=f"default {Course.n_epochs}")
+    parser.add_argument("--width", type=int, default=Course.width, help=f"channels (default {Course.width})")
+    parser.add_argument("--variations", type=int, default=6, help="of each recording (default 6)")
+    parser.add_argument(
+        "--folds", type=int, default=4, help="groups of speakers left out in turn (default 4; 0: none)"
+    )
+    add_channel(parser)
+    options = parser.parse_args(words)
+    if options.out.suffix != ".npz":
+        raise ModelError(f"{options.out}: a model's file ends in .npz; name it so")
+    for name, least in (("epochs", 1), ("width", 4), ("variations", 0), ("folds", 0)):
+        if getattr(options, name) < least:
+            parser.error(f"--{name} must be {least} or more, got {getattr(options, name)}")
+    return options

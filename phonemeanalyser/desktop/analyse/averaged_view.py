@@ -1,0 +1,197 @@
+"""The averaged spectrum, curves beside it, and a region that becomes a variable."""
+
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QColor, QKeySequence, QPainter, QShortcut
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
+
+from phonemeengine.averaged_spectrum import Curve
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
+from phonemeanalyser.desktop.session.averages import AveragesModel
+from phonemeanalyser.desktop.theme import CURVE_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.plot import switch
+from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
+
+TIP = (
+    "The mean of all spectra that were heard since Play, Record or Clear; when other filters are heard, a new mean "
+    "begins"
+)
+
+
+DELTA = "Δ is how differently it is shaped from the averaged spectrum, whatever the loudness"
+
+
+class LegendEntry(QLabel):
+    """A curve's name and distance in its colour; where there is little room, the middle is left out."""
+
+    def __init__(self, text: str, colour: str, tip: str) -> None:
+        super().__init__(text)
+        self._colour = QColor(colour)
+        font = self.font()
+        font.setPixelSize(11)
+        self.setFont(font)
+        self.setToolTip(tip)
+
+    def minimumSizeHint(self) -> QSize:
+        """Many curves must not widen the window."""
+        return QSize(8, super().minimumSizeHint().height())
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint as much of the text as there is room for."""
+        painter = QPainter(self)
+        painter.setPen(self._colour)
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideMiddle, self.width())
+        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, text)
+
+
+class AveragedView(SpectrumView):
+    """Draws the running mean and every loaded curve on one frequency axis.
+
+    Signals
+    -------
+    load_asked, save_asked : the user wants to load or save a curve.
+    variable_asked : the user wants a variable over this range (Hz).
+    """
+
+    load_asked = Signal()
+    save_asked = Signal()
+    variable_asked = Signal(float, float)
+
+    def __init__(self, averages: AveragesModel, theme: Theme) -> None:
+        super().__init__("Averaged spectrum", TIP, theme)
+        self._averages = averages
+        self._since = QLabel(self.graphics)
+        self._overlays: list[pg.PlotCurveItem] = []
+        self._legend = QWidget()
+        self._entries = QHBoxLayout(self._legend)
+        self._names: list[LegendEntry] = []
+        self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"), movable=False)
+        self.measure = switch(
+            "variable",
+            "Mark a range of frequencies as a variable of your own (V): drag anywhere in the plot",
+        )
+        self._escape = QShortcut(QKeySequence("Escape"), self)
+        self._dropped = False
+        self._add_curve_controls()
+        self._add_region()
+        averages.curves_changed.connect(self._show_curves)
+        self._show_curves()
+
+    def refresh(self) -> None:
+        """Draw the running mean as it is now, and say of how much it is."""
+        current = self._averages.current()
+        self.draw(current.amplitudes.astype(np.float32))
+        self._tell_since(current)
+        for label, curve, distance in zip(
+            self._names, self._averages.curves, self._averages.distances(), strict=True
+        ):
+            label.setText(curve.name if np.isnan(distance) else f"{curve.name} Δ {distance:.1f} dB")
+
+    def _tell_since(self, current: Curve) -> None:
+        seconds = current.n_frames * FRAME_PERIOD
+        text = f"mean of {seconds:.1f} s since {current.since.partition(' at ')[0]}" if current.n_frames else ""
+        if text != self._since.text():
+            self._since.setText(text)
+            self._since.adjustSize()
+            of = f"<p>Now: {_told(current)}</p>" if current.n_frames else ""
+            self.heading.setToolTip(f"<p>{TIP}.</p>{of}")
+
+    def _columns(self) -> dict[str, NDArray[np.float64]]:
+        curves, columns = self._averages.curves, super()._columns()
+        finest = max([columns["frequency (Hz)"], *(c.frequencies for c in curves)], key=len)
+        short = len(finest) - len(self._amplitudes)
+        padded = {name: np.pad(column, (0, short), constant_values=np.nan) for name, column in columns.items()}
+        of_curves = {f"{k + 1} {c.name}, amplitude (linear)": c.at(finest) for k, c in enumerate(curves)}
+        return {**padded, "frequency (Hz)": finest, **of_curves}
+
+    def _change_scale(self) -> None:
+        super()._change_scale()
+        for overlay, curve in zip(self._overlays, self._averages.curves, strict=True):
+            overlay.setData(curve.frequencies, self.heights_of(curve.amplitudes))
+
+    def _add_curve_controls(self) -> None:
+        menu = QMenu(self)
+        menu.addAction("Load Curve…", self.load_asked.emit)
+        menu.addAction("Save Curve…", self.save_asked.emit)
+        curves = QToolButton()
+        curves.setText("curves")
+        curves.setToolTip("Save the averaged spectrum, or load saved ones to compare with")
+        curves.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        curves.setMenu(menu)
+        self.header.addWidget(curves)
+        self._entries.setContentsMargins(8, 0, 4, 2)
+        self._entries.setSpacing(2)
+        self._legend.setVisible(False)
+        self._body.addWidget(self._legend)
+
+    def _add_region(self) -> None:
+        self.measure.setFixedWidth(self.measure.sizeHint().width())  # other words on it must not widen the window
+        self.header.addWidget(self.measure)
+        self.region.setVisible(False)
+        for edge in self.region.lines:
+            edge.setMovable(True)  # while a drag inside of it draws another
+        self.item.addItem(self.region, ignoreBounds=True)
+        self.measure.toggled.connect(self._toggle_region)
+        self._since.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)  # a drag may begin there
+        self._since.setStyleSheet(f"color: {self.theme.faint}")
+        self._since.move(60, 6)
+        self._escape.setEnabled(False)
+        self._escape.activated.connect(self.drop_region)
+
+    def drop_region(self) -> None:
+        """Mark no range any more, and ask for no variable."""
+        self._dropped = True
+        self.measure.setChecked(False)
+
+    def _toggle_region(self, on: bool) -> None:
+        self.measure.setText("name it" if on else "variable")
+        self.region.setVisible(on)
+        self._escape.setEnabled(on)
+        self.item.vb.draw = (lambda start, end: self.region.setRegion((start, end))) if on else None
+        dropped, self._dropped = self._dropped, False
+        if not on and not dropped:
+            low, high = (max(0.0, edge) for edge in self.region.getRegion())
+            self.variable_asked.emit(round(low / BIN_WIDTH) * BIN_WIDTH, round(high / BIN_WIDTH) * BIN_WIDTH)
+
+    def _show_curves(self) -> None:
+        self._remove_curves()
+        for k, curve in enumerate(self._averages.curves):
+            colour = CURVE_COLOURS[k % len(CURVE_COLOURS)]
+            overlay = pg.PlotCurveItem(curve.frequencies, self.heights_of(curve.amplitudes), pen=pg.mkPen(colour))
+            self.item.addItem(overlay)
+            self._overlays.append(overlay)
+            self._names.append(self._legend_entry(k, curve.name, f"{curve.name}: {_told(curve)}; {DELTA}", colour))
+        self._entries.addStretch(1)
+        self._legend.setVisible(bool(self._overlays))
+
+    def _remove_curves(self) -> None:
+        for overlay in self._overlays:
+            self.item.removeItem(overlay)
+        self._overlays.clear()
+        self._names.clear()
+        while self._entries.count():
+            entry = self._entries.takeAt(0)
+            widget = entry.widget() if entry else None
+            if widget is not None:
+                widget.deleteLater()
+
+    def _legend_entry(self, k: int, name: str, tip: str, colour: str) -> LegendEntry:
+        label = LegendEntry(name, colour, tip)
+        button = QToolButton()
+        button.setText("✕")
+        button.setAutoRaise(True)
+        button.setFixedWidth(18)
+        button.setToolTip(f"Remove {name}")
+        button.clicked.connect(lambda _checked: self._averages.remove(k))
+        self._entries.addWidget(label)
+        self._entries.addWidget(button)
+        return label
+
+
+def _told(curve: Curve) -> str:
+    since = f" since {curve.since}" if curve.since else ""
+    return f"{curve.n_frames} frames{since}; {curve.front_end}"

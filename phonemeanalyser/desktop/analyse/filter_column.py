@@ -1,0 +1,273 @@
+"""The filters as a column, in the order in which the sound passes them."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
+
+from phonemeengine.presets.controls import unused_settings
+from phonemeengine.settings import LIMITS, QUANTISATIONS, SAMPLE_RATE, Decimation, Filter, WindowFunction
+from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS, PresetModel
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.key_filters import KeysOfNumbers
+from phonemeanalyser.desktop.widgets.number_field import NumberField
+
+
+@dataclass(frozen=True)
+class Field:
+    """How a parameter is shown: its label, and either choices or decimals and step of a number."""
+
+    label: str
+    choices: tuple[tuple[str, Any], ...] = ()
+    decimals: int = 2
+    step: float = 0.05
+
+
+TITLES: dict[Filter, tuple[str, str]] = {
+    Filter.QUANTISE: ("Quantise", "Keeps every n-th sample. Plain folds high frequencies onto low ones, as the "
+                      "thesis did; anti-aliased removes them first."),
+    Filter.PRE_EMPHASIS: ("Pre-emphasis", "Raises high frequencies: each sample less a share of the one before it."),
+    Filter.WINDOW_FUNCTION: ("Window", "Fades the window's ends, so that a tone stays on few bins. "
+                             "Off is a rectangle."),
+    Filter.FREQUENCY_SMOOTH: ("Smooth F", "Blurs each bin with its neighbours; 1 is the mean of three."),
+    Filter.TIME_SMOOTH: ("Smooth time", "Blurs each spectrum with the one before; nearer 1 is slower."),
+    Filter.HIGH_PASS: ("High-pass", "Removes what lies below start (hum, rumble), and fades in up to end."),
+    Filter.LOW_PASS: ("Low-pass", "Fades out from start to end, and removes what lies above."),
+    Filter.DENOISE: ("Denoise", "Sets amplitudes below the threshold to 0."),
+    Filter.MEL: ("Mel", "Shows the spectrum through triangular filters, spaced as the ear hears (HTK mel); "
+                 "variables can measure it."),
+    Filter.NORMALISE: ("Normalise", "Divides each spectrum by its largest amplitude: loudness does not matter."),
+}  # fmt: skip
+
+FIELDS: dict[str, Field] = {
+    "quantise": Field("every", tuple((f"{n}: {SAMPLE_RATE // n:,} Hz".replace(",", " "), n) for n in QUANTISATIONS)),
+    "decimation": Field("kind", (("plain", Decimation.PLAIN), ("anti-aliased", Decimation.ANTI_ALIASED))),
+    "pre_emphasis": Field("share", decimals=2, step=0.01),
+    "window_function": Field("shape", tuple((w.value.replace("_", "-").title(), w) for w in WindowFunction)),
+    "frequency_smooth": Field("strength"),
+    "time_smooth": Field("strength"),
+    "high_pass_start": Field("start", decimals=1, step=10),
+    "high_pass_end": Field("end", decimals=1, step=10),
+    "low_pass_start": Field("start", decimals=0, step=100),
+    "low_pass_end": Field("end", decimals=0, step=100),
+    "denoise_threshold": Field("threshold", decimals=5, step=0.0005),
+    "mel_bands": Field("bands", decimals=0, step=1),
+    "minimum_hold": Field("hold", decimals=2, step=0.01),
+    "hysteresis": Field("hysteresis", decimals=2, step=0.05),
+    "look_ahead": Field("file", decimals=2, step=0.01),
+    "live_look_ahead": Field("live", decimals=2, step=0.01),
+    "intensity_low": Field("0 at", decimals=0, step=1),
+    "intensity_high": Field("1 at", decimals=0, step=1),
+}
+
+
+AFTER_THE_FILTERS: dict[str, tuple[tuple[str, str], tuple[str, ...]]] = {
+    "statistics": (
+        (
+            "Statistics",
+            "Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower. "
+            "With hysteresis, another phoneme follows only where it is the better one by so much.",
+        ),
+        ("minimum_hold", "hysteresis"),
+    ),
+    "look_ahead": (
+        (
+            "Look-ahead",
+            "How long the recogniser may wait for what comes after a frame: longer is surer, and later. "
+            "Rules never wait. With a microphone, waiting makes the mouth late, so it has a limit of its own.",
+        ),
+        ("look_ahead", "live_look_ahead"),
+    ),
+    "intensity": (
+        ("Intensity", "Peak levels at which the intensity is 0 and 1; in silence it is 0 at any level."),
+        ("intensity_low", "intensity_high"),
+    ),
+}
+
+
+FIELD_WIDTH, RESET_WIDTH = 124, 18
+
+
+class FilterColumn(QScrollArea):
+    """A switch, the parameters and a reset for each filter, then the statistics and the intensity's range.
+
+    Signals
+    -------
+    bypass_asked : all filters off at once (True), or back to what they were.
+    """
+
+    bypass_asked = Signal(bool)
+
+    def __init__(self, preset: PresetModel, theme: Theme) -> None:
+        super().__init__()
+        self._preset = preset
+        self._theme = theme
+        self.switches: dict[str, QCheckBox] = {}
+        self.fields: dict[str, QComboBox | NumberField] = {}
+        self.resets: dict[str, QToolButton] = {}
+        self.bypass = QCheckBox("Bypass all filters")
+        self.unused = QLabel()
+        self._headings: dict[str, QWidget] = {}
+        self._grid = QGridLayout()
+        self._fill()
+        preset.changed.connect(self._show_preset)
+        self._show_preset()
+
+    def _fill(self) -> None:
+        self.bypass.setToolTip("All filters off at once, and back to what they were (B)")
+        self.bypass.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.bypass.toggled.connect(self.bypass_asked)
+        self._grid.setContentsMargins(6, 6, 2, 6)
+        self._grid.setHorizontalSpacing(3)
+        self._grid.setVerticalSpacing(3)
+        self._grid.setColumnStretch(1, 1)
+        self._grid.addWidget(self.bypass, 0, 0, 1, 3)
+        self.unused.setTextFormat(Qt.TextFormat.PlainText)
+        self.unused.setWordWrap(True)
+        self.unused.setStyleSheet(f"color: {self._theme.accent}")
+        self._grid.addWidget(self.unused, 1, 0, 1, 3)
+        for step in Filter:
+            self._add_step(step.value, TITLES[step], FILTER_PARAMETERS[step], partial(self._switch, step))
+            self.resets[step.value].clicked.connect(lambda _checked, s=step: self._preset.reset_filter(s))
+        for key, (title, parameters) in AFTER_THE_FILTERS.items():
+            switch = partial(self._preset.set_setting, key) if key == "statistics" else None
+            self._add_step(key, title, parameters, switch)
+            resets = (key, *parameters) if switch else parameters
+            self.resets[key].clicked.connect(lambda _checked, names=resets: self._preset.reset_settings(names))
+        self._grid.setRowStretch(self._grid.rowCount(), 1)
+        body = QWidget()
+        body.setLayout(self._grid)
+        self.setWidget(body)
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
+
+    def _add_step(
+        self, key: str, title: tuple[str, str], parameters: tuple[str, ...], switch: Callable[[bool], None] | None
+    ) -> None:
+        """Add a line above, the switch, its first parameter beside it, further ones below, and the reset."""
+        line = QFrame()
+        line.setFixedHeight(1)
+        line.setStyleSheet(f"background: {self._theme.line}")
+        row = self._grid.rowCount()
+        self._grid.addWidget(line, row, 0, 1, 3)
+        heading = self._heading(key, title[0], switch)
+        self._grid.addWidget(heading, row + 1, 0)
+        self._grid.addWidget(self._reset(key, title[0]), row + 1, 2)
+        for k, name in enumerate(parameters):
+            label = FIELDS[name].label
+            field = self._field(name)
+            field.setToolTip(f"{title[0]}, {label}: {title[1]}")
+            field.setAccessibleName(f"{title[0]} {label}")
+            self._grid.addWidget(field, row + 1 + k, 1)
+            if k:
+                self._grid.addWidget(self._label(f"{FIELDS[parameters[0]].label} / {label}"), row + 1 + k, 0)
+        self._headings[key] = heading
+
+    def _heading(self, key: str, text: str, switch: Callable[[bool], None] | None) -> QWidget:
+        if switch is None:
+            return QLabel(text)
+        box = QCheckBox(text)
+        box.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        box.toggled.connect(switch)
+        self.switches[key] = box
+        return box
+
+    def _reset(self, key: str, text: str) -> QToolButton:
+        reset = QToolButton()
+        reset.setText("↺")
+        reset.setAutoRaise(True)
+        reset.setFixedWidth(RESET_WIDTH)
+        reset.setToolTip(f"Reset {text.lower()} to what the preset's file says")
+        self.resets[key] = reset
+        return reset
+
+    def _label(self, text: str) -> QLabel:
+        label = QLabel(text)
+        label.setStyleSheet(f"color: {self._theme.faint}")
+        label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        return label
+
+    def _field(self, name: str) -> QWidget:
+        field = FIELDS[name]
+        widget: QComboBox | NumberField
+        if field.choices:
+            widget = QComboBox()
+            for text, value in field.choices:
+                widget.addItem(text, value)
+            widget.activated.connect(lambda k: self._edit(name, field.choices[k][1]))
+        else:
+            low, high, unit = LIMITS[name]
+            widget = NumberField()
+            widget.setRange(low, high)
+            widget.setDecimals(field.decimals)
+            widget.setSingleStep(field.step)
+            widget.setSuffix(f" {unit}" if unit else "")
+            widget.setKeyboardTracking(False)
+            widget.installEventFilter(KeysOfNumbers(widget))
+            widget.valueChanged.connect(lambda value: self._edit(name, value))
+            widget.editingFinished.connect(self._preset.end_edit)
+        widget.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        widget.setMinimumWidth(FIELD_WIDTH)
+        self.fields[name] = widget
+        return widget
+
+    def _switch(self, step: Filter, on: bool) -> None:
+        if on != self._preset.preset.settings.has(step):
+            self._preset.set_filter(step, on)
+
+    def _edit(self, name: str, value: Any) -> None:
+        if name == "mel_bands":
+            value = round(value)
+        if value != getattr(self._preset.preset.settings, name):
+            self._preset.set_setting(name, value)
+
+    def _show_preset(self) -> None:
+        settings = self._preset.preset.settings
+        for name, widget in self.fields.items():
+            widget.blockSignals(True)
+            if isinstance(widget, QComboBox):
+                widget.setCurrentIndex([v for _, v in FIELDS[name].choices].index(getattr(settings, name)))
+            else:
+                widget.setValue(getattr(settings, name))
+            widget.blockSignals(False)
+        for key, box in self.switches.items():
+            box.blockSignals(True)
+            box.setChecked(settings.statistics if key == "statistics" else settings.has(Filter(key)))
+            box.setEnabled(key == "statistics" or not self._preset.bypassed)
+            box.blockSignals(False)
+        self._show_unused()
+        self.bypass.blockSignals(True)
+        self.bypass.setChecked(self._preset.bypassed)
+        self.bypass.blockSignals(False)
+
+    def _show_unused(self) -> None:
+        """Say which steps do nothing to what is recognised, where they are; they shape what is seen all the same."""
+        name = self._preset.preset.recogniser
+        unused = unused_settings(self._preset.preset)
+        titles = {step.value: title for step, title in TITLES.items()}
+        titles |= {key: title for key, (title, _) in AFTER_THE_FILTERS.items()}
+        for key, heading in self._headings.items():
+            note = f" Not used by the recogniser {name}: it changes only what is seen." if key in unused else ""
+            heading.setToolTip(f"{titles[key][0]}: {titles[key][1]}{note}")
+            heading.setStyleSheet(f"color: {self._theme.faint}; font-style: italic" if key in unused else "")
+        if {step.value for step in Filter} <= unused:
+            self.unused.setText(f"{name} hears the bare sound: the filters shape only what is seen")
+        else:
+            which = ", ".join(title for key, (title, _) in titles.items() if key in unused)
+            self.unused.setText(f"Not used by {name}: {which}")
+        self.unused.setVisible(bool(unused & self._headings.keys()))

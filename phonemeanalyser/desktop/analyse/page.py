@@ -1,0 +1,95 @@
+"""The page of the analysis: spectra above, the waveform amid, and the time view below."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import QAbstractButton, QSplitter
+
+from phonemeanalyser.desktop.session.history import shown_spectra
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.analyse.averaged_view import AveragedView
+from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
+from phonemeanalyser.desktop.analyse.scroll_view import TimeView
+from phonemeanalyser.desktop.analyse.waveform_view import WaveformView
+
+
+class AnalysisPage(QSplitter):
+    """Lays out what is drawn of the sound in hand.
+
+    Signals
+    -------
+    picture_asked : the user wants to save a picture of a plot, of this name.
+
+    Attributes
+    ----------
+    spectra : the splitter between the two spectra.
+    """
+
+    picture_asked = Signal(QPixmap, str)
+
+    def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
+        super().__init__(Qt.Orientation.Vertical)
+        self._history = session.history
+        tip = "The spectrum of the newest window of 46.4 ms, after all filters that are on"
+        self.spectrum = SpectrumView("Spectrum", tip, theme)
+        self.averaged = AveragedView(session.averages, theme)
+        self.waveform = WaveformView(theme)
+        self.time_view = TimeView(session.history, preset, theme)
+        self.spectra = QSplitter(Qt.Orientation.Horizontal)
+        self._lay_out()
+        for view in (self.spectrum, self.averaged, self.waveform, self.time_view):
+            view.menu.save_asked.connect(self.picture_asked)
+
+    def refresh_fast(self) -> None:
+        """Draw what changes with every picture."""
+        newest = self._history.newest
+        if newest is not None:
+            self.spectrum.draw(shown_spectra(newest)[-1])
+            self.waveform.draw(newest.waveforms[-1])
+        else:
+            self.spectrum.clear()
+            self.waveform.clear()
+        self.time_view.refresh()
+
+    def refresh_slow(self) -> None:
+        """Draw numbers, and what changes slowly."""
+        self.averaged.refresh()
+        self.time_view.refresh_numbers()
+
+    def set_coarse(self, on: bool) -> None:
+        """Draw everything coarsely, or all of it finely."""
+        for view in (self.spectrum, self.averaged, self.waveform):
+            view.coarse.setChecked(on)
+
+    def set_decibels(self, on: bool) -> None:
+        """Draw both spectra in decibels, or linearly."""
+        for view in (self.spectrum, self.averaged):
+            view.decibels.setChecked(on)
+
+    @property
+    def splitters(self) -> dict[str, QSplitter]:
+        """What the user may have moved, by the names under which it is kept."""
+        return {"rows": self, "spectra": self.spectra}
+
+    @property
+    def switches(self) -> dict[str, QAbstractButton]:
+        """What the user may have switched, by the names under which it is kept."""
+        return {
+            "sonagram_db": self.time_view.decibels,
+            "coarse_spectrum": self.spectrum.coarse,
+            "coarse_average": self.averaged.coarse,
+            "coarse_waveform": self.waveform.coarse,
+            "spectrum_db": self.spectrum.decibels,
+            "average_db": self.averaged.decibels,
+        }
+
+    def _lay_out(self) -> None:
+        self.spectra.addWidget(self.spectrum)
+        self.spectra.addWidget(self.averaged)
+        self.spectra.setSizes([300, 460])
+        for widget in (self.spectra, self.waveform, self.time_view):
+            self.addWidget(widget)
+        self.setSizes([190, 130, 370])
+        for splitter in (self.spectra, self):
+            splitter.setChildrenCollapsible(False)

@@ -1,0 +1,154 @@
+"""The items that scroll: sonagram and phoneme lane, with time as seconds before now (0 at the right)."""
+
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter
+
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
+from phonemeanalyser.desktop.painting import set_size
+from phonemeanalyser.desktop.session.history import CAPACITY, MOST_BINS, NOWHERE, History
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+
+SPAN = CAPACITY * FRAME_PERIOD
+"""Seconds that can be seen."""
+COLOUR_MAPS = ("viridis", "inferno", "magma", "plasma", "cividis", "grey")
+NARROWEST_LETTER = 13
+"""Pixels that a stretch of one phoneme needs to carry a name."""
+LETTER = 8
+"""Pixels of a letter."""
+
+
+def colours_of(name: str) -> NDArray[np.uint32]:
+    """Give a colour map as 256 pixels of a QImage, 0xffRRGGBB."""
+    if name == "grey":
+        rgb = np.repeat(np.arange(256, dtype=np.uint32)[:, None], 3, axis=1)
+    else:
+        rgb = pg.colormap.get(name).getLookupTable(nPts=256)[:, :3].astype(np.uint32)
+    pixels = np.uint32(0xFF000000) | (rgb[:, 0] << 16) | (rgb[:, 1] << 8) | rgb[:, 2]
+    return np.asarray(pixels, np.uint32)
+
+
+class SonagramItem(pg.GraphicsObject):
+    """The last minute of spectra as an image.
+
+    The image is a ring: only new columns are coloured, and it is painted in two pieces.
+
+    Attributes
+    ----------
+    n_drawn : columns since Clear up to the newest that is drawn; while the views are frozen, others follow it.
+    """
+
+    def __init__(self, history: History, theme: Theme) -> None:
+        super().__init__()
+        self._history = history
+        self._nothing = np.uint32(QColor(theme.base).rgb())
+        self._pixels = np.zeros((MOST_BINS, CAPACITY), np.uint32)
+        self._image = QImage(self._pixels.data, CAPACITY, MOST_BINS, 4 * CAPACITY, QImage.Format.Format_RGB32)
+        self.n_drawn = self._n_coloured = 0
+        self._colours = colours_of(COLOUR_MAPS[0])
+        self._in_decibels = True
+        self._low, self._high = -60.0, 0.0
+        self.recolour()
+
+    def set_colours(self, colours: NDArray[np.uint32], in_decibels: bool, low: float, high: float) -> None:
+        """Choose colours, and the amplitudes (0..1 or dB) of the darkest and the brightest."""
+        self._colours, self._in_decibels, self._low, self._high = colours, in_decibels, low, high
+        self.recolour()
+
+    def recolour(self) -> None:
+        """Draw everything remembered anew."""
+        self._pixels[:] = self._nothing
+        self._colour(0, self.n_drawn)
+
+    def forget(self, column: int) -> None:
+        """Have the columns from this one on coloured anew at the next refresh."""
+        self._n_coloured = min(self._n_coloured, column)
+
+    def refresh(self) -> None:
+        """Colour what is new since the last call."""
+        n = self._history.n
+        first = min(self._n_coloured, n)
+        self._pixels[:, np.arange(max(n, self.n_drawn - CAPACITY), self.n_drawn) % CAPACITY] = self._nothing
+        self.n_drawn = self._n_coloured = n
+        self._colour(first, n)
+
+    def boundingRect(self) -> QRectF:
+        """One minute by half the sample rate."""
+        return QRectF(-SPAN, 0, SPAN, MOST_BINS * BIN_WIDTH)
+
+    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+        """Paint the ring's two pieces: what was written last ends at time 0."""
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)  # else a tone may fall between two pixels
+        split = self.n_drawn % CAPACITY
+        rows = min(MOST_BINS, int(self.viewRect().bottom() / BIN_WIDTH) + 2)
+        height = rows * BIN_WIDTH
+        older = CAPACITY - split
+        x = -SPAN
+        for first, n in ((split, older), (0, split)):
+            visible = x + n * FRAME_PERIOD > self.viewRect().left()
+            if n and visible:
+                target = QRectF(x, -BIN_WIDTH / 2, n * FRAME_PERIOD, height)
+                painter.drawImage(target, self._image, QRectF(first, 0, n, rows))
+            x += n * FRAME_PERIOD
+
+    def _colour(self, first: int, last: int) -> None:
+        at = self._history.indices(first, last)
+        if len(at):
+            self._pixels[:, at] = self._colours[self._levels_of(self._history.spectra[at]).T]
+            self._pixels[:, at[self._history.frames[at] == NOWHERE]] = self._nothing
+        self.update()
+
+    def _levels_of(self, spectra: NDArray[np.float16]) -> NDArray[np.uint8]:
+        amplitudes = spectra.astype(np.float32)
+        if self._in_decibels:
+            amplitudes = 20 * np.log10(np.maximum(amplitudes, np.float32(1e-6)))
+        scaled = (amplitudes - self._low) * (255 / max(self._high - self._low, 1e-6))
+        return np.asarray(np.clip(scaled, 0, 255), np.uint8)
+
+
+class PhonemeLane(pg.GraphicsObject):
+    """The recognised phonemes as coloured stretches, named where there is room; as far as the sonagram is drawn."""
+
+    def __init__(self, history: History, sonagram: SonagramItem, theme: Theme) -> None:
+        super().__init__()
+        self._history = history
+        self._sonagram = sonagram
+        colours = [*(PHONEME_COLOURS[p] for p in Phoneme), theme.base]  # the last one is that of a gap
+        self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
+        self._names = [*({"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme), ""]
+
+    def boundingRect(self) -> QRectF:
+        """One minute by one."""
+        return QRectF(-SPAN, 0, SPAN, 1)
+
+    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+        """Paint the stretches that are in view, and the names of those that are wide enough."""
+        view = self.viewRect()
+        n_shown = min(int(-view.left() / FRAME_PERIOD) + 1, CAPACITY)
+        n = self._sonagram.n_drawn
+        codes = self._history.phonemes[self._history.indices(n - n_shown, n)]
+        if len(codes) == 0:
+            return
+        row = np.ascontiguousarray(self._pixels[codes])
+        image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
+        painter.drawImage(QRectF(-len(row) * FRAME_PERIOD, 0, len(row) * FRAME_PERIOD, 1), image)
+        self._paint_names(painter, codes)
+
+    def _paint_names(self, painter: QPainter, codes: NDArray[np.uint8]) -> None:
+        edges = np.flatnonzero(np.diff(codes, prepend=255, append=255))
+        transform = painter.transform()
+        room = np.diff(edges) * FRAME_PERIOD * transform.m11()
+        painter.resetTransform()
+        painter.setPen(Qt.GlobalColor.white)
+        set_size(painter, 11)
+        for k in np.flatnonzero(room >= NARROWEST_LETTER).tolist():
+            begin, end = int(edges[k]), int(edges[k + 1])
+            name = self._names[codes[begin]]
+            if room[k] >= LETTER * len(name):
+                place = QRectF((begin - len(codes)) * FRAME_PERIOD, 0, (end - begin) * FRAME_PERIOD, 1)
+                painter.drawText(transform.mapRect(place), Qt.AlignmentFlag.AlignCenter, name)

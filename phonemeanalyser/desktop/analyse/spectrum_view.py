@@ -1,0 +1,108 @@
+"""A spectrum: amplitude against frequency, both linear, or in dB."""
+
+import math
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QSlider
+
+from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, switch
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+
+COARSE = 8
+"""Bins that share a step of the coarse display."""
+FLOOR_DB = -100.0
+SCALE_STEPS = 60
+"""The amplitude scale's slider runs over this many steps of 1 dB."""
+
+
+class SpectrumView(Plot):
+    """Draws one spectrum, fine (every bin) or coarse (the highest of eight as a step).
+
+    The amplitude scale enlarges small amplitudes: at 20 dB, an amplitude of 0.1 fills the height.
+    """
+
+    def __init__(self, title: str, tip: str, theme: Theme) -> None:
+        super().__init__(title, tip, (("frequency", "Hz"), ("amplitude", "")), self._describe, theme)
+        self.menu = PlotMenu(self.graphics, title.lower(), lambda _at: table_of(self._columns()), self.reset_zoom)
+        self._frequencies: NDArray[np.float64] = np.zeros(0)
+        self._amplitudes = np.zeros(0, np.float32)
+        self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
+        self.item.addItem(self._curve)
+        self.coarse = switch("coarse", "Coarse display: the highest of eight neighbouring bins as one step")
+        self.decibels = switch("dB", "Amplitude axis in dB")
+        self.scale = QSlider(Qt.Orientation.Horizontal)
+        self._add_controls()
+        self.reset_zoom()
+
+    def draw(self, amplitudes: NDArray[np.float32]) -> None:
+        """Draw a spectrum, shape (n_bins,); bin k lies at k x 21.53 Hz."""
+        self._amplitudes = amplitudes
+        if len(self._frequencies) != len(amplitudes):
+            self._frequencies = np.arange(len(amplitudes), dtype=float) * BIN_WIDTH
+            self.reset_zoom()
+        x, y = self._frequencies, amplitudes
+        if self.coarse.isChecked() and len(y):
+            x, y = x[::COARSE], y.reshape(-1, COARSE).max(axis=1)
+            x, y = np.repeat(np.append(x, x[-1] + COARSE * BIN_WIDTH), 2)[1:-1], np.repeat(y, 2)
+        self._curve.setData(x, self.heights_of(y), skipFiniteCheck=True)
+        self.refresh_read_out()
+
+    def clear(self) -> None:
+        """Draw nothing."""
+        self.draw(np.zeros(0, np.float32))
+
+    def heights_of(self, amplitudes: NDArray[np.float64] | NDArray[np.float32]) -> NDArray[np.float64]:
+        """Give amplitudes as they are drawn: as they are, or in dB."""
+        if not self.in_decibels:
+            return np.asarray(amplitudes, float)
+        return 20 * np.log10(np.maximum(amplitudes, 10 ** (FLOOR_DB / 20)))
+
+    @property
+    def in_decibels(self) -> bool:
+        """Whether the amplitude axis is in dB."""
+        return self.decibels.isChecked()
+
+    def _add_controls(self) -> None:
+        self.scale.setRange(0, SCALE_STEPS)
+        self.scale.setFixedWidth(54)
+        self.scale.setToolTip("Amplitude scale: enlarges small amplitudes, in dB")
+        for widget in (self.coarse, self.decibels, self.scale):
+            self.header.addWidget(widget)
+        self.coarse.toggled.connect(lambda _on: self.draw(self._amplitudes))
+        self.decibels.toggled.connect(lambda _on: self._change_scale())
+        self.scale.valueChanged.connect(lambda _value: self._change_scale())
+
+    def _change_scale(self) -> None:
+        self.reset_zoom()
+        self.draw(self._amplitudes)
+
+    def reset_zoom(self) -> None:
+        """Show the whole spectrum, as high as the amplitude scale says."""
+        highest = self._frequencies[-1] + BIN_WIDTH if len(self._frequencies) else SAMPLE_RATE / 8
+        zoom = float(self.scale.value())
+        low, high = (FLOOR_DB, -zoom) if self.in_decibels else (0.0, 10 ** (-zoom / 20))
+        bottom, top = (FLOOR_DB - 5, 5.0) if self.in_decibels else (0.0, 1.05)
+        self.item.vb.setLimits(xMin=0, xMax=highest, yMin=bottom, yMax=top)
+        self.item.setXRange(0, highest, padding=0)
+        self.item.setYRange(low, high + (high - low) * 0.03, padding=0)
+        self.item.setLabel("left", "level (dB)" if self.in_decibels else "amplitude")
+
+    def _columns(self) -> dict[str, NDArray[np.float64]]:
+        """Give what is drawn as columns, each under its name and unit."""
+        amplitudes = self._amplitudes.astype(float)
+        with np.errstate(divide="ignore"):
+            levels = 20 * np.log10(amplitudes)
+        return {"frequency (Hz)": self._frequencies, "amplitude (linear)": amplitudes, "level (dB)": levels}
+
+    def _describe(self, frequency: float, _height: float) -> str:
+        k = round(frequency / BIN_WIDTH)
+        if not 0 <= k < len(self._amplitudes):
+            return f"{frequency:.0f} Hz"
+        amplitude = float(self._amplitudes[k])
+        decibels = f"{20 * math.log10(amplitude):.1f} dB" if amplitude > 0 else "−∞ dB"
+        return f"{frequency:.0f} Hz   {amplitude:.4f}   {decibels}"

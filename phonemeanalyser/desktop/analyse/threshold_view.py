@@ -1,0 +1,279 @@
+"""What the recogniser in use is tuned by, as sliders with the live value of what is compared drawn on each."""
+
+import math
+from dataclasses import dataclass
+from functools import partial
+from html import escape
+from typing import Any
+
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
+
+from phonemeengine.errors import EngineError
+from phonemeengine.features.measure import Features
+from phonemeengine.presets.controls import Control, ControlGroup, Moment
+from phonemeanalyser.desktop.session.history import History
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.key_filters import KeysOfNumbers
+from phonemeanalyser.desktop.widgets.number_field import NumberField
+
+LABEL_WIDTH = 104
+LARGEST = 1e6
+"""A number that is typed lies within ± this."""
+CURVATURE = 2.5
+"""Sliders give small values more room: position = (value / highest) ** (1 / CURVATURE)."""
+
+
+class ThresholdSlider(QWidget):
+    """A track with a handle for the threshold and a mark for the live value.
+
+    The side of the handle on which the comparison holds is coloured; the mark is green where it holds.
+
+    Signals
+    -------
+    moved : the user chose another value.
+    released : the drag is over.
+    """
+
+    moved = Signal(float)
+    released = Signal()
+
+    def __init__(self, control: Control, theme: Theme) -> None:
+        super().__init__()
+        self.value = 0.0
+        self.live: float | None = None
+        self._low, self._high = control.low, control.high
+        self._decimals = control.decimals
+        self._curvature = 1.0 if control.low < 0 else CURVATURE
+        self._sign = control.sign
+        self._theme = theme
+        self._mark_at = -1
+        self.setMinimumSize(70, 20)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def set_value(self, value: float) -> None:
+        """Move the handle."""
+        if value != self.value:
+            self.value = value
+            self.update()
+
+    def set_live(self, value: float | None) -> None:
+        """Move the mark; None hides it."""
+        self.live = value
+        mark = -1 if value is None else round(self._x_of(value))
+        if mark != self._mark_at:
+            self._mark_at = mark
+            self.update()
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint track, handle and mark."""
+        painter = QPainter(self)
+        middle, handle = self.height() / 2, self._x_of(self.value)
+        left, right = 6.0, self.width() - 6.0
+        painter.fillRect(QRectF(left, middle - 2, right - left, 4), QColor(self._theme.line))
+        if self._sign:
+            holds = QRectF(left, middle - 2, handle - left, 4)
+            if self._sign == ">":
+                holds = QRectF(handle, middle - 2, right - handle, 4)
+            painter.fillRect(holds, QColor(self._theme.accent if self.isEnabled() else self._theme.line))
+        if self.live is not None:
+            good = (self.live > self.value) == (self._sign == ">") and self.live != self.value
+            colour = QColor(self._theme.good if good else self._theme.bad)
+            painter.fillRect(QRectF(round(self._x_of(self.live)) - 1.5, 1, 3, self.height() - 2), colour)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QColor(self._theme.base))
+        handles = self._theme.text if self.isEnabled() else self._theme.faint
+        painter.setBrush(QColor(self._theme.accent if self.hasFocus() else handles))
+        top = self.height() - 1.0
+        corners = ((handle, middle - 1), (handle + 5, middle + 5), (handle + 5, top), (handle - 5, top),
+                   (handle - 5, middle + 5))  # fmt: skip
+        painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in corners]))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Jump to the mouse."""
+        self._follow(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Follow the mouse."""
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            self._follow(event)
+
+    def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
+        """End the drag."""
+        self.released.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move by a hundredth of the track, with Shift by a tenth of that."""
+        steps = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+        if event.key() not in steps:
+            super().keyPressEvent(event)
+            return
+        fine = 0.1 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
+        self._choose(self._share_of(self.value) + steps[Qt.Key(event.key())] * 0.01 * fine)
+
+    def _follow(self, event: QMouseEvent) -> None:
+        self.setFocus()
+        self._choose((event.position().x() - 6) / max(1, self.width() - 12))
+
+    def _choose(self, share: float) -> None:
+        value = self._low + (self._high - self._low) * min(max(share, 0.0), 1.0) ** self._curvature
+        self.moved.emit(round(float(f"{value:.4g}"), self._decimals))
+
+    def _share_of(self, value: float) -> float:
+        share = (value - self._low) / (self._high - self._low)
+        return float(min(max(share, 0.0), 1.0) ** (1 / self._curvature))
+
+    def _x_of(self, value: float) -> float:
+        return 6 + self._share_of(value) * (self.width() - 12)
+
+
+@dataclass(frozen=True)
+class Row:
+    """What shows one control."""
+
+    control: Control
+    slider: ThresholdSlider
+    number: NumberField
+    reset: QToolButton
+
+
+class ThresholdView(QScrollArea):
+    """All controls of the recogniser in use, in groups; another recogniser has others."""
+
+    def __init__(self, preset: PresetModel, history: History, theme: Theme) -> None:
+        super().__init__()
+        self._preset = preset
+        self._history = history
+        self._theme = theme
+        self.rows: dict[str, Row] = {}
+        self._shown: tuple[ControlGroup, ...] = ()
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        preset.changed.connect(self._show_preset)
+        self._show_preset()
+
+    def refresh(self) -> None:
+        """Move the marks to what is compared in the newest frame."""
+        moment = self._moment()
+        for row in self.rows.values():
+            row.slider.set_live(row.control.live(self._preset.preset, moment) if moment else None)
+
+    def _moment(self) -> Moment | None:
+        newest = self._history.newest
+        if newest is None or not len(newest):
+            return None
+        last = newest.features.part(slice(len(newest) - 1, len(newest)))
+        shown = int(newest.phonemes[-1])
+        return Moment(last.frame(0), self._shortfall(last, shown), self._history.phoneme_lasted())
+
+    def _shortfall(self, features: Features, phoneme: int) -> float | None:
+        """Return by how much the phoneme that is shown falls short; None where the recogniser does not say."""
+        try:
+            shortfalls = self._preset.recogniser.shortfalls(features)
+        except (EngineError, ValueError):  # the frame was measured for another recogniser
+            return None
+        return None if shortfalls is None else float(shortfalls[0, phoneme])
+
+    # -- rows ---------------------------------------------------------------------------------------------
+
+    def _show_preset(self) -> None:
+        if self._shown != self._preset.control_groups:
+            self._shown = self._preset.control_groups
+            self._fill()
+        preset = self._preset.preset
+        for name, row in self.rows.items():
+            value = row.control.read(preset)
+            row.slider.set_value(value)
+            row.number.blockSignals(True)
+            row.number.setValue(value)
+            row.number.blockSignals(False)
+            saved = self._preset.saved_value(name)
+            row.reset.setVisible(saved is not None and value != saved)
+
+    def _fill(self) -> None:
+        body = QWidget()
+        grid = QGridLayout(body)
+        grid.setContentsMargins(6, 2, 6, 6)
+        grid.setHorizontalSpacing(5)
+        grid.setVerticalSpacing(1)
+        grid.setColumnStretch(1, 1)
+        self.rows = {}
+        for group in self._shown:
+            grid.addWidget(self._heading(group), grid.rowCount(), 0, 1, 4)
+            for control in group.controls:
+                self.rows[control.name] = self._add_row(grid, grid.rowCount(), control)
+        grid.setRowStretch(grid.rowCount(), 1)
+        self.setWidget(body)
+        self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
+
+    def _heading(self, group: ControlGroup) -> QLabel:
+        heading = QLabel(f"<b>{group.title}</b> <span style='color:{self._theme.faint}'>{group.note}</span>")
+        heading.setToolTip(group.note)
+        heading.setContentsMargins(0, 5, 0, 1)
+        heading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        return heading
+
+    def _add_row(self, grid: QGridLayout, at: int, control: Control) -> Row:
+        label = QLabel(control.label)
+        label.setTextFormat(Qt.TextFormat.PlainText)
+        label.setFixedWidth(LABEL_WIDTH)  # the same for all recognisers, so that the dock keeps its width
+        label.setToolTip(f"<p>{escape(control.hint)}</p>")
+        slider = ThresholdSlider(control, self._theme)
+        slider.setAccessibleName(control.name)
+        slider.setToolTip(f"<p>{escape(control.hint)}</p><p>Drag, or arrow keys (with Shift finer).</p>")
+        row = Row(control, slider, self._number(control), self._reset())
+        for column, widget in enumerate((label, slider, row.number, row.reset)):
+            grid.addWidget(widget, at, column)
+        slider.moved.connect(partial(self._preset.tune, control.name))
+        slider.released.connect(self._preset.end_edit)
+        row.number.valueChanged.connect(partial(self._type, row))
+        row.reset.clicked.connect(lambda _checked: self._restore(control.name))
+        return row
+
+    def _number(self, control: Control) -> NumberField:
+        number = NumberField()
+        number.setRange(-LARGEST, LARGEST)
+        number.setDecimals(control.decimals)
+        number.setButtonSymbols(NumberField.ButtonSymbols.NoButtons)
+        number.setKeyboardTracking(False)
+        number.installEventFilter(KeysOfNumbers(number))
+        number.setFixedWidth(60)
+        number.setSingleStep((control.high - control.low) / 100)
+        number.setAccessibleName(control.name)
+        number.setToolTip(
+            f"{control.name}{', ' + control.unit if control.unit else ''}: type a number, or arrow keys"
+        )
+        number.editingFinished.connect(self._preset.end_edit)
+        return number
+
+    def _reset(self) -> QToolButton:
+        reset = QToolButton()
+        reset.setText("↺")
+        reset.setAutoRaise(True)
+        reset.setToolTip("Reset to what the preset's file says")
+        keep_place = reset.sizePolicy()
+        keep_place.setRetainSizeWhenHidden(True)
+        reset.setSizePolicy(keep_place)
+        return reset
+
+    def _type(self, row: Row, value: float) -> None:
+        shown = row.control.read(self._preset.preset)
+        if not math.isclose(value, shown, abs_tol=0.5 * 10**-row.control.decimals):
+            self._preset.tune(row.control.name, value)
+
+    def _restore(self, name: str) -> None:
+        saved = self._preset.saved_value(name)
+        if saved is not None:
+            self._preset.tune(name, saved)
+            self._preset.end_edit()

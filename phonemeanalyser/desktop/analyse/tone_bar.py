@@ -1,0 +1,207 @@
+"""The tone generator's controls, in one line."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
+
+from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWELS, Tone, ToneKind, vowel_of
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.key_filters import KeysOfNumbers
+from phonemeanalyser.desktop.widgets.number_field import NumberField
+
+
+@dataclass(frozen=True)
+class Number:
+    """How a number is shown: what stands before it, decimals, step, and what it is for."""
+
+    prefix: str
+    decimals: int
+    step: float
+    tip: str
+
+
+NUMBERS: dict[str, Number] = {
+    "frequency": Number("", 1, 10, "Frequency of the sine"),
+    "low": Number("from ", 0, 10, "Where the sweep begins"),
+    "high": Number("to ", 0, 100, "Where the sweep ends"),
+    "sweep_seconds": Number("in ", 1, 1, "How long the sweep takes"),
+    "f0": Number("f0 ", 0, 5, "Fundamental of the voice"),
+    "F1": Number("F1 ", 0, 10, "First formant"),
+    "F2": Number("F2 ", 0, 20, "Second formant"),
+    "F3": Number("F3 ", 0, 20, "Third formant"),
+    "level": Number("level ", 0, 1, "Level: the highest peak below full scale"),
+}
+FORMANTS = ("F1", "F2", "F3")
+OF_VOWEL = ("f0", *FORMANTS)
+OF_KIND: dict[ToneKind, tuple[str, ...]] = {
+    ToneKind.SINE: ("frequency",),
+    ToneKind.WHITE_NOISE: (),
+    ToneKind.PINK_NOISE: (),
+    ToneKind.SWEEP: ("low", "high", "sweep_seconds"),
+    ToneKind.VOWEL: OF_VOWEL,
+}
+OWN = "own"
+LEAST_RISE = 1.0
+"""A sweep's end lies at least so far above its beginning, Hz."""
+SLIDER_STEPS = 1000
+SPARE = 10
+"""Pixels that a field of the vowel can spare beside its number."""
+ARROW_STEPS, PAGE_STEPS = 10, 100
+"""An arrow key moves the slider by a little over a semitone, a page key by an octave."""
+
+
+class ToneBar(QWidget):
+    """Which tone is heard in place of a sound.
+
+    Signals
+    -------
+    tone_changed : the user chose another `Tone`.
+    """
+
+    tone_changed = Signal(Tone)
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self._tone = Tone()
+        self.kind = _choice("Kind of tone", [(kind.value.replace("_", " "), kind) for kind in ToneKind])
+        self.slider = QSlider(Qt.Orientation.Horizontal)
+        self.unit = QLabel("Hz")
+        self.vowel = _choice("Vowel", [(name, name) for name in (*VOWELS, OWN)])
+        self.numbers = {name: self._number(name) for name in NUMBERS}
+        self._lay_out()
+        self._connect()
+        self.show_tone(self._tone)
+
+    @property
+    def tone(self) -> Tone:
+        """The tone that the controls show."""
+        return self._tone
+
+    def show_tone(self, tone: Tone) -> None:
+        """Show a tone, without a signal."""
+        self._tone = tone
+        self.kind.setCurrentIndex(self.kind.findData(tone.kind))
+        self.vowel.setCurrentIndex(self.vowel.findData(vowel_of(tone.formants) or OWN))
+        with QSignalBlocker(self.slider):
+            self.slider.setValue(_step_of(tone.frequency))
+        for name, box in self.numbers.items():
+            with QSignalBlocker(box):
+                box.setValue(_value_of(tone, name))
+        shown = (*OF_KIND[tone.kind], "level")
+        for name, box in self.numbers.items():
+            box.setVisible(name in shown and _has(tone, name))
+        self.slider.setVisible(tone.kind is ToneKind.SINE)
+        self.vowel.setVisible(tone.kind is ToneKind.VOWEL)
+        self.unit.setVisible(tone.kind is ToneKind.VOWEL)
+
+    def _number(self, name: str) -> NumberField:
+        look = NUMBERS[name]
+        low, high, unit = TONE_LIMITS.get(name, (*FORMANT_LIMITS, "Hz"))
+        box = NumberField()
+        box.setRange(low, high)
+        box.setDecimals(look.decimals)
+        box.setSingleStep(look.step)
+        box.setPrefix(look.prefix)
+        if name in OF_VOWEL:  # they share one unit behind them, so that they fit into the line
+            box.setFixedWidth(box.sizeHint().width() - SPARE)
+        else:
+            box.setSuffix(f" {unit}")
+        box.setKeyboardTracking(False)
+        box.installEventFilter(KeysOfNumbers(box))
+        box.setToolTip(f"{look.tip}, {low:g}..{high:g} {unit}")
+        box.setAccessibleName(look.tip)
+        box.valueChanged.connect(lambda value: self._edit(name, value))
+        return box
+
+    def _lay_out(self) -> None:
+        self.slider.setRange(0, SLIDER_STEPS)
+        self.slider.setSingleStep(ARROW_STEPS)
+        self.slider.setPageStep(PAGE_STEPS)
+        self.slider.setMinimumWidth(120)
+        self.slider.setToolTip("Frequency of the sine: arrow keys by a semitone, page keys by an octave")
+        self.slider.setAccessibleName("Frequency of the sine on a logarithmic scale")
+        self.unit.setStyleSheet(f"color: {self._theme.faint}")
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(6, 3, 6, 3)
+        layout.setSpacing(4)
+        numbers = [box for name, box in self.numbers.items() if name != "level"]
+        row: tuple[QWidget, ...] = (self.kind, self.slider, self.vowel, *numbers, self.unit)
+        for widget in row:
+            layout.addWidget(widget, 1 if widget is self.slider else 0)
+        layout.addStretch()
+        layout.addWidget(self.numbers["level"])
+
+    def _connect(self) -> None:
+        self.kind.activated.connect(self._choose_kind)
+        self.slider.valueChanged.connect(lambda step: self._edit("frequency", _frequency_at(step)))
+        self.vowel.activated.connect(self._choose_vowel)
+
+    def _choose_kind(self, k: int) -> None:
+        self._choose(replace(self._tone, kind=ToneKind(self.kind.itemData(k))))  # Qt gives a plain string back
+
+    def _choose_vowel(self, k: int) -> None:
+        """Take a vowel's formants; to choose its own ones is to change those that are there."""
+        name = self.vowel.itemData(k)
+        if name == OWN:
+            self.numbers["F1"].setFocus()
+            self.numbers["F1"].selectAll()
+        self._choose(replace(self._tone, formants=VOWELS.get(name, self._tone.formants)))
+        self.vowel.setCurrentIndex(k)
+
+    def _edit(self, name: str, value: float) -> None:
+        self._choose(_with(self._tone, name, value))
+
+    def _choose(self, tone: Tone) -> None:
+        if tone != self._tone:
+            self.show_tone(tone)
+            self.tone_changed.emit(tone)
+
+
+def _choice(name: str, items: list[tuple[str, Any]]) -> QComboBox:
+    box = QComboBox()
+    for text, value in items:
+        box.addItem(text, value)
+    box.setToolTip(name)
+    box.setAccessibleName(name)
+    return box
+
+
+def _has(tone: Tone, name: str) -> bool:
+    return name not in FORMANTS or FORMANTS.index(name) < len(tone.formants)
+
+
+def _value_of(tone: Tone, name: str) -> float:
+    if name not in FORMANTS:
+        return float(getattr(tone, name))
+    return tone.formants[FORMANTS.index(name)].frequency if _has(tone, name) else 0.0
+
+
+def _with(tone: Tone, name: str, value: float) -> Tone:
+    """Give the tone with another number; the other end of a sweep gives way to it."""
+    if name in FORMANTS:
+        k = FORMANTS.index(name)
+        formant = replace(tone.formants[k], frequency=value)
+        return replace(tone, formants=(*tone.formants[:k], formant, *tone.formants[k + 1 :]))
+    if name == "low":
+        low = min(value, TONE_LIMITS["high"][1] - LEAST_RISE)
+        return replace(tone, low=low, high=max(tone.high, low + LEAST_RISE))
+    if name == "high":
+        high = max(value, TONE_LIMITS["low"][0] + LEAST_RISE)
+        return replace(tone, high=high, low=min(tone.low, high - LEAST_RISE))
+    number: dict[str, Any] = {name: value}
+    return replace(tone, **number)
+
+
+def _frequency_at(step: int) -> float:
+    """Give the frequency at a place of the slider, Hz, in three figures."""
+    low, high, _ = TONE_LIMITS["frequency"]
+    return float(f"{low * (high / low) ** (step / SLIDER_STEPS):.3g}")
+
+
+def _step_of(frequency: float) -> int:
+    low, high, _ = TONE_LIMITS["frequency"]
+    return round(SLIDER_STEPS * math.log(frequency / low) / math.log(high / low))

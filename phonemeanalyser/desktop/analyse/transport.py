@@ -1,0 +1,229 @@
+"""The bar above the views: source, play, stop, record, loop, volume, and what belongs to the source."""
+
+from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPainter, QResizeEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QSlider,
+    QStackedWidget,
+    QStyle,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from phonemeengine.settings import Channel
+from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, Source
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.analyse.microphone_bar import MicrophoneBar
+from phonemeanalyser.desktop.analyse.record_button import RecordButton
+from phonemeanalyser.desktop.session.position_slider import TimeLine, clock_of
+from phonemeanalyser.desktop.analyse.tone_bar import ToneBar
+
+
+class Pages(QStackedWidget):
+    """Widgets of which one is seen, and needs room."""
+
+    def sizeHint(self) -> QSize:
+        """Ask for what the widget that is seen would like."""
+        seen = self.currentWidget()
+        return seen.sizeHint() if seen else super().sizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for what the widget that is seen needs, and for the height of all."""
+        seen, most = self.currentWidget(), super().minimumSizeHint()
+        return QSize(seen.minimumSizeHint().expandedTo(seen.minimumSize()).width(), most.height()) if seen else most
+
+
+class Transport(QWidget):
+    """The bar above the views: where the sound comes from, what it does, and what belongs to its source.
+
+    Signals
+    -------
+    open_asked : the user wants to open a file.
+    folder_asked : the user wants to choose where recordings go.
+    """
+
+    open_asked = Signal()
+    folder_asked = Signal()
+
+    def __init__(self, session: Session, theme: Theme) -> None:
+        super().__init__()
+        self._session = session
+        self._theme = theme
+        pixmap = QStyle.StandardPixmap
+        self.open = self._button(pixmap.SP_DialogOpenButton, "Open a sound file (Ctrl+O)")
+        self.play = self._button(pixmap.SP_MediaPlay, "Play or pause (Space)")
+        self.stop = self._button(pixmap.SP_MediaStop, "Stop (Escape); a file goes to its beginning")
+        self.record = RecordButton(session, theme)
+        self.loop = self._button(pixmap.SP_BrowserReload, "Begin again at the end (L)")
+        self.source = QComboBox()
+        self.time_line = TimeLine(session, theme)
+        self.microphone = MicrophoneBar(session.microphone, theme)
+        self.tone = ToneBar(theme)
+        self.tone.show_tone(session.tone)
+        self.pages = Pages()
+        self.time = QLabel()
+        self.volume_label, self.channel_label = QLabel("volume"), QLabel("channel")
+        self.volume = QSlider(Qt.Orientation.Horizontal)
+        self.channel = QComboBox()
+        self._rows, self._row = QVBoxLayout(self), QHBoxLayout()
+        self._first = (self.source, self.open, self.play, self.stop, self.record, self.loop)
+        self._last = (self.time, self.volume_label, self.volume, self.channel_label, self.channel)
+        self._lay_out()
+        self._connect()
+        self._show_state()
+
+    def refresh(self) -> None:
+        """Show where the sound is, and how loud the microphone."""
+        session = self._session
+        self.time_line.refresh()
+        if session.source is Source.MICROPHONE:
+            self.microphone.refresh()
+        text = clock_of(session.position, True)
+        if session.source is Source.FILE:
+            text += f" / {clock_of(session.duration, True)}"
+        recording = session.microphone.recording
+        if recording:
+            sign = "●" if session.microphone.listening else "waiting"
+            text = f"{sign} {clock_of(session.microphone.recorded_seconds, True)}"
+        if text != self.time.text():
+            self.time.setText(text)
+            self.time.setStyleSheet(f"color: {self._theme.bad}; font-weight: bold" if recording else "")
+
+    def _button(self, icon: QStyle.StandardPixmap, tip: str) -> QToolButton:
+        button = QToolButton()
+        button.setIcon(tinted_icon(self.style(), icon, self._theme))
+        button.setIconSize(QSize(20, 20))
+        button.setToolTip(tip)
+        button.setAccessibleName(tip)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        return button
+
+    def _lay_out(self) -> None:
+        self.loop.setCheckable(True)
+        self.volume.setRange(int(QUIETEST_DB), 0)
+        self.volume.setFixedWidth(80)
+        self.volume.setAccessibleName("volume")
+        self.channel.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.channel.setToolTip("Which channel of the file is analysed")
+        self.channel.setAccessibleName("channel of the file")
+        for source in Source:
+            self.source.addItem(source.value, source)
+        self.source.setToolTip("Where the sound comes from")
+        self.source.setAccessibleName("source")
+        self.time.setMinimumWidth(112)
+        self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        for page in (self.time_line, self.microphone, self.tone):
+            self.pages.addWidget(page)
+        self._rows.setContentsMargins(6, 3, 6, 3)
+        self._rows.setSpacing(3)
+        self._row.setSpacing(6)
+        for widget in (*self._first, self.pages, *self._last):
+            self._row.addWidget(widget, 1 if widget is self.pages else 0)
+        self._rows.addLayout(self._row)
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for the width of the wider row, when what belongs to the source has one of its own."""
+        width = max(self._width_of(*self._first, *self._last), self._width_of(self.pages))
+        return QSize(width, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Give what belongs to the source a row of its own where one row has no room for all."""
+        super().resizeEvent(event)
+        self._wrap()
+
+    def event(self, event: QEvent) -> bool:
+        """Look anew whether one row is enough when something in it needs more room, or less."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._wrap()
+        return super().event(event)
+
+    def _wrap(self) -> None:
+        wrapped = self.width() < self._width_of(*self._first, self.pages, *self._last)
+        if wrapped and self._rows.indexOf(self.pages) < 0:
+            self._row.removeWidget(self.pages)
+            self._rows.addWidget(self.pages)
+        elif not wrapped and self._rows.indexOf(self.pages) >= 0:
+            self._rows.removeWidget(self.pages)
+            self._row.insertWidget(len(self._first), self.pages, 1)
+
+    def _width_of(self, *widgets: QWidget) -> int:
+        seen = [w for w in widgets if not w.isHidden()]
+        margins = self._rows.contentsMargins()
+        needed = sum(max(w.minimumSizeHint().width(), w.minimumWidth()) for w in seen)
+        return needed + (len(seen) - 1) * self._row.spacing() + margins.left() + margins.right()
+
+    def _connect(self) -> None:
+        session = self._session
+        self.open.clicked.connect(self.open_asked)
+        self.play.clicked.connect(session.toggle)
+        self.stop.clicked.connect(session.stop)
+        self.record.clicked.connect(session.toggle_recording)
+        self.record.folder_asked.connect(self.folder_asked)
+        self.loop.toggled.connect(session.set_loop)
+        self.source.activated.connect(lambda k: session.set_source(Source(self.source.itemData(k))))
+        self.time_line.sought.connect(session.seek)
+        self.tone.tone_changed.connect(session.set_tone)
+        self.volume.valueChanged.connect(session.set_volume)
+        self.channel.activated.connect(lambda k: session.set_channel(Channel(str(k))))
+        session.transport_changed.connect(self._show_state)
+        session.opened.connect(self._show_state)
+        session.microphone.changed.connect(self._show_state)
+
+    def _show_state(self) -> None:
+        session = self._session
+        icon = QStyle.StandardPixmap.SP_MediaPause if session.playing else QStyle.StandardPixmap.SP_MediaPlay
+        self.play.setIcon(tinted_icon(self.style(), icon, self._theme))
+        tip = "Listen, or let the microphone go" if session.source is Source.MICROPHONE else "Play or pause"
+        self.play.setToolTip(f"{tip} (Space)")
+        self.volume.setToolTip(f"Volume {session.volume:.0f} dB" if session.volume > QUIETEST_DB else "Silent")
+        with QSignalBlocker(self.volume), QSignalBlocker(self.loop):
+            self.volume.setValue(round(session.volume))
+            self.loop.setChecked(session.loop)
+        self._show_channels()
+        self.source.setCurrentIndex(self.source.findData(session.source))
+        self.record.show_state()
+        self._show_page()
+        self.time_line.update()
+        self.refresh()
+
+    def _show_channels(self) -> None:
+        """Offer the channels of the file, and the mix of them where there are several."""
+        n = self._session.n_channels
+        names = {1: ["mono"], 2: ["mix", "left", "right"]}
+        texts = names.get(n) or ["mix", *(str(number) for number in range(1, n + 1))]
+        if texts != [self.channel.itemText(k) for k in range(self.channel.count())]:
+            self.channel.clear()
+            self.channel.addItems(texts)
+        self.channel.setCurrentIndex(self._session.channel.number if n > 1 else 0)
+        self.channel.setEnabled(n > 1)
+
+    def _show_page(self) -> None:
+        """Show the controls of the source in use."""
+        source = self._session.source
+        pages: dict[Source, QWidget] = {
+            Source.FILE: self.time_line, Source.MICROPHONE: self.microphone, Source.TONE: self.tone
+        }  # fmt: skip
+        self.pages.setCurrentWidget(pages[source])
+        self.pages.updateGeometry()
+        of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
+        for widget in of_file:
+            widget.setVisible(source is Source.FILE)
+        for widget in (self.volume_label, self.volume):
+            widget.setVisible(source is not Source.MICROPHONE)
+        needing_a_file: tuple[QWidget, ...] = (self.play, self.stop, self.time_line)
+        for widget in needing_a_file:
+            widget.setEnabled(source is not Source.FILE or self._session.path is not None)
+
+
+def tinted_icon(style: QStyle, icon: QStyle.StandardPixmap, theme: Theme) -> QIcon:
+    """Give a standard icon in the theme's text colour."""
+    pixmap = style.standardIcon(icon).pixmap(20, 20)
+    painter = QPainter(pixmap)
+    painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
+    painter.fillRect(pixmap.rect(), QColor(theme.text))
+    painter.end()
+    return QIcon(pixmap)

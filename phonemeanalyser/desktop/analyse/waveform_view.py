@@ -1,0 +1,73 @@
+"""The newest analysed window, after the filters of the time domain."""
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QSlider
+
+from phonemeengine.settings import SAMPLE_RATE, WINDOW
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, switch
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+
+COARSE = 8
+"""Samples that share a bar of the coarse display."""
+LENGTH_MS = 1000 * WINDOW / SAMPLE_RATE
+
+
+class WaveformView(Plot):
+    """Draws a window, fine (every sample) or coarse (lowest and highest of eight); the slider enlarges it."""
+
+    def __init__(self, theme: Theme) -> None:
+        tip = "The newest window of 46.4 ms, after the filters of the time domain; full scale is ±1"
+        super().__init__("Waveform", tip, (("time in the window", "ms"), ("amplitude", "")), self._describe, theme)
+        self.menu = PlotMenu(self.graphics, "waveform", lambda _at: table_of(self._columns()), self.reset_zoom)
+        self._wave = np.zeros(0, np.float32)
+        self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
+        self.item.addItem(self._curve)
+        self.coarse = switch("coarse", "Coarse display: lowest and highest of eight neighbouring samples")
+        self.scale = QSlider(Qt.Orientation.Horizontal)
+        self._add_controls()
+        self.reset_zoom()
+        self.item.vb.setLimits(xMin=0, xMax=LENGTH_MS, yMin=-1.1, yMax=1.1)
+
+    def draw(self, wave: NDArray[np.float32]) -> None:
+        """Draw a window, shape (n_samples,), full scale ±1; it always spans 46.4 ms."""
+        self._wave = wave
+        y = wave
+        if self.coarse.isChecked() and len(y):
+            groups = y.reshape(-1, COARSE)
+            y = np.stack((groups.min(axis=1), groups.max(axis=1)), axis=1).ravel()
+        self._curve.setData(np.linspace(0, LENGTH_MS, len(y), endpoint=False), y, skipFiniteCheck=True)
+        self.refresh_read_out()
+
+    def clear(self) -> None:
+        """Draw nothing."""
+        self.draw(np.zeros(0, np.float32))
+
+    def _add_controls(self) -> None:
+        self.scale.setRange(0, 40)
+        self.scale.setFixedWidth(70)
+        self.scale.setToolTip("Vertical scale: enlarges quiet sound, in dB")
+        self.header.addWidget(self.coarse)
+        self.header.addWidget(QLabel("scale"))
+        self.header.addWidget(self.scale)
+        self.coarse.toggled.connect(lambda _on: self.draw(self._wave))
+        self.scale.valueChanged.connect(lambda _value: self.reset_zoom())
+
+    def reset_zoom(self) -> None:
+        """Show the whole window, as high as the vertical scale says."""
+        half = 1.05 * 10 ** (-self.scale.value() / 20)
+        self.item.setXRange(0, LENGTH_MS, padding=0)
+        self.item.setYRange(-half, half, padding=0)
+
+    def _columns(self) -> dict[str, NDArray[np.floating]]:
+        """Give what is drawn as columns, each under its name and unit."""
+        times = np.linspace(0, LENGTH_MS, len(self._wave), endpoint=False)
+        return {"time in the window (ms)": times, "amplitude (full scale 1)": self._wave}
+
+    def _describe(self, milliseconds: float, _height: float) -> str:
+        k = int(milliseconds / LENGTH_MS * len(self._wave))
+        value = f"   {self._wave[k]:+.4f}" if 0 <= k < len(self._wave) else ""
+        return f"{milliseconds:.1f} ms{value}"

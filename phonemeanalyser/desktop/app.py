@@ -1,0 +1,245 @@
+"""The desktop program: the only place where its objects are made and joined."""
+
+import logging
+import sys
+import tempfile
+import traceback
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from types import TracebackType
+
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QLocale,
+    QMessageLogContext,
+    QObject,
+    QSettings,
+    QStandardPaths,
+    QTimer,
+    QtMsgType,
+    Signal,
+    qInstallMessageHandler,
+)
+from PySide6.QtGui import QSurfaceFormat
+from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
+
+from phonemeengine.audio.output import ClockOutput, Output, open_output
+from phonemeengine.errors import EngineError
+from phonemeengine.settings import Channel
+from phonemeanalyser.desktop.garbage import WindowThreadCollector
+from phonemeanalyser.desktop.shutdown import Keeper
+from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.desktop.calibrate.model import Calibration
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme, apply_theme, system_theme
+
+AFTER_PAINTING_MS = 20
+"""The window is to be seen before the sound card is awake."""
+THEMES = {"light": LIGHT, "dark": DARK}
+
+
+class Desktop:
+    """The window with its models; makes the window anew when the theme changes.
+
+    Parameters
+    ----------
+    app : Qt's application.
+    settings : where layout and choices are kept between starts.
+    open_device : opens what is played on.
+    microphone : what is listened to; the system's, unless another is given.
+    preset : what is tuned; the default preset, unless another is given.
+    """
+
+    def __init__(
+        self, app: QApplication, settings: QSettings, open_device: Callable[[int], Output] = open_output,
+        microphone: Microphone | None = None, preset: PresetModel | None = None,
+    ) -> None:  # fmt: skip
+        QLocale.setDefault(QLocale.c())  # one decimal sign everywhere, the point, as in all our files
+        self._app = app
+        self._settings = settings
+        self.preset = preset or PresetModel()
+        self.session = Session(self.preset, open_device, microphone)
+        self.calibration = Calibration(self.session, self.preset)
+        self.talking = Talking(self.session)
+        self.window = self._make_window()
+        self.window.talking_dialogs.restore()
+        self._scheme = app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
+
+    def close(self) -> None:
+        """Let sound, window and system go, each before what it listens to; unsaved changes are not asked for."""
+        self._app.styleHints().colorSchemeChanged.disconnect(self._scheme)
+        self.session.close()
+        self.calibration.close()
+        self.talking.close()
+        self.window.retire()
+        for model in (self.talking, self.calibration, self.session, self.preset):
+            model.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # in this order; no event loop runs now
+        self._settings.sync()
+
+    def save(self) -> None:
+        """Keep layout and choices for the next start, on the disk."""
+        self.window.save_state()
+        self._settings.sync()
+
+    @property
+    def theme(self) -> Theme:
+        """The look that the user chose, or the system's."""
+        return THEMES.get(str(self._settings.value("theme", "system")), system_theme())
+
+    def set_theme(self, name: str) -> None:
+        """Choose ``light``, ``dark`` or ``system``."""
+        self._settings.setValue("theme", name)
+        old = self.window
+        old.save_state()
+        self.window = self._make_window()
+        self.window.show()  # which lays the docks out, before a page without them is shown
+        self.window.look_like(old)
+        old.retire()
+
+    def _make_window(self) -> MainWindow:
+        apply_theme(self._app, self.theme)
+        window = MainWindow(self.session, self.preset, self.theme, self._settings, self.calibration, self.talking)
+        window.theme_asked.connect(self.set_theme)
+        return window
+
+    def _follow_system(self) -> None:
+        if str(self._settings.value("theme", "system")) == "system" and self.window.theme != system_theme():
+            self.set_theme("system")
+
+
+class FirstPaint(QObject):
+    """Waits until a window is seen.
+
+    Signals
+    -------
+    painted : the window has been painted, a moment ago, for the first time.
+    """
+
+    painted = Signal()
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        window.installEventFilter(self)
+
+    def eventFilter(self, window: QObject, event: QEvent) -> bool:
+        """Look for the first event of that kind."""
+        if event.type() == QEvent.Type.Paint:
+            window.removeEventFilter(self)
+            QTimer.singleShot(AFTER_PAINTING_MS, self.painted.emit)
+        return False
+
+
+def make_application() -> QApplication:
+    """Make Qt's application, or give the one that is there."""
+    app = QApplication.instance()
+    if isinstance(app, QApplication):
+        return app
+    form = QSurfaceFormat()  # some systems want to know the version of OpenGL before there is any window
+    form.setVersion(3, 3)
+    form.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
+    QSurfaceFormat.setDefaultFormat(form)
+    app = QApplication(sys.argv[:1])
+    app.setApplicationName("PhonemeAnalyser")
+    app.setOrganizationName("PhonemeAnalyser")
+    return app
+
+
+def run(file: Path | None, demo: Path, preset: Path | None = None, channel: Channel | None = None) -> int:
+    """Open the window on a file, or on the last one, or on the demo; returns the exit code when it is closed."""
+    app = make_application()
+    sys.excepthook = _report_bug
+    settings, collector = QSettings(), WindowThreadCollector()
+    desktop = Desktop(app, settings)
+    dialogs, unsaved = desktop.window.dialogs, UnsavedChanges(desktop.preset, _data_folder(), settings)
+    keeper = Keeper(app, desktop.save, unsaved)
+    dialogs.restore_preset()
+    dialogs.take_up_unsaved(unsaved)
+    if preset is not None:
+        dialogs.load_preset(preset)
+    begin = partial(_begin, desktop, file or dialogs.last_sound() or demo, channel)
+    FirstPaint(desktop.window).painted.connect(begin)
+    desktop.window.show()  # which lays the docks out, before a page without them is shown
+    desktop.window.show_last_page()
+    code = app.exec()
+    keeper.close()
+    desktop.close()
+    collector.close()
+    return code
+
+
+def _data_folder() -> Path:
+    return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
+
+
+def _begin(desktop: Desktop, file: Path, channel: Channel | None) -> None:
+    desktop.window.dialogs.open_sound(file)
+    if channel is not None:
+        desktop.session.set_channel(channel)
+    desktop.window.dialogs.offer_unfinished()
+
+
+def screenshot(
+    file: Path, out: Path, *, at: float | None, size: tuple[int, int], theme: str, preset: Path | None,
+    channel: Channel,
+) -> None:  # fmt: skip
+    """Save a picture of the window, with a file analysed up to a time (seconds; None means its end).
+
+    Raises
+    ------
+    EngineError : the sound or the preset cannot be read, or the picture cannot be written.
+    """
+    app = make_application()
+    qInstallMessageHandler(_pass_message)
+    with tempfile.TemporaryDirectory() as folder:
+        settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
+        settings.setValue("theme", theme)
+        desktop = Desktop(app, settings, lambda _n: ClockOutput())
+        try:
+            if preset is not None:
+                desktop.preset.load(preset)
+            desktop.window.resize(*size)
+            desktop.window.show()
+            _follow(desktop.session, file, at, channel)
+            desktop.window.drawing.refresh_all()
+            app.processEvents()
+            saved = desktop.window.grab().save(str(out), "PNG")
+        finally:
+            desktop.close()
+    if not saved:
+        raise EngineError(f"{out}: the picture cannot be written; choose another place with -o")
+
+
+def _follow(session: Session, file: Path, at: float | None, channel: Channel) -> None:
+    failures: list[str] = []
+    session.failed.connect(failures.append)
+    if session.open(file):
+        session.set_channel(channel)
+    if failures:
+        raise EngineError(failures[0])
+    session.follow(session.duration if at is None else at)
+
+
+def _pass_message(_kind: QtMsgType, _context: QMessageLogContext, message: str) -> None:
+    """Pass Qt's messages on, but for one that every window makes that is not on a screen."""
+    if "propagateSizeHints" not in message:
+        print(message, file=sys.stderr)
+
+
+def _report_bug(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+    """Write a bug to the log, and show one dialog however often it comes."""
+    folder = _data_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    log = folder / "phonemeanalyser.log"
+    logging.basicConfig(filename=log, format="%(asctime)s %(message)s")
+    logging.error("".join(traceback.format_exception(kind, error, trace)))
+    if QApplication.activeModalWidget() is None:
+        QMessageBox.critical(
+            None, "PhonemeAnalyser", f"Something went wrong in the program itself; the details are in {log}."
+        )

@@ -1,0 +1,254 @@
+"""The workbench of the takes and recordings at hand: measured in the background, asked at once."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import Signal
+
+from phonemeengine.calibration.workbench.distributions import Distribution, RankedVariable, distribution_of, ranked_variables
+from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
+from phonemeengine.progress import Heed
+from phonemeengine.calibration.scores.confusion import Confusion, Passage
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.errors import EngineError
+from phonemeengine.features.variables import DEFICITS, Variable
+from phonemeengine.phonemes import Phoneme
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.background_model import Workplace
+
+Pair = tuple[Phoneme, Phoneme | None]
+
+
+@dataclass(frozen=True)
+class Line:
+    """A threshold that is drawn into a distribution, and can be moved.
+
+    Attributes
+    ----------
+    name : the control's.
+    label : what it is called where it is drawn.
+    sign : the comparison with it, ``<`` or ``>``.
+    value : where it lies.
+    """
+
+    name: str
+    label: str
+    sign: str
+    value: float
+
+
+class BenchModel(Workplace):
+    """Measures what is loaded, and follows the preset: what a threshold changes is known at the next `see`.
+
+    It is busy while recordings are being measured.
+
+    Signals
+    -------
+    measured : another workbench is there, or none.
+    confusion_changed : the answers are others.
+    distribution_changed : the distribution of the chosen variable, or the ranking, is another.
+    suggested : variables were found that are worth adding, or none.
+    """
+
+    measured = Signal()
+    confusion_changed = Signal()
+    distribution_changed = Signal()
+    suggested = Signal()
+
+    def __init__(self, preset: PresetModel) -> None:
+        super().__init__()
+        self.workbench: Workbench | None = None
+        self.confusion: Confusion | None = None
+        self.distribution: Distribution | None = None
+        self.ranking: tuple[RankedVariable, ...] = ()
+        self.suggestions: tuple[Suggestion, ...] = ()
+        self.preview: Suggestion | None = None
+        self.variable = "m_szsch1"
+        self._preset = preset
+        self._utterances: tuple[Utterance, ...] = ()
+        self._stale = False
+        self._ranked_for: Workbench | None = None
+        self._looked_with: Mapping[Phoneme, float] = {}
+        self._measuring, self._looking, self._searching = self._room(), self._room(), self._room()
+        preset.changed.connect(self._follow_preset)
+
+    # -- what there is ------------------------------------------------------------------------------------
+
+    @property
+    def searching(self) -> bool:
+        """Whether variables are being searched for."""
+        return self._searching.busy
+
+    @property
+    def search_share(self) -> float:
+        """How much of the search is done, 0..1."""
+        return self._searching.share
+
+    @property
+    def utterances(self) -> tuple[Utterance, ...]:
+        """The recordings that are measured, or are being."""
+        return self._utterances
+
+    @property
+    def shown(self) -> Distribution | None:
+        """The distribution of the suggestion that is looked at, or of the chosen variable."""
+        return self.distribution if self.preview is None else self.preview.distribution
+
+    @property
+    def own_variables(self) -> tuple[Variable, ...]:
+        """The user's own variables."""
+        return self._preset.preset.variables
+
+    @property
+    def recogniser(self) -> str:
+        """The name of the recogniser in use."""
+        return self._preset.preset.recogniser
+
+    def lines(self) -> list[Line]:
+        """Return what tunes the recogniser on the chosen variable; a suggestion has nothing of the kind yet."""
+        if self.preview is not None:
+            return []
+        preset, controls = self._preset.preset, self._preset.controls.values()
+        mine = (c for c in controls if c.variable == self.variable)
+        return [Line(c.name, c.label if c.places else c.name, c.sign, c.read(preset)) for c in mine]
+
+    def move(self, line: Line, value: float) -> None:
+        """Move a threshold, a limit or a sensitivity."""
+        self._preset.tune(line.name, float(f"{value:.4g}"))
+
+    def end_move(self) -> None:
+        """End a drag: undo takes it back as a whole."""
+        self._preset.end_edit()
+
+    def passages(self, truth: Phoneme, answer: Phoneme) -> list[Passage]:
+        """Give the stretches of a cell of the confusion matrix, the longest first."""
+        found = self.confusion.frames_in(truth, answer) if self.confusion else ()
+        return sorted(found, key=lambda p: p.start - p.end)
+
+    # -- what is asked ------------------------------------------------------------------------------------
+
+    def load(self, utterances: tuple[Utterance, ...]) -> None:
+        """Measure these recordings; what was measured before is not measured again."""
+        self._utterances = utterances
+        self._measure()
+
+    def choose(self, variable: str) -> None:
+        """Show the distribution of another variable."""
+        self.variable, self.preview = variable, None
+        self._look()
+
+    def look_at(self, suggestion: Suggestion | None) -> None:
+        """Show the distribution of a variable that is suggested, before it is added."""
+        self.preview = suggestion
+        self.distribution_changed.emit()
+
+    def suggest(self, one: Phoneme, other: Phoneme | None) -> None:
+        """Search for variables that part two phonemes, or one from all others."""
+        bench, preset = self.workbench, self._preset.in_force
+        if bench is None:
+            self.failed.emit("There is nothing to search in yet; record takes or load labelled recordings first.")
+            return
+        self._searching.instead(
+            lambda heed: suggested_variables(bench, preset, one, other, heed), self._take_suggestions
+        )
+
+    def cancel_search(self) -> None:
+        """End the search for variables."""
+        self._searching.cancel()
+
+    def see(self) -> None:
+        """Take note of what was measured, and answer anew where the preset is another."""
+        super().see()
+        if self._stale:
+            self._stale = False
+            self._answer()
+
+    # -- the work -----------------------------------------------------------------------------------------
+
+    def _follow_preset(self) -> None:
+        if self.workbench is not None and self._must_measure():
+            self._measure()
+        elif self._others_sensitivities() != self._looked_with:
+            self._look()
+        self._stale = True
+
+    def _must_measure(self) -> bool:
+        try:
+            return self.workbench is not None and self.workbench.needs_measuring(self._preset.in_force)
+        except EngineError:
+            return False
+
+    def _measure(self) -> None:
+        utterances, preset, known = self._utterances, self._preset.in_force, self.workbench
+        if not utterances:
+            self._measuring.cancel()
+            self._take_up(None)
+            return
+        self._measuring.instead(lambda heed: Workbench(utterances, preset, known=known, heed=heed), self._take_up)
+
+    def _take_up(self, workbench: Workbench | None) -> None:
+        self.workbench = workbench
+        if self.preview is not None and (workbench is None or self.preview.variable.name in workbench.variables):
+            self.variable, self.preview = self.preview.variable.name, None
+        self._stale = True
+        self.measured.emit()
+        self._look()
+
+    def _answer(self) -> None:
+        if self.workbench is None:
+            self.confusion = None
+        elif self._must_measure():
+            return
+        else:
+            try:
+                self.confusion = self.workbench.confusion(self._preset.in_force)
+            except EngineError as error:
+                self.failed.emit(str(error))
+                return
+        self.confusion_changed.emit()
+
+    def _look(self) -> None:
+        bench, variable = self.workbench, self.variable
+        if bench is None or not bool(np.any(bench.labels.certain)):
+            self.distribution, self.ranking = None, ()
+            self.distribution_changed.emit()
+            return
+        if variable not in bench.variables:
+            variable = self.variable = bench.variables[0]
+        ranking = self.ranking if self._ranked_for is bench else ()
+        sensitivities = self._looked_with = self._others_sensitivities()
+        self._looking.instead(
+            lambda heed: _looked_at(bench, variable, sensitivities, ranking, heed),
+            lambda found: self._take_look(bench, found),
+        )
+
+    def _others_sensitivities(self) -> Mapping[Phoneme, float]:
+        """Return the sensitivities of which a deficit's distribution depends: those of the other phonemes."""
+        if self.variable not in DEFICITS:
+            return {}
+        own = Phoneme(DEFICITS.index(self.variable))
+        return {p: s for p, s in self._preset.in_force.sensitivities.items() if p is not own}
+
+    def _take_look(self, bench: Workbench, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
+        self.distribution, self.ranking = found
+        self._ranked_for = bench
+        self.distribution_changed.emit()
+
+    def _take_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
+        self.suggestions = suggestions
+        self.look_at(suggestions[0] if suggestions else None)
+        self.suggested.emit()
+        if not suggestions:
+            self.failed.emit("No frequency range parts these two; record more takes of them, or choose another pair.")
+
+
+def _looked_at(
+    bench: Workbench,
+    variable: str,
+    sensitivities: Mapping[Phoneme, float],
+    ranking: tuple[RankedVariable, ...],
+    heed: Heed,
+) -> tuple[Distribution, tuple[RankedVariable, ...]]:
+    return distribution_of(bench, variable, sensitivities), ranking or ranked_variables(bench, heed=heed)

@@ -1,0 +1,186 @@
+"""The confusion matrix: what was said, and what it was taken for."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from phonemeengine.calibration.scores.scoring import TEN, Counts
+from phonemeengine.phonemes import Phoneme
+from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, write
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+
+LEFT, TOP = 62, 34
+SAID, TAKEN = TEN, (*TEN, Phoneme.UNIDENTIFIED)
+SHORT = {Phoneme.UNIDENTIFIED: "?", Phoneme.SILENCE: "sil."}
+WIDE, TALL = 58, 27
+"""Pixels from which on a cell has room for the count beside the percentage, or below it; else its tip tells it."""
+
+
+class ConfusionView(QWidget):
+    """A row for each sound that was said, a column for what it was taken for, in percent of the row.
+
+    Signals
+    -------
+    chosen : what was said, and what it was taken for.
+    """
+
+    chosen = Signal(int, int)
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self.counts: Counts | None = None
+        self.difference: Counts | None = None
+        self.cell: tuple[int, int] | None = None
+        self.setMinimumSize(LEFT + 11 * 32, TOP + 10 * 17)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName("confusion matrix")
+        self.menu = PlotMenu(self, "confusion matrix", lambda _at: table_of(self._columns()))
+
+    def show_counts(self, counts: Counts | None, against: Counts | None = None) -> None:
+        """Show frames by label (row) and answer (column); with others, how much more of each row these are."""
+        self.counts, self.difference = counts, against
+        self.update()
+
+    def share(self, row: int, column: int) -> float:
+        """Give what a cell shows: percent of its row, or how many more than those it is compared with."""
+        other = _share(self.difference, row, column) if self.difference is not None else 0.0
+        return _share(self.counts, row, column) - other
+
+    def cell_rect(self, row: int, column: int) -> QRectF:
+        """Give where a cell lies."""
+        width, height = (self.width() - LEFT - 2) / len(TAKEN), (self.height() - TOP - 2) / len(SAID)
+        return QRectF(LEFT + column * width, TOP + row * height, width, height)
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint headings and cells."""
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(self._theme.base))
+        write(painter, QRectF(LEFT, 1, self.width() - LEFT, 15), "recognised as →", self._theme.faint, 10, CENTRED)
+        write(painter, QRectF(6, TOP - 17, LEFT, 15), "said ↓", self._theme.faint, 10, Qt.AlignmentFlag.AlignLeft)
+        for column, phoneme in enumerate(TAKEN):
+            box = self.cell_rect(0, column)
+            heading = QRectF(box.left(), TOP - 18, box.width(), 16)
+            write(painter, heading, SHORT.get(phoneme, phoneme.label), self._theme.text, 12, CENTRED)
+        for row, phoneme in enumerate(SAID):
+            box = self.cell_rect(row, 0)
+            place = QRectF(6, box.top(), LEFT - 10, box.height())
+            write(painter, place, phoneme.label, self._theme.text, 12)
+            for column in range(len(TAKEN)):
+                self._paint_cell(painter, row, column)
+        if self.cell is not None:
+            painter.setPen(QPen(QColor(self._theme.text), 2))
+            painter.drawRect(self.cell_rect(*self.cell).adjusted(1, 1, -1, -1))
+
+    def _columns(self) -> dict[str, Sequence[object]]:
+        """Give the frames by what was said (row) and what they were taken for (column)."""
+        if self.counts is None:
+            return {}
+        counts = self.counts
+        answers: dict[str, Sequence[object]] = {
+            f"recognised as {p.label} (frames of 10 ms)": [int(counts[said, p]) for said in SAID] for p in TAKEN
+        }
+        return {"said": [said.label for said in SAID], **answers}
+
+    def _paint_cell(self, painter: QPainter, row: int, column: int) -> None:
+        box = self.cell_rect(row, column).adjusted(0.5, 0.5, -0.5, -0.5)
+        if self.counts is None or not self.counts[SAID[row]].sum():
+            painter.fillRect(box, QColor(self._theme.window))
+            return
+        share, right = self.share(row, column), SAID[row] is TAKEN[column]
+        good = right if self.difference is None else (share > 0) == right
+        strength = min(1.0, abs(share) if self.difference is None else 2 * abs(share))
+        fill = _blend(self._theme.raised, self._theme.good if good else self._theme.bad, strength**0.6 * 0.85)
+        painter.fillRect(box, fill)
+        count = int(self.counts[SAID[row], TAKEN[column]])
+        if not count and abs(share) < 0.0005:
+            return
+        colour = "#000000" if _light(fill) > 0.18 else "#ffffff"
+        percent = f"{100 * share:.0f}" if self.difference is None else f"{100 * share:+.0f}"
+        if self.difference is None and box.height() >= TALL:
+            upper, lower = box.adjusted(0, 1, 0, -box.height() / 2 + 3), box.adjusted(0, box.height() / 2 - 2, 0, 0)
+            write(painter, upper, f"{percent} %", colour, 12, CENTRED)
+            write(painter, lower, str(count), colour, 9, CENTRED)
+        elif self.difference is None and box.width() >= WIDE:
+            write(painter, box.adjusted(4, 0, 0, 0), f"{percent} %", colour, 11)
+            write(painter, box.adjusted(0, 0, -3, 0), str(count), colour, 8, AT_RIGHT)
+        else:
+            write(painter, box, percent if percent not in {"0", "+0", "-0"} else "·", colour, 11, CENTRED)
+
+    # -- choosing -----------------------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Choose a cell."""
+        found = self._cell_at(event.position().x(), event.position().y())
+        if found is not None and event.button() == Qt.MouseButton.LeftButton:
+            self._choose(*found)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Choose the cell beside."""
+        steps = {
+            Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1), Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0)
+        }  # fmt: skip
+        if event.key() not in steps:
+            super().keyPressEvent(event)
+            return
+        row, column = self.cell or (0, 0)
+        down, right = steps[Qt.Key(event.key())]
+        self._choose(min(max(row + down, 0), len(SAID) - 1), min(max(column + right, 0), len(TAKEN) - 1))
+
+    def event(self, event: Any) -> bool:
+        """Tell what a cell holds when the mouse rests on it."""
+        if isinstance(event, QHelpEvent):
+            found = self._cell_at(event.pos().x(), event.pos().y())
+            if found is not None and self.counts is not None:
+                QToolTip.showText(event.globalPos(), self.words_of(*found), self)
+                return True
+        return super().event(event)
+
+    def phonemes_of(self, cell: tuple[int, int]) -> tuple[Phoneme, Phoneme]:
+        """Give what was said and what it was taken for."""
+        return SAID[cell[0]], TAKEN[cell[1]]
+
+    def words_of(self, row: int, column: int) -> str:
+        """Say what a cell holds."""
+        count = int(self.counts[SAID[row], TAKEN[column]]) if self.counts is not None else 0
+        share = _share(self.counts, row, column)
+        taken = TAKEN[column].label
+        said = SAID[row].label
+        return f"{said} recognised as {taken}: {count} frames of 10 ms, {share:.1%} of {said}"
+
+    def _choose(self, row: int, column: int) -> None:
+        self.cell = row, column
+        self.update()
+        self.chosen.emit(int(SAID[row]), int(TAKEN[column]))
+
+    def _cell_at(self, x: float, y: float) -> tuple[int, int] | None:
+        for row in range(len(SAID)):
+            for column in range(len(TAKEN)):
+                if self.cell_rect(row, column).contains(x, y):
+                    return row, column
+        return None
+
+
+def _share(counts: Counts | None, row: int, column: int) -> float:
+    if counts is None:
+        return 0.0
+    of_row = counts[SAID[row]]
+    return float(of_row[TAKEN[column]] / max(1, int(np.sum(of_row))))
+
+
+def _blend(one: str, other: str, share: float) -> QColor:
+    a, b = QColor(one), QColor(other)
+    pairs = ((a.red(), b.red()), (a.green(), b.green()), (a.blue(), b.blue()))
+    return QColor(*(round(p + share * (q - p)) for p, q in pairs))
+
+
+def _light(colour: QColor) -> float:
+    """Give the relative luminance, 0..1, on which it depends whether black or white is read better."""
+    weights = ((0.2126, colour.redF()), (0.7152, colour.greenF()), (0.0722, colour.blueF()))
+    return float(sum(weight * amount**2.2 for weight, amount in weights))

@@ -1,0 +1,69 @@
+"""Figures of agreement side by side."""
+
+import math
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
+
+from phonemeengine.calibration.scores.scoring import Scores
+from phonemeanalyser.desktop.theme import Theme
+
+ROWS: tuple[tuple[str, str, bool, str], ...] = (
+    ("macro F1, ten sounds", "ten_f1", True, "The mean F1 of the ten sounds: no figure hides a rare one"),
+    ("frames right, ten sounds", "ten_acc", True, "Share of frames that are right"),
+    ("clear vowels right", "vowel5", True, "Share of frames of a, e, i, o and u that are right"),
+    ("mouth shapes right", "mouth_acc", True, "Share of frames with the right one of six mouth shapes"),
+    ("silence found", "silence_recall", True, "Share of silent frames that are called silence"),
+    ("speech called silence", "false_silence", False, "Share of spoken frames that are called silence"),
+    ("changes per second", "changes_per_s", False, "How often the answer changes: flicker, where labels change less"),
+)
+"""Heading, name of the figure, whether more is better, and what it means."""
+
+
+class FiguresTable(QTableWidget):
+    """A row for each figure, a column for each that is compared."""
+
+    def __init__(self, columns: Sequence[str], theme: Theme) -> None:
+        super().__init__(len(ROWS), len(columns))
+        self._theme = theme
+        self.setVerticalHeaderLabels([heading for heading, _, _, _ in ROWS])
+        self.set_columns(columns)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        self.horizontalHeader().setHighlightSections(False)
+        self.verticalHeader().setDefaultSectionSize(22)
+        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        for row, (_, _, _, tip) in enumerate(ROWS):
+            self.model().setHeaderData(row, Qt.Orientation.Vertical, tip, Qt.ItemDataRole.ToolTipRole)
+
+    def set_columns(self, names: Sequence[str]) -> None:
+        """Name what is compared."""
+        self.setColumnCount(len(names))
+        self.setHorizontalHeaderLabels(list(names))
+
+    def show_scores(self, scores: Sequence[Scores | None]) -> None:
+        """Show figures; those after the first are coloured by whether they are better than it."""
+        for row, (_, name, more_is_better, _) in enumerate(ROWS):
+            for column, found in enumerate(scores):
+                value = float(getattr(found, name)) if found is not None else math.nan
+                item = QTableWidgetItem(words_of(name, value))
+                item.setTextAlignment(Qt.AlignmentFlag.AlignCenter)
+                first = scores[0]
+                if column and first is not None and not math.isnan(value):
+                    gain = (value - float(getattr(first, name))) * (1 if more_is_better else -1)
+                    colour = (
+                        self._theme.good if gain > 5e-4 else self._theme.bad if gain < -5e-4 else self._theme.text
+                    )
+                    item.setForeground(QColor(colour))
+                self.setItem(row, column, item)
+
+
+def words_of(name: str, value: float) -> str:
+    """Write a figure: shares in percent, rates as they are."""
+    if math.isnan(value):
+        return "–"
+    return f"{value:.1f}" if name.endswith("per_s") else f"{value:.1%}"

@@ -1,0 +1,172 @@
+"""The fit of thresholds or limits to what is loaded, and a second preset to compare with."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import Signal
+
+from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.calibration.fits.fitting import FITTED, FitReport, fit_preset
+from phonemeengine.progress import Heed, part_of
+from phonemeengine.calibration.scores.comparison import Comparison, compare
+from phonemeengine.calibration.scores.confusion import Confusion
+from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance
+from phonemeengine.calibration.scores.evaluation import Answers, CorpusScores, group_scores_of
+from phonemeengine.errors import EngineError
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.background_model import Workplace
+
+MOST_STRETCHES = 200
+"""Stretches that are listed of each preset."""
+
+
+class FitModel(Workplace):
+    """Fits in the background; what was found is accepted or refused.
+
+    Signals
+    -------
+    changed : it began, ended, was accepted or refused.
+    """
+
+    changed = Signal()
+
+    def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
+        super().__init__()
+        self.report: FitReport | None = None
+        self._preset = preset
+        self._bench = bench
+        self._work = self._room(self._refuse)
+
+    @property
+    def why_not(self) -> str:
+        """Why nothing can be fitted now, as a sentence; nothing where it can."""
+        recogniser = self._preset.preset.recogniser
+        if recogniser not in FITTED:
+            return f"The recogniser {recogniser} has no thresholds; the guided calibration teaches it your voice."
+        return "" if self._bench.workbench is not None else "Record takes or load labelled recordings first."
+
+    def begin(self) -> None:
+        """Search for better thresholds, or for better limits of the preset's own rules."""
+        utterances, known, preset = self._bench.utterances, self._bench.workbench, self._preset.preset
+        self.report = None
+        self._work.instead(lambda heed: _fitted(utterances, known, preset, heed), self._take_report)
+        self.changed.emit()
+
+    def cancel(self) -> None:
+        """End the search; nothing has changed."""
+        self._work.cancel()
+        self.changed.emit()
+
+    def accept(self) -> None:
+        """Use what was found; undo brings the old preset back."""
+        report, self.report = self.report, None
+        if report is not None:
+            now, found = self._preset.preset, report.preset
+            self._preset.end_edit()
+            self._preset.edit(
+                replace(now, thresholds=found.thresholds, successors=found.successors, rules=found.rules), "fit"
+            )
+        self.changed.emit()
+
+    def refuse(self) -> None:
+        """Leave the preset as it is."""
+        self.report = None
+        self.changed.emit()
+
+    def _take_report(self, report: FitReport) -> None:
+        self.report = report
+        self.changed.emit()
+
+    def _refuse(self, sentence: str) -> None:
+        self.failed.emit(sentence)
+        self.changed.emit()
+
+
+class RivalModel(Workplace):
+    """A second preset on the same recordings, compared with the one in use whenever that changes.
+
+    Signals
+    -------
+    changed : there is another comparison, or none.
+    """
+
+    changed = Signal()
+
+    def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
+        super().__init__()
+        self.preset: Preset | None = None
+        self.confusion: Confusion | None = None
+        self.comparison: Comparison | None = None
+        self._own = preset
+        self._bench = bench
+        self._measuring = self._room()
+        self._comparing = self._room()
+        bench.measured.connect(self._measure)
+        bench.confusion_changed.connect(self._compare)
+
+    def shipped(self) -> tuple[Path, ...]:
+        """Give the presets that come with the program."""
+        return tuple(sorted(FACTORY.glob("*.toml")))
+
+    def choose(self, path: Path | None) -> None:
+        """Compare with the preset of a file, or with none."""
+        self.preset = self.confusion = self.comparison = None
+        if path is not None:
+            try:
+                self.preset = load_preset(path)
+            except EngineError as error:
+                self.failed.emit(str(error))
+        self._measure()
+        self.changed.emit()
+
+    def _measure(self) -> None:
+        utterances, preset = self._bench.utterances, self.preset
+        if preset is None or not utterances:
+            self._measuring.cancel()
+            self.confusion = self.comparison = None
+            self.changed.emit()
+            return
+        self._measuring.instead(
+            lambda heed: Workbench(utterances, preset, heed=heed).confusion(preset), self._take_confusion
+        )
+
+    def _take_confusion(self, confusion: Confusion) -> None:
+        self.confusion = confusion
+        self._compare()
+
+    def _compare(self) -> None:
+        own, other, preset = self._bench.confusion, self.confusion, self.preset
+        if own is None or other is None or preset is None or len(own.answers) != len(other.answers):
+            return
+        now, utterances = self._own.preset, self._bench.utterances
+        self._comparing.instead(
+            lambda _heed: compare(
+                _scores_of(now, own, utterances), _scores_of(preset, other, utterances), most=MOST_STRETCHES
+            ),
+            self._take_comparison,
+        )
+
+    def _take_comparison(self, comparison: Comparison) -> None:
+        self.comparison = comparison
+        self.changed.emit()
+
+
+def _fitted(utterances: tuple[Utterance, ...], known: Workbench | None, preset: Preset, heed: Heed) -> FitReport:
+    """Fit on a workbench of its own, since the window asks the other one meanwhile."""
+    bench = Workbench(utterances, preset, known=known, heed=part_of(heed, 0.0, 0.05))
+    return fit_preset(bench, preset, part_of(heed, 0.05, 1.0))
+
+
+def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance, ...]) -> CorpusScores:
+    """Give what a workbench answered as what a score of the files gives."""
+    answers = []
+    for k, utterance in enumerate(utterances):
+        span = slice(int(confusion.edges[k]), int(confusion.edges[k + 1]))
+        labels = FrameLabels(confusion.labels.phonemes[span], confusion.labels.certain[span])
+        codes = confusion.answers[span]
+        answers.append(Answers(utterance, labels, codes, np.zeros(len(codes), np.float32)))
+    return CorpusScores(preset, 0, 0.0, tuple(answers), group_scores_of(answers), {}, {})

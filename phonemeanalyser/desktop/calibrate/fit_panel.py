@@ -1,0 +1,82 @@
+"""Fits thresholds: begins it, shows how far it is, and what it gained."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
+
+from phonemeanalyser.desktop.calibrate.fit_model import FitModel
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
+
+
+class FitPanel(QWidget):
+    """The search for thresholds: before, after, and on speakers that were left out."""
+
+    def __init__(self, fit: FitModel, theme: Theme) -> None:
+        super().__init__()
+        self._fit = fit
+        self.begin = QPushButton("Fit thresholds")
+        self.stop, self.accept, self.refuse = QPushButton("cancel"), QPushButton("accept"), QPushButton("refuse")
+        self.progress = QProgressBar()
+        self.words = QLabel()
+        self.figures = FiguresTable(("before", "after", "left out"), theme)
+        self._lay_out()
+        self._connect()
+        self.show_state()
+
+    def refresh(self) -> None:
+        """Show how far it is."""
+        if self._fit.busy:
+            self.progress.setValue(round(100 * self._fit.share))
+
+    def show_state(self) -> None:
+        """Show what can be done."""
+        fit, report = self._fit, self._fit.report
+        self.begin.setEnabled(not fit.busy and not fit.why_not)
+        self.begin.setToolTip(
+            fit.why_not or "Search for thresholds that suit what is loaded, with those in use to begin with"
+        )
+        self.stop.setVisible(fit.busy)
+        self.progress.setVisible(fit.busy)
+        self.accept.setVisible(report is not None and report.gains)
+        self.refuse.setVisible(report is not None)
+        self.refuse.setText("refuse" if report is not None and report.gains else "close")
+        self.figures.setVisible(report is not None)
+        self.words.setText(self._said())
+        if report is not None:
+            self.figures.show_scores((report.before, report.after, report.held_out))
+
+    def _said(self) -> str:
+        report = self._fit.report
+        if self._fit.busy:
+            return "Searching; you can go on working meanwhile."
+        if report is None:
+            return self._fit.why_not or "Finds the thresholds that name the most frames right in what is loaded."
+        if not report.gains:
+            return "Nothing better was found than what is in use."
+        if report.held_out is not None and report.held_out.ten_f1 < report.before.ten_f1:
+            return f"Better on what is loaded, but not on a {report.left_out} that was left out: load more of them."
+        return f"Better. The last column leaves each {report.left_out} out in turn, and fits without it."
+
+    def _lay_out(self) -> None:
+        self.stop.setToolTip("End the search; the preset stays as it is")
+        self.refuse.setToolTip("Leave the preset as it is")
+        self.words.setWordWrap(True)
+        row = QHBoxLayout()
+        for widget in (self.begin, self.progress, self.stop, self.accept, self.refuse):
+            widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            row.addWidget(widget)
+        row.addStretch(1)
+        self.accept.setToolTip("Use what was found; Ctrl+Z takes it back")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(6, 6, 6, 4)
+        column.addLayout(row)
+        column.addWidget(self.words)
+        column.addWidget(self.figures, 1)
+        column.addStretch(0)
+
+    def _connect(self) -> None:
+        self.begin.clicked.connect(self._fit.begin)
+        self.stop.clicked.connect(self._fit.cancel)
+        self.accept.clicked.connect(self._fit.accept)
+        self.refuse.clicked.connect(self._fit.refuse)
+        self._fit.changed.connect(self.show_state)

@@ -1,0 +1,307 @@
+"""What the user sees while he is led through all sounds."""
+
+import math
+from typing import Any
+
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from phonemeengine.calibration.sentences import SENTENCES
+from phonemeanalyser.desktop.painting import CENTRED, size_that_fills, write
+from phonemeanalyser.desktop.calibrate.model import Calibration
+from phonemeanalyser.desktop.calibrate.guide_model import N_STEPS, READING, STEPS, Phase
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
+from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.session.level_meter import LevelMeter
+
+RING = 15
+"""Width of the ring in pixels."""
+SIZES = (12, 64)
+"""Least and largest of the letters in it, pixels."""
+
+
+class Ring(QWidget):
+    """A ring that fills while the sound is heard, around what is to be said."""
+
+    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+        super().__init__()
+        self._guide = calibration.guide
+        self._theme = theme
+        self.setMinimumSize(180, 170)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint the ring and the sound."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        side = min(self.width(), self.height()) - RING - 8
+        box = QRectF((self.width() - side) / 2, (self.height() - side) / 2, side, side)
+        guide = self._guide
+        learning = guide.phase in {Phase.LEARNING, Phase.DONE}
+        colour = QColor(self._theme.accent if learning or guide.reading else PHONEME_COLOURS[guide.step.phoneme])
+        if guide.phase is Phase.SHOWING:
+            colour = QColor(self._theme.bad if guide.advice else self._theme.good)
+        painter.setPen(QPen(QColor(self._theme.line), RING, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
+        painter.drawEllipse(box)
+        painter.setPen(QPen(colour, RING, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
+        share = 1.0 if guide.phase is Phase.DONE else guide.share
+        painter.drawArc(box, 90 * 16, -round(360 * 16 * share))
+        words = self._words()
+        size = size_that_fills(painter, words, side - 3 * RING, *SIZES)
+        write(painter, box, words, self._theme.text, size, CENTRED)
+
+    def _words(self) -> str:
+        guide = self._guide
+        if guide.phase is Phase.LEARNING:
+            return "learning"
+        if guide.phase is Phase.DONE:
+            return "done"
+        if guide.phase is Phase.CHECKING:
+            return "…"
+        if guide.phase is Phase.SHOWING:
+            return "again" if guide.advice else "✓"
+        return guide.step.say
+
+
+class StepsLine(QWidget):
+    """All sounds in a row, and the sentence: done, at hand, and to come."""
+
+    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+        super().__init__()
+        self._guide = calibration.guide
+        self._theme = theme
+        self.setFixedHeight(40)
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint a cell for each sound."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        cell = self.width() / N_STEPS
+        for k in range(N_STEPS):
+            box = QRectF(k * cell + 2, 2, cell - 4, self.height() - 4)
+            name = STEPS[k].phoneme.label if k < READING else "sentence"
+            done, here = k in self._guide.numbers or (k == READING and self._guide.spoken), k == self._guide.index
+            painter.setPen(QPen(QColor(self._theme.accent if here else self._theme.line), 2 if here else 1))
+            painter.setBrush(QColor(self._theme.raised))
+            painter.drawRoundedRect(box, 4, 4)
+            line = PHONEME_COLOURS[STEPS[k].phoneme] if k < READING else self._theme.accent
+            painter.fillRect(QRectF(box.left() + 4, box.bottom() - 5, box.width() - 8, 3), QColor(line))
+            colour = self._theme.text if here or done else self._theme.faint
+            words = f"✓ {name}" if done else name
+            write(painter, box.adjusted(0, 0, 0, -5), words, colour, 12, CENTRED)
+
+
+class GuideView(QWidget):
+    """Leads through the sounds, and shows at the end what was learned: in figures, and by a head that says it.
+
+    Signals
+    -------
+    save_asked : the new preset is in use, and is to be saved under a name of its own.
+    """
+
+    save_asked = Signal()
+
+    def __init__(self, calibration: Calibration, talking: Talking, theme: Theme) -> None:
+        super().__init__()
+        self._calibration = calibration
+        self._theme = theme
+        self.title, self.hint, self.advice, self.room = QLabel(), QLabel(), QLabel(), QLabel()
+        self.steps = StepsLine(calibration, theme)
+        self.ring = Ring(calibration, theme)
+        self.meter = LevelMeter(calibration.session.microphone, theme)
+        self.figures = FiguresTable(("before", "after"), theme)
+        self.head = HeadView(talking, theme)
+        self.language = QComboBox()
+        self.hear_old, self.hear_new, self.save = QToolButton(), QToolButton(), QToolButton()
+        self.back, self.again, self.skip = QToolButton(), QToolButton(), QToolButton()
+        self.cancel, self.refuse, self.accept = QToolButton(), QToolButton(), QToolButton()
+        self._lay_out()
+        self._connect()
+        self._show()
+
+    def refresh(self) -> None:
+        """Show how far it is."""
+        self.ring.update()
+        self.meter.update()
+
+    def _lay_out(self) -> None:
+        column = QVBoxLayout(self)
+        column.setContentsMargins(24, 12, 24, 12)
+        column.setSpacing(8)
+        for label in (self.title, self.hint, self.advice, self.room):
+            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            label.setWordWrap(True)
+        self.advice.setMinimumHeight(34)
+        self.advice.setStyleSheet(f"color: {self._theme.bad}; font-weight: bold")
+        self.room.setStyleSheet(f"color: {self._theme.faint}")
+        column.addWidget(self.title)
+        column.addWidget(self.steps)
+        column.addWidget(self.ring, 3)
+        column.addWidget(self.hint)
+        column.addLayout(self._findings(), 3)
+        for widget in (self.advice, self.meter, self.room):
+            column.addWidget(widget)
+        self.accept.setStyleSheet(
+            f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
+            " border-radius: 4px; padding: 2px 12px; font-weight: bold }"
+        )
+        row = QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(self.language)
+        for button in (self.back, self.again, self.skip, self.cancel, self.refuse, self.save, self.accept):
+            button.setMinimumHeight(28)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            row.addWidget(button)
+        row.addStretch(1)
+        column.addLayout(row)
+
+    def _findings(self) -> QHBoxLayout:
+        """Lay the head beside the figures, with what it says below it."""
+        beside, below, sides = QVBoxLayout(), QHBoxLayout(), QHBoxLayout()
+        for button in (self.hear_old, self.hear_new):
+            button.setCheckable(True)
+            button.setMinimumHeight(28)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            below.addWidget(button)
+        beside.addWidget(self.head, 1)
+        beside.addLayout(below)
+        sides.addWidget(self.figures, 3)
+        sides.addLayout(beside, 2)
+        return sides
+
+    def _connect(self) -> None:
+        guide = self._calibration.guide
+        for sentence in SENTENCES:
+            self.language.addItem(sentence.language, sentence)
+        self.language.setToolTip("The language of the sentence that is read")
+        self.language.setAccessibleName("language of the sentence")
+        self.language.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.language.activated.connect(lambda k: guide.choose(SENTENCES[k]))
+        for button, text, tip, act in (
+            (self.back, "◀ back", "Say the sound before once more (Backspace)", guide.back),
+            (self.again, "again", "Say this sound once more (R)", guide.again),
+            (self.skip, "skip ▶", "Go on without this sound (Right)", guide.skip),
+            (self.cancel, "cancel", "End the guide; what was recorded stays (Escape)", guide.cancel),
+            (self.refuse, "keep the old preset", "Leave the preset as it was; the takes stay (Escape)", guide.cancel),
+            (self.save, "use and save as…", "Change the preset, and save it under a name of its own", self._save),
+            (self.accept, "use the new preset", "Change the preset; Ctrl+Z takes it back (Return)", guide.accept),
+            (
+                self.hear_old,
+                "▶ old preset",
+                "Hear the sentence, and see the head with the old preset",
+                self._hear_old,
+            ),
+            (
+                self.hear_new,
+                "▶ new preset",
+                "Hear the sentence, and see the head with the new preset",
+                self._hear_new,
+            ),
+        ):
+            button.setText(text)
+            button.setToolTip(tip)
+            button.setAccessibleName(tip)
+            button.clicked.connect(lambda _checked=False, act=act: act())
+        for key, buttons in (
+            ("Backspace", (self.back,)),
+            ("R", (self.again,)),
+            ("Right", (self.skip,)),
+            ("Return", (self.accept,)),
+            ("Escape", (self.cancel, self.refuse)),
+        ):
+            QShortcut(QKeySequence(key), self).activated.connect(lambda buttons=buttons: _click(*buttons))
+        guide.changed.connect(self._show)
+
+    def _hear_old(self) -> None:
+        self._hear(new=False)
+
+    def _hear_new(self) -> None:
+        self._hear(new=True)
+
+    def _hear(self, *, new: bool) -> None:
+        """Play the sentence; the button of what is heard stays down."""
+        self._calibration.hear(new=new)
+        self.hear_old.setChecked(not new)
+        self.hear_new.setChecked(new)
+
+    def _save(self) -> None:
+        self._calibration.guide.accept()
+        self.save_asked.emit()
+
+    def _show(self) -> None:
+        guide, done = self._calibration.guide, self._calibration.guide.phase is Phase.DONE
+        n = min(guide.index + 1, N_STEPS)
+        asking = guide.phase in {Phase.WAITING, Phase.HEARING, Phase.CHECKING, Phase.SHOWING}
+        self.title.setText(f"<h2>{self._title(n)}</h2>")
+        self.hint.setText(f"<span style='font-size: {24 if guide.reading else 16}px'>{self._hint()}</span>")
+        self.advice.setText(self._advice())
+        room = guide.room
+        said = f"room noise {_decibels(room.level):.0f} dB" if room is not None else "the room is not measured yet"
+        self.room.setText(f"{said}   ·   voice by {self._calibration.takes.speaker or 'me'}")
+        for widget in (self.skip, self.again, self.meter, self.room):
+            widget.setVisible(asking)
+        self.back.setVisible(asking or done)
+        self.language.setVisible(guide.reading)
+        gains = done and guide.outcome is not None and guide.outcome.gains
+        self.cancel.setVisible(not done)
+        self.refuse.setVisible(done)
+        self.refuse.setText("keep the old preset" if gains else "close")
+        self.accept.setVisible(gains)
+        self.save.setVisible(gains)
+        self.figures.setVisible(done and guide.outcome is not None)
+        self.ring.setVisible(not self.figures.isVisibleTo(self))
+        for seen in (self.head, self.hear_old, self.hear_new):
+            seen.setVisible(gains and guide.spoken is not None)
+        for button in (self.hear_old, self.hear_new):
+            button.setChecked(False)
+        if done and guide.outcome is not None:
+            self.figures.show_scores((guide.outcome.before, guide.outcome.after))
+        self.steps.update()
+        self.ring.update()
+
+    def _title(self, n: int) -> str:
+        guide = self._calibration.guide
+        if guide.phase is Phase.LEARNING:
+            return "Learning your voice"
+        if guide.phase is Phase.DONE:
+            better = guide.outcome is not None and guide.outcome.gains
+            return "It knows your voice better now" if better else "Nothing better was found"
+        return "Now a sentence, to tell what was gained" if guide.reading else f"Sound {n} of {N_STEPS - 1}"
+
+    def _hint(self) -> str:
+        guide = self._calibration.guide
+        if guide.phase is Phase.LEARNING:
+            return "this takes a few seconds"
+        if guide.phase is Phase.DONE:
+            return self._found()
+        if not self._calibration.session.microphone.listening:
+            return f"{self._calibration.session.microphone.words} …"
+        return guide.step.hint
+
+    def _found(self) -> str:
+        """Say what the figures are measured on, and how sure the room is told from speech."""
+        guide = self._calibration.guide
+        if guide.outcome is None:
+            return ""
+        sure = f"<br>{guide.outcome.sure}" if guide.outcome.sure is not None else ""
+        return f"Measured {guide.measured_on}.{sure}"
+
+    def _advice(self) -> str:
+        outcome = self._calibration.guide.outcome
+        done = self._calibration.guide.phase is Phase.DONE
+        return outcome.refusal if done and outcome is not None else self._calibration.guide.advice
+
+
+def _click(*buttons: QToolButton) -> None:
+    """Click the first one that is seen."""
+    for button in buttons:
+        if button.isVisible():
+            button.click()
+            return
+
+
+def _decibels(amplitude: float) -> float:
+    return 20 * math.log10(max(amplitude, 1e-6))

@@ -1,0 +1,204 @@
+"""The calibration workbench: takes, recordings, what they say of the preset, and the guided calibration."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeengine.phonemes import Phoneme
+from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
+from phonemeanalyser.desktop.calibrate.fit_model import FitModel, RivalModel
+from phonemeanalyser.desktop.calibrate.guide_model import Guide
+from phonemeanalyser.desktop.calibrate.recordings_model import RecordingsModel
+from phonemeanalyser.desktop.calibrate.room_model import RoomModel
+from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
+from phonemeanalyser.desktop.calibrate.undo import UndoOrder
+from phonemeanalyser.desktop.session.capture import Catch
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session, Source
+
+AROUND = 0.15
+"""What is played before and after a stretch that is hardly audible by itself, seconds."""
+TAKES_FOLDER = "Takes"
+"""The project where no other was chosen, in the folder of recordings."""
+
+
+class Calibration(QObject):
+    """Joins what the page shows; `tick` moves it on.
+
+    Signals
+    -------
+    held : another phoneme is held, or none any more.
+    stretch_changed : another stretch of the file is marked.
+    told : a sentence for the user about something that went well.
+    failed : a sentence for the user.
+    """
+
+    held = Signal()
+    stretch_changed = Signal()
+    told = Signal(str)
+    failed = Signal(str)
+
+    def __init__(self, session: Session, preset: PresetModel) -> None:
+        super().__init__()
+        self.session = session
+        self.preset = preset
+        self.takes = TakesModel(lambda: session.microphone.folder / TAKES_FOLDER)
+        self.recordings = RecordingsModel()
+        self.bench = BenchModel(preset)
+        self.fit = FitModel(preset, self.bench)
+        self.rival = RivalModel(preset, self.bench)
+        self.guide = Guide(session, preset, self.takes)
+        self.room = RoomModel(session, preset, self.takes)
+        self.edits = UndoOrder(self, self.takes, preset.undo_stack)
+        self.phoneme: Phoneme | None = None
+        self.stretch: tuple[float, float] | None = None
+        self._from: float | None = None
+        self._until: tuple[Path, float] | None = None
+        self.room.told.connect(self.told)
+        for model in (self.takes, self.recordings):
+            model.changed.connect(self._load_bench)
+            model.told.connect(self.told)
+            model.failed.connect(self.failed)
+        for worker in (self.bench, self.fit, self.rival, self.guide, self.room):
+            worker.failed.connect(self.failed)
+        session.opened.connect(self._forget_stretch)
+
+    # -- takes from microphone and file -------------------------------------------------------------------
+
+    @property
+    def catch(self) -> Catch:
+        """What the microphone hears while a phoneme is held."""
+        return self.session.microphone.catch
+
+    def press(self, phoneme: Phoneme) -> None:
+        """Hold a phoneme: what is heard, or played, until `release` becomes a take of it."""
+        session = self.session
+        if self.phoneme is not None or self.guide.running or self.room.listening:
+            return
+        if session.source is Source.FILE and session.path is not None and (session.playing or self.stretch):
+            if self.stretch is not None and not session.playing:
+                self.takes.add_stretch(session.path, session.channel, *self.stretch, phoneme)
+                self._forget_stretch()
+                return
+            self._from = session.position
+        else:
+            self.listen()
+            self.catch.begin()
+        self.phoneme = phoneme
+        self.held.emit()
+
+    def release(self) -> None:
+        """Let the phoneme go; its take is kept."""
+        phoneme, self.phoneme = self.phoneme, None
+        if phoneme is None:
+            return
+        start, self._from = self._from, None
+        self.held.emit()
+        path = self.session.path
+        if start is not None and path is not None:
+            self.takes.add_stretch(path, self.session.channel, start, self.session.position, phoneme)
+            return
+        samples, rate = self.catch.end()
+        if not len(samples) and not self.session.microphone.listening:
+            self.failed.emit(
+                f"No take of {phoneme.label}: {self.session.microphone.words}; try again when it is heard."
+            )
+            return
+        self.takes.add(samples, rate, phoneme, self.device)
+
+    def begin_guide(self) -> None:
+        """Lead through all sounds, at the microphone."""
+        if self.phoneme is None:
+            self.room.cancel()
+            self.listen()
+            self.guide.begin()
+
+    def measure_room(self) -> None:
+        """Hear two seconds of the room, with nobody speaking, and have the preset take it for silence."""
+        if self.phoneme is None and not self.guide.running and not self.room.listening:
+            self.listen()
+            self.room.begin()
+
+    def listen(self) -> None:
+        """Have the microphone listen, whatever was in hand."""
+        self.session.set_source(Source.MICROPHONE)
+        if not self.session.playing:
+            self.session.play()
+
+    @property
+    def device(self) -> str:
+        """What takes are recorded with."""
+        return self.session.microphone.choice.label or "default microphone"
+
+    def mark(self, *, end: bool) -> None:
+        """Mark where the stretch of the opened file begins, or ends: where the file stands."""
+        if self.session.source is not Source.FILE or self.session.path is None:
+            self.failed.emit("There is no file in hand; open one to mark a stretch of it.")
+            return
+        start, stop = self.stretch or (0.0, self.session.duration)
+        here = self.session.position
+        start, stop = (min(start, here), here) if end else (here, max(stop, here))
+        self.stretch = start, stop
+        self.stretch_changed.emit()
+
+    # -- listening to what is there -----------------------------------------------------------------------
+
+    def play_take(self, number: int) -> None:
+        """Play what counts of a take."""
+        take = self.takes.take(number)
+        if take is not None:
+            self.play(self.takes.path_of(take), take.start, take.end, around=0.0)
+
+    def hear(self, *, new: bool) -> None:
+        """Play the sentence of the guide as the preset that it found hears it, or as the old one does."""
+        outcome, spoken = self.guide.outcome, self.guide.spoken
+        if outcome is not None and spoken is not None:
+            self.preset.try_out(outcome.preset if new else outcome.start)
+            self.play(spoken.path, 0.0, spoken.labels[-1].end)
+
+    def play(self, path: Path, start: float, end: float, *, around: float = AROUND) -> None:
+        """Play a stretch of a file, in seconds."""
+        session = self.session
+        if (session.source is not Source.FILE or session.path != path) and not session.open(path):
+            return
+        session.pause()
+        session.seek(max(0.0, start - around))
+        session.play()
+        self._until = path, end + around
+
+    def tick(self) -> None:
+        """Take note of what was done in the background, and end what was to be played to its end."""
+        self.takes.see()
+        self.recordings.see()
+        self.bench.see()
+        self.fit.see()
+        self.rival.see()
+        self.room.tick()
+        if self.guide.running:
+            self.guide.tick()
+        if self.phoneme is not None and self._from is None and self.catch.full:
+            self.release()
+        if self._until is not None:
+            path, end = self._until
+            session = self.session
+            if session.path != path or not session.playing or session.source is not Source.FILE:
+                self._until = None
+            elif session.position >= end:
+                self._until = None
+                session.pause()
+
+    def close(self) -> None:
+        """Wait until all takes are on the disk, and end all other work."""
+        for worker in (self.guide, self.room, self.fit, self.rival, self.bench):
+            worker.close()
+        self.recordings.close()
+        self.takes.close()
+
+    def _load_bench(self) -> None:
+        found = (*self.takes.utterances(), *self.recordings.utterances)
+        if found != self.bench.utterances:
+            self.bench.load(found)
+
+    def _forget_stretch(self) -> None:
+        self.stretch = None
+        self.stretch_changed.emit()

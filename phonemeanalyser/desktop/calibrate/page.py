@@ -1,0 +1,61 @@
+"""The page of the calibration: takes at the left, and what they say of the preset at the right."""
+
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QWidget
+
+from phonemeanalyser.desktop.calibrate.model import Calibration
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.calibrate.bench_view import BenchView
+from phonemeanalyser.desktop.calibrate.guide_view import GuideView
+from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
+from phonemeanalyser.desktop.calibrate.takes_panel import TakesPanel
+from phonemeanalyser.desktop.widgets.pages import PageStack
+
+
+class CalibrationPage(QWidget):
+    """Lays out what belongs to calibration.
+
+    Attributes
+    ----------
+    keys : to be installed as an event filter of the window.
+    """
+
+    def __init__(self, calibration: Calibration, talking: Talking, theme: Theme) -> None:
+        super().__init__()
+        self._calibration = calibration
+        self._theme = theme
+        self.takes = TakesPanel(calibration, theme)
+        self.keys = HeldKeys(calibration, self)
+        self.right = PageStack()
+        self.guide = GuideView(calibration, talking, theme)
+        self.workbench = BenchView(calibration, theme)
+        self._lay_out()
+        self.takes.guide_asked.connect(calibration.begin_guide)
+        calibration.guide.changed.connect(self._show_guide)
+
+    def refresh(self) -> None:
+        """Show what changes by itself."""
+        if self._calibration.guide.running:
+            self.guide.refresh()
+        else:
+            self.workbench.refresh()
+
+    def _show_guide(self) -> None:
+        running = self._calibration.guide.running
+        self.right.setCurrentWidget(self.guide if running else self.workbench)
+        self.takes.guide.setEnabled(not running)
+        self.takes.room.setEnabled(not running)
+        self.takes.record.setEnabled(not running)
+
+    def _lay_out(self) -> None:
+        line = QFrame()
+        line.setFixedWidth(1)
+        line.setStyleSheet(f"background: {self._theme.line}")
+        self.right.addWidget(self.workbench)
+        self.right.addWidget(self.guide)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(0)
+        row.addWidget(self.takes)
+        row.addWidget(line)
+        row.addWidget(self.right, 1)

@@ -1,0 +1,135 @@
+"""A button for each phoneme: held down, it records a take."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from phonemeengine.phonemes import Phoneme
+from phonemeanalyser.desktop.painting import CENTRED, write
+from phonemeanalyser.desktop.calibrate.model import Calibration
+from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeanalyser.desktop.session.position_slider import clock_of
+
+COLUMNS = 5
+
+
+class PhonemeButton(QToolButton):
+    """Shows a phoneme, its colour and its key."""
+
+    def __init__(self, phoneme: Phoneme, theme: Theme) -> None:
+        super().__init__()
+        self.phoneme = phoneme
+        self.n_takes = 0
+        self._theme = theme
+        self.setMinimumSize(52, 40)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        name = phoneme.label
+        self.setAccessibleName(f"record a take of {name}")
+        self.setToolTip(
+            f"Hold the button, or the key {KEYS[phoneme]}, while you say {name}; or while it is heard in the "
+            "file that plays"
+        )
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Paint the phoneme on its colour, its key in the corner, and how many takes there are."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        colour = QColor(PHONEME_COLOURS[self.phoneme])
+        box = self.rect().adjusted(1, 1, -1, -1)
+        painter.setPen(QColor(self._theme.accent if self.hasFocus() or self.underMouse() else self._theme.line))
+        down = self.isDown()
+        painter.setBrush(colour if down else QColor(self._theme.raised))
+        painter.drawRoundedRect(box, 4, 4)
+        painter.fillRect(box.left() + 4, box.bottom() - 4, box.width() - 8, 3, colour)
+        text = QColor("#ffffff" if down and self._theme.name == "light" else self._theme.text)
+        name = self.phoneme.label
+        inner = self.rect().adjusted(5, 2, -5, -3)
+        write(painter, inner.adjusted(-5, 0, 5, 0), name, text, 15 if len(name) < 4 else 12, CENTRED)
+        faint = text if down else QColor(self._theme.faint)
+        write(painter, inner, KEYS[self.phoneme], faint, 10, Qt.AlignmentFlag.AlignLeft)
+        if self.n_takes:
+            write(painter, inner, f"×{self.n_takes}", faint, 10, Qt.AlignmentFlag.AlignRight)
+
+
+class RecordPanel(QWidget):
+    """Records takes, of the microphone or of the file that plays, and marks stretches of it."""
+
+    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+        super().__init__()
+        self._calibration = calibration
+        self._theme = theme
+        self.buttons = {phoneme: PhonemeButton(phoneme, theme) for phoneme in KEYS}
+        self.hint = QLabel()
+        self.start, self.end = QToolButton(), QToolButton()
+        self._lay_out()
+        self._connect()
+        self._show_takes()
+        self.show_state()
+
+    def show_state(self) -> None:
+        """Say what holding a button does now."""
+        session, stretch = self._calibration.session, self._calibration.stretch
+        held = self._calibration.phoneme
+        of_file = session.source is Source.FILE and session.path is not None
+        if held is not None:
+            text = f"<b>Taking {held.label}</b>: let go when it is said"
+        elif of_file and stretch is not None and not session.playing:
+            text = f"Marked <b>{clock_of(stretch[0], True)} – {clock_of(stretch[1], True)} s</b>: choose its sound"
+        elif of_file and session.playing:
+            text = "Hold a key while its sound is heard"
+        else:
+            text = "Hold a key, or a button, and say the sound"
+        self.hint.setText(text)
+        for button in (self.start, self.end):
+            button.setEnabled(of_file)
+        for phoneme, button in self.buttons.items():
+            if button.isDown() != (phoneme is held):
+                button.setDown(phoneme is held)
+
+    def _lay_out(self) -> None:
+        for button, text, tip in (
+            (self.start, "[", "The marked stretch of the file begins where the file stands ([)"),
+            (self.end, "]", "The marked stretch of the file ends where the file stands (])"),
+        ):
+            button.setText(text)
+            button.setToolTip(tip)
+            button.setAccessibleName(tip)
+            button.setFixedWidth(24)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        head = QHBoxLayout()
+        head.addWidget(self.hint, 1)
+        head.addWidget(self.start)
+        head.addWidget(self.end)
+        grid = QGridLayout()
+        grid.setSpacing(4)
+        for k, button in enumerate(self.buttons.values()):
+            grid.addWidget(button, k // COLUMNS, k % COLUMNS)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(3)
+        column.addLayout(head)
+        column.addLayout(grid)
+
+    def _connect(self) -> None:
+        calibration = self._calibration
+        for phoneme, button in self.buttons.items():
+            button.pressed.connect(lambda phoneme=phoneme: calibration.press(phoneme))
+            button.released.connect(calibration.release)
+        for sign, end in ((self.start, False), (self.end, True)):
+            sign.clicked.connect(lambda _checked=False, end=end: calibration.mark(end=end))
+            key = QShortcut(QKeySequence(sign.text()), self)  # a button's own would wait to be seen pressed
+            key.activated.connect(lambda end=end: calibration.mark(end=end))
+        calibration.held.connect(self.show_state)
+        calibration.stretch_changed.connect(self.show_state)
+        calibration.session.transport_changed.connect(self.show_state)
+        calibration.session.opened.connect(self.show_state)
+        calibration.takes.changed.connect(self._show_takes)
+
+    def _show_takes(self) -> None:
+        takes = self._calibration.takes.now.takes
+        for phoneme, button in self.buttons.items():
+            button.n_takes = sum(take.phoneme is phoneme and not take.excluded for take in takes)
+            button.update()

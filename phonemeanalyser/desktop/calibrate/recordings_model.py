@@ -1,0 +1,104 @@
+"""Labelled recordings that were loaded beside the takes."""
+
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeengine.labels.phoneme_map import Mapping
+from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
+from phonemeengine.errors import AudioError, UnknownPhonemes
+from phonemeengine.phonemes import Phoneme
+from phonemeanalyser.desktop.tasks import Backroom
+
+Read = tuple[tuple[Utterance, ...], list[str]]
+"""What was read, and the sentences about what could not be."""
+
+
+class RecordingsModel(QObject):
+    """Reads labelled recordings in the background; `see` hands over what was read.
+
+    Signals
+    -------
+    changed : the recordings are others.
+    unknown : names in the label files stand for no phoneme: how often each occurs, and what was to be read.
+    told : a sentence for the user about something that went well.
+    failed : a sentence for the user.
+    """
+
+    changed = Signal()
+    unknown = Signal(dict, list)
+    told = Signal(str)
+    failed = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.utterances: tuple[Utterance, ...] = ()
+        self.sources: list[Path] = []
+        self.mapping = Mapping()
+        self._reading = Backroom(self.failed.emit)
+
+    @property
+    def busy(self) -> bool:
+        """Whether label files are being read."""
+        return self._reading.busy
+
+    @property
+    def n_speakers(self) -> int:
+        """How many people speak in them."""
+        return len({utterance.speaker for utterance in self.utterances})
+
+    def load(self, sources: Sequence[Path]) -> None:
+        """Read folders or sounds with their labels beside those that are there."""
+        wanted = [path for path in sources if path not in self.sources]
+        mapping = self.mapping
+        self._reading.do(lambda _heed: _read(wanted, mapping), lambda found: self._take_up(wanted, found))
+
+    def map(self, phonemes: dict[str, Phoneme], sources: Sequence[Path]) -> None:
+        """Say what names stand for, and read again what they stood in."""
+        self.mapping = Mapping({**self.mapping.phonemes, **phonemes})
+        self.load(sources)
+
+    def clear(self) -> None:
+        """Forget all recordings; their files stay."""
+        self._reading.cancel()
+        self.utterances, self.sources = (), []
+        self.changed.emit()
+
+    def see(self) -> None:
+        """Take note of what was read."""
+        self._reading.see()
+
+    def close(self) -> None:
+        """End all reading."""
+        self._reading.cancel()
+        self._reading.close()
+
+    def _take_up(self, sources: list[Path], found: Read | dict[str, int]) -> None:
+        if isinstance(found, dict):
+            self.unknown.emit(found, sources)
+            return
+        utterances, refusals = found
+        self.sources += sources
+        have = {utterance.path for utterance in self.utterances}
+        fresh = tuple(u for u in utterances if u.path not in have)
+        self.utterances += fresh
+        self.changed.emit()
+        if refusals:
+            self.failed.emit(f"{len(refusals)} sounds were left out; {refusals[0]}")
+        elif sources:
+            self.told.emit(f"{len(fresh)} labelled recordings were loaded.")
+
+
+def _read(sources: Sequence[Path], mapping: Mapping) -> Read | dict[str, int]:
+    """Read recordings; where names are unknown, give those of all of them."""
+    utterances: list[Utterance] = []
+    refusals: list[AudioError] = []
+    unknown: dict[str, int] = {}
+    for source in sources:
+        try:
+            utterances += read_recordings(source, mapping, passed_over=refusals.append)
+        except UnknownPhonemes as error:
+            unknown = dict(Counter(unknown) + Counter(error.counts))
+    return unknown or (tuple(utterances), [str(refusal) for refusal in refusals])

@@ -1,0 +1,98 @@
+"""Measuring the room by itself: two seconds in which nobody speaks set silence and denoising, whatever recognises."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.takes.room_noise import RoomNoise, Sureness, measure_room
+from phonemeengine.calibration.takes.room_takes import speech_in
+from phonemeengine.errors import EngineError
+from phonemeengine.presets.preset import Preset
+from phonemeanalyser.desktop.tasks import Backroom
+from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
+from phonemeanalyser.desktop.session.capture import Block, in_house_form
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
+
+SECONDS = 2.0
+"""How long the room is heard."""
+
+Found = tuple[RoomNoise, Preset, Sureness]
+
+
+class RoomModel(QObject):
+    """Hears the room, sets the preset's silence by it, and says how sure that is; `tick` moves it on.
+
+    Signals
+    -------
+    changed : it begins to listen, or has ended.
+    told : a sentence for the user about what was found.
+    failed : a sentence for the user.
+    """
+
+    changed = Signal()
+    told = Signal(str)
+    failed = Signal(str)
+
+    def __init__(self, session: Session, preset: PresetModel, takes: TakesModel) -> None:
+        super().__init__()
+        self.listening = False
+        self._session = session
+        self._preset = preset
+        self._takes = takes
+        self._work = Backroom(self.failed.emit)
+
+    def begin(self) -> None:
+        """Hear the room for two seconds; the microphone listens already."""
+        self._session.microphone.catch.begin()
+        self._listen(on=True)
+        self.told.emit(f"Keep quiet: the room is heard for {SECONDS:g} seconds …")
+
+    def cancel(self) -> None:
+        """End it; nothing changes."""
+        if self.listening:
+            self._session.microphone.catch.end()
+            self._listen(on=False)
+        self._work.cancel()
+
+    def tick(self) -> None:
+        """Look whether enough was heard, and take note of what was found."""
+        self._work.see()
+        if not self.listening:
+            return
+        if not self._session.microphone.active:
+            self.cancel()
+            self.failed.emit("The room was not heard to the end, since the microphone was let go; measure it again.")
+        elif self._session.microphone.catch.seconds >= SECONDS:
+            samples, rate = self._session.microphone.catch.end()
+            self._listen(on=False)
+            preset, takes = self._preset.preset, self._takes.utterances()
+            self._work.instead(lambda _heed: _found_in(samples, rate, preset, takes), self._use)
+
+    def close(self) -> None:
+        """End all work."""
+        self.cancel()
+        self._work.close()
+
+    def _use(self, found: Found) -> None:
+        room, preset, sure = found
+        if room.notes:
+            self.failed.emit(room.notes[0])
+            return
+        try:
+            self._preset.end_edit()
+            self._preset.edit(replace(preset, name=self._preset.preset.name), "room")
+            self.told.emit(f"Room of {room}: {sure}; Ctrl+Z takes it back.")
+        except EngineError as error:
+            self.failed.emit(str(error))
+
+    def _listen(self, *, on: bool) -> None:
+        self.listening = on
+        self.changed.emit()
+
+
+def _found_in(samples: Block, rate: int, preset: Preset, takes: tuple[Utterance, ...]) -> Found:
+    room, speech = measure_room(in_house_form(samples, rate), preset), speech_in(takes)
+    found = room.thresholds(preset, speech)
+    return room, found, room.sureness(found, speech)

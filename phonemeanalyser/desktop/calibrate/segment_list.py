@@ -1,0 +1,79 @@
+"""Lists of stretches: of a cell of the matrix, or of what one preset gets right that the other misses."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
+
+from phonemeanalyser.desktop.widgets.phoneme_keys import LettersPassed
+
+MOST = 500
+"""Rows that are shown at most."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A stretch in a list: the file, its seconds, and what is told of it."""
+
+    path: Path
+    start: float
+    end: float
+    words: str = ""
+
+
+class StretchList(QTableWidget):
+    """Shows stretches; a click, or Return, plays one.
+
+    Signals
+    -------
+    play_asked : path, start and end.
+    """
+
+    play_asked = Signal(Path, float, float)
+
+    def __init__(self, name: str, words: str) -> None:
+        super().__init__(0, 4)
+        self.rows: list[Row] = []
+        self.setHorizontalHeaderLabels(["recording", "from (s)", "ms", words])
+        self.setAccessibleName(name)
+        self.setToolTip("Click a stretch to hear it, or choose one and press Return")
+        header = self.horizontalHeader()
+        header.setFixedHeight(22)
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        for column, width in ((1, 60), (2, 44), (3, 90 if words else 0)):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
+            header.resizeSection(column, width)
+        self.setColumnHidden(3, not words)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(20)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setShowGrid(False)
+        self.setTabKeyNavigation(False)
+        self.setMinimumHeight(60)
+        self.installEventFilter(LettersPassed(self))
+        self.cellClicked.connect(lambda row, _column: self._play(row))
+        self.cellActivated.connect(lambda row, _column: self._play(row))
+
+    def show_rows(self, rows: Sequence[Row]) -> None:
+        """Show stretches, as many as there is use for."""
+        if list(rows[:MOST]) == self.rows:
+            return
+        self.rows = list(rows[:MOST])
+        self.setRowCount(len(self.rows))
+        for k, row in enumerate(self.rows):
+            words = (row.path.stem, f"{row.start:.2f}", f"{1000 * (row.end - row.start):.0f}", row.words)
+            for column, text in enumerate(words):
+                item = QTableWidgetItem(text)
+                item.setToolTip(f"{row.path}, {row.start:.2f} – {row.end:.2f} s")
+                if column in {1, 2}:
+                    item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                self.setItem(k, column, item)
+
+    def _play(self, k: int) -> None:
+        row = self.rows[k]
+        self.play_asked.emit(row.path, row.start, row.end)

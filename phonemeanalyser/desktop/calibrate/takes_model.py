@@ -1,0 +1,302 @@
+"""The takes of a project: kept, checked, trimmed, relabelled, excluded, deleted, and all of that undone."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
+
+from phonemeengine.audio.files import SoundReader, mono_of
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.takes.quality import TakeReport, check_take
+from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.take import Take
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE, Channel
+from phonemeanalyser.desktop.tasks import Backroom
+from phonemeanalyser.desktop.session.capture import in_house_form
+from phonemeanalyser.desktop.calibrate.take_labels import write_labels_of
+from phonemeanalyser.desktop.calibrate.take_reports import noise_in, report_of, reports_of, sound_in
+
+Block = NDArray[np.float32]
+
+LEAST_SECONDS = 0.05
+"""What is shorter was no take but a slip of the finger, seconds."""
+AROUND = 0.3
+"""What is kept before and after a stretch of a file, seconds: so it is recognised as it was said."""
+UNNAMED = "me"
+"""The speaker, until somebody is named."""
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """A project as it is after a change.
+
+    Attributes
+    ----------
+    takes : all of it that is not deleted, in the order in which they were made.
+    reports : what the check found, by number.
+    undoable, redoable : what can be taken back or done again, in words.
+    """
+
+    takes: tuple[Take, ...] = ()
+    reports: Mapping[int, TakeReport] = field(default_factory=dict)
+    undoable: str | None = None
+    redoable: str | None = None
+
+
+class TakesModel(QObject):
+    """The takes of the project in hand. The disk is asked in the background; `see` hands over what it said.
+
+    Signals
+    -------
+    opened : another project is in hand.
+    changed : the takes are others.
+    kept : a change was made that can be undone.
+    added : number of a take that is new.
+    sound_read : the sound of the selected take is there.
+    told : a sentence for the user about something that went well.
+    failed : a sentence for the user.
+    """
+
+    opened = Signal()
+    changed = Signal()
+    kept = Signal()
+    added = Signal(int)
+    sound_read = Signal()
+    told = Signal(str)
+    failed = Signal(str)
+
+    def __init__(self, default_folder: Callable[[], Path]) -> None:
+        super().__init__()
+        self.speaker = UNNAMED
+        self.now = Snapshot()
+        self.selected: int | None = None
+        self.sound: Block = np.zeros(0, np.float32)
+        self._default_folder = default_folder
+        self._project: TakeProject | None = None
+        self._shown: Path | None = None
+        self._reports: dict[int, TakeReport] = {}
+        self._disk = Backroom(self.failed.emit)
+
+    # -- what there is ------------------------------------------------------------------------------------
+
+    @property
+    def folder(self) -> Path | None:
+        """The project's folder; None while there is no project."""
+        return self._project.folder if self._project else None
+
+    @property
+    def busy(self) -> bool:
+        """Whether the disk is being asked."""
+        return self._disk.busy
+
+    def take(self, number: int) -> Take | None:
+        """Give a take by its number; None where there is none."""
+        return next((take for take in self.now.takes if take.number == number), None)
+
+    def path_of(self, take: Take) -> Path:
+        """Give the sound file of a take."""
+        return (self.folder or Path()) / take.sound
+
+    def utterances(self) -> tuple[Utterance, ...]:
+        """Give those takes that count, as labelled recordings."""
+        return tuple(
+            Utterance(self.path_of(take), take.to_labels(), take.speaker, "takes")
+            for take in self.now.takes
+            if not take.excluded
+        )
+
+    def noise(self) -> float:
+        """Give the level of the room as the newest silence tells it, as an amplitude; 0 where there is none."""
+        return noise_in(self.now.takes, self._reports)
+
+    # -- the project --------------------------------------------------------------------------------------
+
+    def open(self, folder: Path) -> None:
+        """Open a project, made where there is none; what was in hand is let go when that went well."""
+
+        if self.folder is None or folder.resolve() != self.folder.resolve():
+            self._disk.do(lambda _heed: self._opened_in_work(folder), self._show)
+
+    def close(self) -> None:
+        """Wait until everything is on the disk, and let the project go."""
+        self._disk.close()
+        if self._project is not None:
+            self._project.close()
+            self._project = None
+
+    def see(self) -> None:
+        """Take note of what the disk said."""
+        self._disk.see()
+
+    # -- changes ------------------------------------------------------------------------------------------
+
+    def add(
+        self, samples: Block, rate: int, phoneme: Phoneme, device: str, *, instead_of: int | None = None
+    ) -> None:  # fmt: skip
+        """Keep a new take, shape (n, n_channels), and check it; it may take the place of another."""
+        if len(samples) < LEAST_SECONDS * rate:
+            self.failed.emit(
+                f"Hold {phoneme.label} for as long as you say the sound: {len(samples) / rate:.2f} s were heard."
+            )
+            return
+        speaker = self.speaker.strip() or UNNAMED
+
+        def act(project: TakeProject) -> Take:
+            report = check_take(in_house_form(samples, rate), self._noise_now(project), phoneme)
+            take = project.add(samples, speaker, phoneme, rate=rate, report=report, device=device)
+            self._reports[take.number] = report
+            if instead_of is not None:
+                project.delete(next(t for t in project.takes if t.number == instead_of))
+            return take
+
+        self._change(act, self._tell_added)
+
+    def add_stretch(self, path: Path, channel: Channel, start: float, end: float, phoneme: Phoneme) -> None:
+        """Make a stretch of a file, in seconds, a take; what lies around it is kept, and does not count.
+
+        The mix keeps both channels of a stereo file.
+        """
+
+        def act(project: TakeProject) -> Take:
+            before = min(start, AROUND)
+            with SoundReader(path, channel) as reader:
+                reader.seek(round((start - before) * SAMPLE_RATE))
+                samples = reader.read(round((before + end - start + AROUND) * SAMPLE_RATE))
+            if channel is not Channel.MIX:
+                samples = mono_of(samples, channel)[:, np.newaxis]
+            marked = samples[round(before * SAMPLE_RATE) : round((before + end - start) * SAMPLE_RATE)]
+            report = check_take(in_house_form(marked, SAMPLE_RATE), self._noise_now(project), phoneme)
+            take = project.add(
+                samples,
+                self.speaker.strip() or UNNAMED,
+                phoneme,
+                report=report.within(before, end - start),
+                device=path.name,
+            )
+            self._reports[take.number] = report
+            return take
+
+        if end - start < LEAST_SECONDS:
+            self.failed.emit(f"The stretch of {path.name} lasts {max(0.0, end - start):.2f} s; mark a longer one.")
+            return
+        self._change(act, self._tell_added)
+
+    def trim(self, number: int, start: float, end: float) -> None:
+        """Let another stretch of a take count, seconds."""
+        self._change_take(number, lambda project, take: project.trim(take, start, min(end, take.duration)))
+
+    def relabel(self, number: int, phoneme: Phoneme) -> None:
+        """Say that a take is another phoneme."""
+        self._change_take(
+            number, lambda project, take: self._checked(project, project.relabel(take, phoneme)) or take
+        )
+
+    def set_excluded(self, number: int, excluded: bool) -> None:
+        """Let a take count for nothing for now, or let it count again."""
+        self._change_take(number, lambda project, take: project.exclude(take) if excluded else project.include(take))
+
+    def delete(self, number: int) -> None:
+        """Delete a take; undo brings it back."""
+        self._change_take(number, lambda project, take: project.delete(take))
+
+    def undo(self) -> None:
+        """Take the last change back."""
+        self._change(lambda project: self._checked(project, project.undo()), is_new=False)
+
+    def redo(self) -> None:
+        """Do again what was undone."""
+        self._change(lambda project: self._checked(project, project.redo()), is_new=False)
+
+    def write_labels(self, suffix: str, program: str) -> None:
+        """Write label files for another program beside the sounds of all takes: its name, and how they end."""
+        self._disk.do(lambda _heed: write_labels_of(self._project, suffix, program), self.told.emit)
+
+    def select(self, number: int | None) -> None:
+        """Choose a take, whose sound is read."""
+        self.selected = number
+        take = self.take(number) if number is not None else None
+        if take is None:
+            self.sound = np.zeros(0, np.float32)
+            self.sound_read.emit()
+            return
+        path = self.path_of(take)
+        self._disk.do(lambda _heed: sound_in(path), lambda sound: self._show_sound(number, sound))
+
+    # -- in the background --------------------------------------------------------------------------------
+
+    def _change_take(self, number: int, act: Callable[[TakeProject, Take], Take]) -> None:
+        def change(project: TakeProject) -> Take | None:
+            take = next((t for t in project.takes if t.number == number), None)
+            return act(project, take) if take is not None else None
+
+        self._change(change)
+
+    def _change(
+        self, act: Callable[[TakeProject], Take | None], then: Callable[[Take], object] = lambda _take: None, *,
+        is_new: bool = True,
+    ) -> None:  # fmt: skip
+        """Change the project, one change after the other; the first one makes it where there is none."""
+
+        def work() -> tuple[Take | None, Snapshot]:
+            if self._project is None:
+                self._opened_in_work(self._default_folder())
+            project = self._project
+            assert project is not None
+            return act(project), self._snapshot_of(project)
+
+        def hand_over(found: tuple[Take | None, Snapshot]) -> None:
+            before = self.now.takes
+            self._show(found[1])
+            if is_new and self.now.takes != before:
+                self.kept.emit()
+            if found[0] is not None:
+                then(found[0])
+
+        self._disk.do(lambda _heed: work(), hand_over)
+
+    def _opened_in_work(self, folder: Path) -> Snapshot:
+        project, before = TakeProject(folder), self._project
+        self._reports = reports_of(project)
+        self._project = project
+        if before is not None:
+            before.close()
+        return self._snapshot_of(project)
+
+    def _show(self, now: Snapshot) -> None:
+        self.now = now
+        if self._project is not None and self.folder != self._shown:
+            self._shown = self.folder
+            self.select(None)
+            self.opened.emit()
+            for note in self._project.notes:
+                self.told.emit(f"{note[0].upper()}{note[1:]}.")
+        if self.selected is not None and self.take(self.selected) is None:
+            self.select(None)
+        self.changed.emit()
+
+    def _checked(self, project: TakeProject, take: Take | None) -> Take | None:
+        """Check a take anew, that may be another phoneme now."""
+        if take is not None and not take.deleted:
+            self._reports[take.number] = report_of(project, take, self._noise_now(project))
+        return take
+
+    def _snapshot_of(self, project: TakeProject) -> Snapshot:
+        return Snapshot(project.takes, dict(self._reports), project.undoable, project.redoable)
+
+    def _noise_now(self, project: TakeProject) -> float:
+        return noise_in(project.takes, self._reports)
+
+    def _tell_added(self, take: Take) -> None:
+        self.added.emit(take.number)
+        report = self.now.reports[take.number]
+        for sentence in list(report.faults.values())[:1]:
+            self.failed.emit(f"{take.name}: {sentence}")
+
+    def _show_sound(self, number: int | None, sound: Block) -> None:
+        if number == self.selected:
+            self.sound = sound
+            self.sound_read.emit()

@@ -1,0 +1,198 @@
+"""The left of the page: the project, its speaker, what records, and the takes."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QMenu, QToolButton, QVBoxLayout, QWidget
+
+from phonemeanalyser.desktop.calibrate.model import Calibration
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LettersPassed
+from phonemeanalyser.desktop.calibrate.take_list import TakesList
+from phonemeanalyser.desktop.calibrate.record_panel import RecordPanel
+from phonemeanalyser.desktop.calibrate.take_waveform import TakeWave
+from phonemeanalyser.desktop.session.status_line import ElidedLabel
+
+WIDTH = 330
+
+
+class TakesPanel(QWidget):
+    """The project and its takes.
+
+    Signals
+    -------
+    project_asked : the user wants another folder for his takes.
+    import_asked : the user wants to load labelled recordings: a folder (True) or files.
+    guide_asked : the user wants to be led through all sounds.
+    """
+
+    project_asked = Signal()
+    import_asked = Signal(bool)
+    guide_asked = Signal()
+
+    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+        super().__init__()
+        self._calibration = calibration
+        self._theme = theme
+        self.project, self.recordings = ElidedLabel(), ElidedLabel()
+        self.open, self.add, self.clear = QToolButton(), QToolButton(), QToolButton()
+        self.speaker = QLineEdit(calibration.takes.speaker)
+        self.guide, self.room = QToolButton(), QToolButton()
+        self.record = RecordPanel(calibration, theme)
+        self.list = TakesList(calibration.takes, theme)
+        self.wave = TakeWave(calibration.takes, theme)
+        self.play, self.exclude, self.delete = QToolButton(), QToolButton(), QToolButton()
+        self.phoneme = QComboBox()
+        self._fill()
+        self._lay_out()
+        self._connect()
+        self._show_project()
+        self._show_recordings()
+        self._show_take()
+
+    def _fill(self) -> None:
+        for button, text, tip in (
+            (self.open, "folder…", "Choose the folder of the takes, or write labels for other programs beside them"),
+            (self.add, "load", "Load labelled recordings: TextGrid, Audacity's labels, CSV"),
+            (self.clear, "✕", "Forget the labelled recordings; their files stay"),
+            (self.guide, "Guided calibration…", "Be led through silence and all sounds in under a minute (G)"),
+            (self.room, "room", "Measure the room: two seconds of quiet set silence and denoising of any recogniser"),
+            (self.play, "play", "Play what counts of the take (Return, or a double click)"),
+            (self.exclude, "exclude", "Let the take count for nothing for now, or count again (X)"),
+            (self.delete, "delete", "Delete the take (Delete); Ctrl+Z brings it back"),
+        ):
+            button.setText(text)
+            button.setToolTip(tip)
+            button.setAccessibleName(tip)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self._add_menu(
+            self.add,
+            ("A Folder of Labelled Recordings…", lambda: self.import_asked.emit(True)),
+            ("Sounds with Labels Beside Them…", lambda: self.import_asked.emit(False)),
+        )
+        write = self._calibration.takes.write_labels
+        self._add_menu(
+            self.open,
+            ("Choose the Folder…", self.project_asked.emit),
+            ("Write Labels for Praat (TextGrid)", lambda: write(".TextGrid", "Praat")),
+            ("Write Labels for Audacity (txt)", lambda: write(".txt", "Audacity")),
+        )
+        self.guide.setSizePolicy(self.record.sizePolicy())
+        for button in (self.guide, self.room):
+            button.setMinimumHeight(28)
+        self.guide.setStyleSheet(
+            f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
+            " border-radius: 4px; font-weight: bold }"
+            f"QToolButton:disabled {{ background: {self._theme.line} }}"
+        )
+        self.speaker.setToolTip("Who says the takes that are recorded from now on")
+        self.speaker.setAccessibleName("speaker")
+        self.phoneme.setToolTip("What the chosen take is: choose another sound to relabel it")
+        self.phoneme.setAccessibleName("sound of the take")
+        self.phoneme.installEventFilter(LettersPassed(self.phoneme))
+        for phoneme in KEYS:
+            self.phoneme.addItem(phoneme.label, phoneme)
+
+    def _add_menu(self, button: QToolButton, *entries: tuple[str, Callable[[], object]]) -> None:
+        menu = QMenu(button)
+        for text, act in entries:
+            menu.addAction(text, act)
+        button.setMenu(menu)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+
+    def _lay_out(self) -> None:
+        column = QVBoxLayout(self)
+        column.setContentsMargins(8, 6, 6, 6)
+        column.setSpacing(5)
+        for row in (
+            (QLabel("<b>Takes</b>"), self.project, self.open),
+            (QLabel("Speaker"), self.speaker),
+            (self.guide, self.room),
+            (self.record,),
+            (self.list,),
+            (self.wave,),
+            (self.play, self.phoneme, self.exclude, self.delete),
+            (QLabel("<b>Recordings</b>"), self.recordings, self.clear, self.add),
+        ):
+            line = QHBoxLayout()
+            line.setSpacing(5)
+            for widget in row:
+                line.addWidget(widget, 1 if widget in {self.project, self.recordings, self.phoneme} else 0)
+            column.addLayout(line, 1 if row == (self.list,) else 0)
+        self.setFixedWidth(WIDTH)
+
+    def _connect(self) -> None:
+        takes = self._calibration.takes
+        self.clear.clicked.connect(self._calibration.recordings.clear)
+        self.guide.clicked.connect(self.guide_asked)
+        self.room.clicked.connect(lambda _checked=False: self._calibration.measure_room())
+        self._calibration.room.changed.connect(self._show_room)
+        QShortcut(QKeySequence("G"), self).activated.connect(self.guide.click)
+        self.speaker.textEdited.connect(self._name_speaker)
+        self.speaker.returnPressed.connect(self.list.setFocus)
+        self.list.play_asked.connect(self._calibration.play_take)
+        self.list.delete_asked.connect(takes.delete)
+        self.list.exclude_asked.connect(self._toggle_excluded)
+        self.play.clicked.connect(lambda: self._with_chosen(self.list.play_asked.emit))
+        self.delete.clicked.connect(lambda: self._with_chosen(takes.delete))
+        self.exclude.clicked.connect(lambda: self._with_chosen(self._toggle_excluded))
+        self.phoneme.activated.connect(self._relabel)
+        self.wave.trimmed.connect(self._trim)
+        takes.opened.connect(self._show_project)
+        takes.changed.connect(self._show_take)
+        takes.sound_read.connect(self._show_take)
+        self._calibration.recordings.changed.connect(self._show_recordings)
+
+    def _with_chosen(self, act: object) -> None:
+        number = self.list.chosen
+        if number is not None and callable(act):
+            act(number)
+
+    def _name_speaker(self, name: str) -> None:
+        self._calibration.takes.speaker = name
+
+    def _toggle_excluded(self, number: int) -> None:
+        take = self._calibration.takes.take(number)
+        if take is not None:
+            self._calibration.takes.set_excluded(number, not take.excluded)
+
+    def _relabel(self, index: int) -> None:
+        number = self.list.chosen
+        if number is not None:
+            self._calibration.takes.relabel(number, self.phoneme.itemData(index))
+
+    def _trim(self, start: float, end: float) -> None:
+        if self.list.chosen is not None:
+            self._calibration.takes.trim(self.list.chosen, start, end)
+
+    def _show_project(self) -> None:
+        folder = self._calibration.takes.folder
+        self.project.setText(_short(folder) if folder else "none yet: the first take makes one")
+        self.project.setToolTip(str(folder) if folder else "Takes go into a folder that you may choose")
+
+    def _show_recordings(self) -> None:
+        recordings = self._calibration.recordings
+        n, speakers = len(recordings.utterances), recordings.n_speakers
+        text = f"{n} by {speakers} speaker{'s' if speakers > 1 else ''}" if n else "none loaded"
+        self.recordings.setText(text)
+        self.recordings.setToolTip("\n".join(map(str, recordings.sources)) or "Labelled recordings beside the takes")
+        self.clear.setEnabled(n > 0)
+
+    def _show_room(self) -> None:
+        self.room.setText("keep quiet …" if self._calibration.room.listening else "room")
+
+    def _show_take(self) -> None:
+        takes = self._calibration.takes
+        take = takes.take(takes.selected) if takes.selected is not None else None
+        for widget in (self.play, self.exclude, self.delete, self.phoneme):
+            widget.setEnabled(take is not None)
+        self.exclude.setText("include" if take is not None and take.excluded else "exclude")
+        if take is not None:
+            with QSignalBlocker(self.phoneme):
+                self.phoneme.setCurrentIndex(self.phoneme.findData(take.phoneme))
+
+
+def _short(folder: Path) -> str:
+    return f"{folder.parent.name}/{folder.name}" if folder.parent.name else str(folder)

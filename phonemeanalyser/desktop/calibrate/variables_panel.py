@@ -1,0 +1,206 @@
+"""The variables, ranked by how well they separate the sounds, and the search for better ones."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QGridLayout,
+    QHeaderView,
+    QLabel,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from phonemeengine.calibration.fits.suggestions import Suggestion
+from phonemeengine.features.variables import Variable
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.recogniser import takes_own_variables
+from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LettersPassed
+
+NAME = Qt.ItemDataRole.UserRole
+
+
+ACTS = "It acts once a rule of the preset names it."
+NO_ACT = "it would be measured and drawn, and change no phoneme. The recogniser rules can use them."
+
+
+class VariablesPanel(QWidget):
+    """Chooses the variable that is shown, and suggests others for a pair of sounds.
+
+    Signals
+    -------
+    add_asked : a `Variable` that the user wants to have.
+    """
+
+    add_asked = Signal(Variable)
+
+    def __init__(self, bench: BenchModel, theme: Theme) -> None:
+        super().__init__()
+        self._bench = bench
+        self._theme = theme
+        self.table = QTableWidget(0, 2)
+        self.one, self.other = QComboBox(), QComboBox()
+        self.search = QPushButton("suggest")
+        self.add = QPushButton("add")
+        self.words = QLabel()
+        self._lay_out()
+        self._connect()
+        self._fill()
+
+    def refresh(self) -> None:
+        """Show how far a search is."""
+        busy = self._bench.searching
+        self.search.setText(f"stop {100 * self._bench.search_share:.0f} %" if busy else "suggest")
+
+    def _lay_out(self) -> None:
+        self.setFixedWidth(216)
+        self.table.setHorizontalHeaderLabels(["variable", "separates"])
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.Fixed)
+        header.resizeSection(1, 68)
+        header.setFixedHeight(22)
+        header.setHighlightSections(False)
+        self.table.verticalHeader().hide()
+        self.table.verticalHeader().setDefaultSectionSize(20)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setShowGrid(False)
+        self.table.setWordWrap(False)
+        self.table.setTabKeyNavigation(False)
+        self.table.setAccessibleName("variables")
+        self.table.setToolTip(
+            "The chance that of two frames of different sounds a threshold tells which is which: 50 % says nothing"
+        )
+        self.table.installEventFilter(LettersPassed(self.table))
+        for phoneme in KEYS:
+            self.one.addItem(phoneme.label, phoneme)
+            self.other.addItem(phoneme.label, phoneme)
+        self.other.addItem("all others", None)
+        self.one.setCurrentIndex(self.one.findData(Phoneme.SZ))
+        self.other.setCurrentIndex(self.other.findData(Phoneme.SCH))
+        for box, name in (
+            (self.one, "Sound that is to be told apart"),
+            (self.other, "... from this one, or from all"),
+        ):
+            box.setToolTip(name)
+            box.setAccessibleName(name)
+            box.installEventFilter(LettersPassed(box))
+        self.search.setToolTip("Search for frequency ranges that part these two best")
+        self.add.setToolTip("Add the suggested variable to the preset; Ctrl+Z takes it back")
+        for button in (self.search, self.add):
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(6, 4, 4, 4)
+        column.setSpacing(4)
+        column.addWidget(self.table, 1)
+        grid = QGridLayout()
+        grid.setSpacing(4)
+        grid.addWidget(QLabel("part"), 0, 0)
+        grid.addWidget(self.one, 0, 1)
+        grid.addWidget(QLabel("from"), 0, 2)
+        grid.addWidget(self.other, 0, 3)
+        grid.setColumnStretch(1, 1)
+        grid.setColumnStretch(3, 1)
+        grid.addWidget(self.search, 1, 0, 1, 2)
+        grid.addWidget(self.add, 1, 2, 1, 2)
+        column.addLayout(grid)
+        self.words.setWordWrap(True)
+        self.words.setVisible(False)
+        column.addWidget(self.words)
+
+    def _connect(self) -> None:
+        self.table.currentCellChanged.connect(self._choose)
+        self.search.clicked.connect(self._search)
+        self.add.clicked.connect(self._add)
+        self._bench.distribution_changed.connect(self._fill)
+        self._bench.suggested.connect(self._fill)
+        self._bench.confusion_changed.connect(self._tell)  # the recogniser may be another
+
+    def _fill(self) -> None:
+        ranked = [(r.variable, r.variable, r.separation, r.variable) for r in self._bench.ranking]
+        have = {name for name, *_ in ranked}
+        suggested = [
+            (s.variable.name, f"+ {_range_of(s.variable)}", s.separation, f"{s.variable.name}: {_words_of(s)}")
+            for s in self._bench.suggestions
+            if s.variable.name not in have
+        ]
+        rows = [*suggested, *ranked]
+        self.table.blockSignals(True)
+        self.table.setRowCount(len(rows))
+        for row, (name, text, separation, words) in enumerate(rows):
+            new = row < len(suggested)
+            items = QTableWidgetItem(text), QTableWidgetItem(f"{separation:.0%}")
+            items[1].setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            for column, item in enumerate(items):
+                item.setData(NAME, name)
+                item.setToolTip(words)
+                item.setForeground(QColor(self._theme.accent if new else self._theme.text))
+                self.table.setItem(row, column, item)
+            preview = self._bench.preview
+            if name == (self._bench.variable if preview is None else preview.variable.name):
+                self.table.setCurrentCell(row, 0)
+        self.table.blockSignals(False)
+        self._show_add()
+
+    def _choose(self, row: int, _column: int, old: int, _old_column: int) -> None:
+        item = self.table.item(row, 0)
+        if item is None or row == old:
+            return
+        suggestion = self._suggested()
+        if suggestion is None:
+            self._bench.choose(str(item.data(NAME)))
+        else:
+            self._bench.look_at(suggestion)
+        self._show_add()
+
+    def _search(self) -> None:
+        if self._bench.searching:
+            self._bench.cancel_search()
+        else:
+            self._bench.suggest(Phoneme(self.one.currentData()), self.other.currentData())
+
+    def _add(self) -> None:
+        suggestion = self._suggested()
+        if suggestion is not None:
+            self.add_asked.emit(suggestion.variable)
+
+    def _suggested(self) -> Suggestion | None:
+        """Give the suggestion that is chosen; None where it is a variable that there is."""
+        item = self.table.item(self.table.currentRow(), 0)
+        name = item.data(NAME) if item is not None else ""
+        have = {r.variable for r in self._bench.ranking}
+        return next((s for s in self._bench.suggestions if s.variable.name == name and name not in have), None)
+
+    def _show_add(self) -> None:
+        self.add.setEnabled(self._suggested() is not None)
+        self._tell()
+
+    def _tell(self) -> None:
+        """Say what the suggestion that is chosen measures, and whether it can act."""
+        suggestion, name = self._suggested(), self._bench.recogniser
+        self.words.setVisible(suggestion is not None)
+        if suggestion is not None:
+            acts = takes_own_variables(name)
+            colour = self._theme.faint if acts else self._theme.bad
+            note = ACTS if acts else f"The recogniser {name} cannot use variables of your own; {NO_ACT}"
+            self.words.setText(f"{_words_of(suggestion)}.<br><span style='color:{colour}'>{note}</span>")
+
+
+def _range_of(variable: Variable) -> str:
+    return f"{variable.low:.0f}–{variable.high:.0f} Hz {variable.kind}"
+
+
+def _words_of(suggestion: Suggestion) -> str:
+    variable = suggestion.variable
+    return (
+        f"{variable.kind} of {variable.low:.0f}–{variable.high:.0f} Hz of the {variable.source} spectrum, "
+        f"separates {suggestion.separation:.0%}"
+    )

@@ -1,0 +1,358 @@
+"""What the user is asked: files, names, and what is to become of unsaved changes."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QIODevice, QObject, QSaveFile, QSettings, Signal
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
+
+from phonemeengine.paths import free_path, presets_folder
+from phonemeengine.labels.files import LABEL_SUFFIXES
+from phonemeengine.errors import EngineError
+from phonemeengine.features.variables import Variable
+from phonemeengine.presets.entries import PresetEntry, preset_entries
+from phonemeengine.presets.files import FACTORY_PRESETS, own_presets
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session, Source
+from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
+
+N_RECENT = 8
+PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
+PRESET_FILTER = "Presets (*.toml *.phonemedata *.txt)"
+CURVE_FILTER = "Curves (*.csv)"
+LABEL_FILTERS = {
+    "Praat TextGrid (*.TextGrid)": ".TextGrid",
+    "Audacity labels (*.txt)": ".txt",
+    "Corpus labels (*.csv)": ".csv",
+}
+
+
+class Dialogs(QObject):
+    """Asks, and passes the answers to the models; what is refused is said, and leaves everything as it was.
+
+    Signals
+    -------
+    refused : a sentence for the user; an empty one after something went well.
+    told : a sentence for the user about something to know.
+    sound_opened : a sound file is in hand, and first among the recent ones.
+    variable_added : name of the user's new variable.
+    offered : a sentence, what can be done about it, and the function that does it.
+    """
+
+    refused = Signal(str)
+    told = Signal(str)
+    sound_opened = Signal()
+    variable_added = Signal(str)
+    offered = Signal(str, str, object)
+
+    def __init__(self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings) -> None:
+        super().__init__(window)
+        self._window = window
+        self._session = session
+        self._preset = preset
+        self._settings = settings
+
+    def open_any(self, path: Path) -> None:
+        """Load a preset, a curve or a sound, by the suffix of its name."""
+        kind = path.suffix.lower()
+        if kind in PRESET_SUFFIXES:
+            self.load_preset(path)
+        elif kind == ".csv":
+            self.load_curve(path)
+        else:
+            self.open_sound(path)
+
+    # -- sounds -------------------------------------------------------------------------------------------
+
+    def open_sound(self, path: Path) -> bool:
+        """Open a sound file; says whether it is in hand."""
+        if not self._session.open(path):
+            return False
+        self.refused.emit("")
+        if self._session.cut_off:
+            self.told.emit(self._session.cut_off)
+        here = str(path.resolve())
+        recent = [here] + [other for other in self.recent_sounds() if other != here]
+        self._settings.setValue("recent", recent[:N_RECENT])
+        self.sound_opened.emit()
+        return True
+
+    def ask_sound(self) -> bool:
+        """Let the user choose a sound file; says whether one was opened."""
+        name, _ = QFileDialog.getOpenFileName(
+            self._window, "Open a sound file", self._folder("sound"), "All files (*)"
+        )
+        if not name:
+            return False
+        self._settings.setValue("folder/sound", str(Path(name).parent))
+        return self.open_sound(Path(name))
+
+    def recent_sounds(self) -> list[str]:
+        """Give the paths of the sounds that were opened last, newest first."""
+        return self._kept("recent")
+
+    def _kept(self, key: str) -> list[str]:
+        """Return the paths that are kept in the settings."""
+        kept = self._settings.value(key, [])
+        if isinstance(kept, str):
+            return [kept]
+        return [str(path) for path in kept] if isinstance(kept, list) else []
+
+    def last_sound(self) -> Path | None:
+        """Give the sound that was opened last, if it is still there."""
+        recent = self.recent_sounds()
+        return Path(recent[0]) if recent and Path(recent[0]).is_file() else None
+
+    def ask_save_phonemes(self) -> None:
+        """Let the user choose a file to save the phonemes of the opened sound to; its ending says in which format."""
+        sound = self._session.path
+        if sound is None or self._session.source is not Source.FILE:
+            self.refused.emit("There is no sound file in hand; open the one whose phonemes are to be saved.")
+            return
+        suggested = Path(self._folder("phonemes", sound.parent)) / f"{sound.stem}.TextGrid"
+        filters = ";;".join(LABEL_FILTERS)
+        name, chosen = QFileDialog.getSaveFileName(self._window, "Save the phonemes", str(suggested), filters)
+        if not name:
+            return
+        path = Path(name)
+        if path.suffix.lower() not in LABEL_SUFFIXES:
+            path = free_path(path.with_name(path.name + LABEL_FILTERS.get(chosen, ".TextGrid")))
+        self._settings.setValue("folder/phonemes", str(path.parent))
+        self._session.write_phonemes(path)
+
+    # -- recordings ---------------------------------------------------------------------------------------
+
+    def ask_recordings_folder(self) -> None:
+        """Let the user choose where recordings go."""
+        microphone = self._session.microphone
+        name = QFileDialog.getExistingDirectory(self._window, "Where recordings go", str(microphone.folder))
+        if name:
+            microphone.folder = Path(name)
+
+    def offer_recording(self, path: str, seconds: float, gaps: str) -> None:
+        """Offer to open a recording that is complete; `gaps` says what is missing in it, if anything is."""
+        sentence = f"Recorded {seconds:.1f} s into {path}{', ' if gaps else ''}{gaps}"
+        self.offered.emit(sentence, "Open It", lambda: self.open_sound(Path(path)))
+
+    def offer_unfinished(self) -> None:
+        """Offer to open a recording that was cut off when the program ended; the newest, if there are several."""
+        found = self._session.microphone.unfinished()
+        if not found:
+            return
+        newest = found[-1]
+        others = f" ({len(found) - 1} more are in {newest.path.parent})" if len(found) > 1 else ""
+        sentence = (
+            f"The program ended while it recorded; {newest.seconds:.1f} s of {newest.begun:%d %B, %H:%M} are safe in "
+            f"{newest.path}{others}"
+        )
+        self.offered.emit(sentence, "Open It", lambda: self.open_sound(newest.path))
+        for recording in found:
+            recording.forget()
+
+    # -- presets ------------------------------------------------------------------------------------------
+
+    def load_preset(self, path: Path) -> None:
+        """Load a preset, after asking what is to become of unsaved changes."""
+        if self.may_go_on() and self._try(lambda: self._preset.load(path)):
+            self._remember_preset(self._preset.path)
+
+    def choose_recogniser(self, name: str) -> None:
+        """Recognise with another recogniser."""
+        self._try(lambda: self._preset.set_recogniser(name))
+
+    def restore_preset(self) -> None:
+        """Load the preset that was in use when the window was last closed, if it is still there."""
+        path = Path(str(self._settings.value("preset", "")))
+        if path.is_file() and path != self._preset.path:
+            self._try(lambda: self._preset.load(path))
+
+    def take_up_unsaved(self, unsaved: UnsavedChanges) -> None:
+        """Take up what was changed and not saved when the program ended, and offer to undo that."""
+        try:
+            found = unsaved.take_up()
+        except EngineError as error:
+            self.refused.emit(f"The changes that were not saved when the program ended cannot be read: {error}")
+            return
+        if found:
+            name, stack = self._preset.preset.name, self._preset.undo_stack
+            sentence = f"The changes of the preset {name} that were not saved when the program ended are here again."
+            self.offered.emit(sentence, "Undo Them", partial(stack.setIndex, 0))
+
+    def ask_preset(self) -> None:
+        """Let the user choose a preset file."""
+        folder = self._folder("preset", self._preset.path.parent)
+        name, _ = QFileDialog.getOpenFileName(self._window, "Load a preset or PhonemeData", folder, PRESET_FILTER)
+        if name:
+            self._settings.setValue("folder/preset", str(Path(name).parent))
+            self.load_preset(Path(name))
+
+    def save(self) -> bool:
+        """Save the preset to its file; a factory preset is saved under a name of the user's own."""
+        if self._preset.is_factory:
+            return self.save_as()
+        return self._save_to(self._preset.path)
+
+    def save_as(self, suggested: Path | None = None) -> bool:
+        """Let the user choose a file to save the preset to; says whether it was saved."""
+        suggested = suggested or self._own_presets_folder() / f"{self._preset.path.stem}-mine.toml"
+        filters = "Preset (*.toml);;PhonemeData (*.phonemedata)"
+        name, chosen = QFileDialog.getSaveFileName(self._window, "Save the preset", str(suggested), filters)
+        if not name:
+            return False
+        path = Path(name)
+        if path.suffix.lower() not in PRESET_SUFFIXES:
+            path = free_path(path.with_name(path.name + (".phonemedata" if "PhonemeData" in chosen else ".toml")))
+        self._settings.setValue("folder/preset", str(path.parent))
+        return self._save_to(path)
+
+    def _save_to(self, path: Path) -> bool:
+        """Save to a file; where it cannot hold all, the user says what becomes of the rest."""
+        lost = self._preset.lost_in(path)
+        if lost:
+            answer = self._ask_what_becomes_of(lost, path)
+            if answer != QMessageBox.ButtonRole.AcceptRole:
+                return answer == QMessageBox.ButtonRole.YesRole and self.save_as(path.with_suffix(".toml"))
+        saved = self._try(lambda: self._preset.save(path))
+        if saved:
+            self._remember_preset(path)
+        return saved
+
+    def _ask_what_becomes_of(self, lost: tuple[str, ...], path: Path) -> QMessageBox.ButtonRole:
+        """Say what a PhonemeData file cannot hold; Yes is a TOML file, Accept the numbers only, Reject neither."""
+        box = QMessageBox(QMessageBox.Icon.Question, "A PhonemeData file holds 21 numbers", "", parent=self._window)
+        box.setText(f"{path.name} cannot hold {_listed(lost)} of this preset. Save all of it as a TOML file?")
+        roles = QMessageBox.ButtonRole
+        toml = box.addButton("Save as TOML…", roles.YesRole)
+        box.addButton("Save the 21 Numbers Only", roles.AcceptRole)
+        box.addButton(QMessageBox.StandardButton.Cancel)
+        box.setDefaultButton(toml)
+        box.exec()
+        return box.buttonRole(box.clickedButton())
+
+    def _own_presets_folder(self) -> Path:
+        """Return the folder of the user's own presets; it is made where there is none yet."""
+        folder = presets_folder()
+        with suppress(OSError):  # then the dialog shows where one can save
+            folder.mkdir(parents=True, exist_ok=True)
+        return folder
+
+    def _remember_preset(self, path: Path) -> None:
+        here = str(path.resolve())
+        self._settings.setValue("preset", here)
+        recent = [here, *(other for other in self._kept("recent presets") if other != here)]
+        self._settings.setValue("recent presets", recent[:N_RECENT])
+
+    def preset_sections(self) -> dict[str, tuple[PresetEntry, ...]]:
+        """Return the presets to choose from, by heading: the program's, the user's own, and others used lately."""
+        mine = own_presets()
+        listed = {*FACTORY_PRESETS, *mine}
+        recent = [Path(kept) for kept in self._kept("recent presets")]
+        return {
+            "Factory": preset_entries(FACTORY_PRESETS),
+            "Mine": preset_entries(mine),
+            "Recent": preset_entries(path for path in recent if path not in listed),
+        }
+
+    def ask_notes(self) -> None:
+        """Let the user read and change the preset's notes."""
+        notes, changed = QInputDialog.getMultiLineText(
+            self._window,
+            "Preset notes",
+            f"Notes of the preset {self._preset.preset.name}:",
+            self._preset.preset.notes,
+        )
+        if changed:
+            self._preset.edit(replace(self._preset.preset, notes=notes), "change of notes")
+
+    def may_go_on(self) -> bool:
+        """Ask what is to become of unsaved changes; says whether to go on."""
+        if not self._preset.has_unsaved_changes:
+            return True
+        buttons = QMessageBox.StandardButton
+        answer = QMessageBox.question(
+            self._window, "Unsaved changes", f"Save the changes to the preset {self._preset.preset.name}?",
+            buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
+        )  # fmt: skip
+        return self.save() if answer == buttons.Save else answer == buttons.Discard
+
+    # -- variables and curves -----------------------------------------------------------------------------
+
+    def ask_variable(self, low: float, high: float) -> None:
+        """Let the user name a variable over a frequency range (Hz), and choose what it measures."""
+        dialog = VariableDialog(low, high, self._preset.add_variable, self._window)
+        if dialog.exec():
+            self.variable_added.emit(dialog.variable().name)
+
+    def add_variable(self, variable: Variable) -> None:
+        """Add a variable that was suggested."""
+        if self._try(lambda: self._preset.add_variable(variable)):
+            self.variable_added.emit(variable.name)
+
+    def ask_remove_variable(self) -> None:
+        """Let the user choose a variable of his own to remove."""
+        names = [v.name for v in self._preset.preset.variables]
+        if not names:
+            self.refused.emit("There are no variables of your own yet; mark a range on the averaged spectrum first.")
+            return
+        name, chosen = QInputDialog.getItem(self._window, "Remove a variable", "Variable:", names, editable=False)
+        if chosen:
+            self._preset.remove_variable(name)
+
+    def ask_curves(self) -> None:
+        """Let the user choose curves to compare with."""
+        names, _ = QFileDialog.getOpenFileNames(self._window, "Load curves", self._folder("curve"), CURVE_FILTER)
+        for name in names:
+            self._settings.setValue("folder/curve", str(Path(name).parent))
+            self.load_curve(Path(name))
+
+    def load_curve(self, path: Path) -> None:
+        """Load a curve beside the averaged spectrum."""
+        self._try(lambda: self._session.averages.load(path))
+
+    def ask_save_curve(self) -> None:
+        """Let the user choose a file to save the averaged spectrum to."""
+        if not self._session.averages.n_frames:
+            self.refused.emit("There is no averaged spectrum yet; play a sound first.")
+            return
+        name, _ = QFileDialog.getSaveFileName(
+            self._window, "Save the averaged spectrum", self._folder("curve"), CURVE_FILTER
+        )
+        if name:
+            path = Path(name) if name.endswith(".csv") else free_path(Path(name + ".csv"))
+            self._try(lambda: self._session.averages.save(path))
+
+    def ask_save_picture(self, picture: QPixmap, name: str) -> None:
+        """Let the user choose a file to save the picture of a plot to."""
+        suggested = str(Path(self._folder("picture")) / f"{name}.png")
+        chosen, _ = QFileDialog.getSaveFileName(self._window, "Save the picture", suggested, "Pictures (*.png)")
+        if chosen:
+            path = Path(chosen) if chosen.lower().endswith(".png") else free_path(Path(f"{chosen}.png"))
+            self._settings.setValue("folder/picture", str(path.parent))
+            self._try(lambda: _write_picture(picture, path))
+
+    def _try(self, act: Callable[[], object]) -> bool:
+        try:
+            act()
+        except EngineError as error:
+            self.refused.emit(str(error))
+            return False
+        self.refused.emit("")
+        return True
+
+    def _folder(self, kind: str, default: Path | None = None) -> str:
+        return str(self._settings.value(f"folder/{kind}", str(default or Path.home())))
+
+
+def _listed(words: tuple[str, ...]) -> str:
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def _write_picture(picture: QPixmap, path: Path) -> None:
+    file = QSaveFile(str(path))
+    if not (file.open(QIODevice.OpenModeFlag.WriteOnly) and picture.save(file, "PNG") and file.commit()):
+        raise EngineError(f"{path.name}: cannot be written ({file.errorString()}); choose another folder")

@@ -1,0 +1,45 @@
+"""The heads of a window: those of the pages, once they are there, and that of the dock."""
+
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.calibrate.page import CalibrationPage
+from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.widgets.pages import LatePage
+from phonemeanalyser.desktop.talk.page import TalkPage
+
+
+class Heads:
+    """Moves the heads that are seen."""
+
+    def __init__(
+        self, talking: Talking, page: LatePage[TalkPage], calibrating: LatePage[CalibrationPage],
+        docked: HeadView,
+    ) -> None:  # fmt: skip
+        self._talking = talking
+        self._page = page
+        self._calibrating = calibrating
+        self._docked = docked
+
+    def move(self, *, frozen: bool) -> None:
+        """Have the head say what is heard, where it is seen."""
+        made = self._calibrating.made
+        heads = (self._page.made, made.guide.head if made is not None else None, self._docked)
+        seen = [view for view in heads if view is not None and view.isVisible()]
+        self._talking.watch(bool(seen) and not frozen)
+        self._talking.tick()
+        for view in seen:
+            if not frozen:
+                view.refresh()
+
+    def look_like(self, other: "Heads") -> None:
+        """Show the heads from where another window shows them."""
+        if other._page.made is not None:
+            self._page.get().head.look_like(other._page.made.head)
+        self._docked.look_like(other._docked)
+
+    def let_go(self) -> None:
+        """Give everything back to the graphics driver."""
+        if self._page.made is not None:
+            self._page.made.head.let_go()
+        if self._calibrating.made is not None:
+            self._calibrating.made.guide.head.let_go()
+        self._docked.let_go()

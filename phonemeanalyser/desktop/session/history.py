@@ -1,0 +1,214 @@
+"""What was found lately: the columns that scroll by, and the extremes since Clear."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.analyser import Analysis
+from phonemeengine.dsp.mel import spread_mel
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, WINDOW
+
+CAPACITY = 6000
+"""Columns that are remembered: one minute."""
+MOST_BINS = WINDOW // 2
+GAP = 10
+"""Empty columns where the sound does not go on: after a seek, a loop or a loss."""
+NOWHERE = -10
+"""The frame of an empty column; none follows it."""
+NO_PHONEME = len(Phoneme)
+"""The phoneme of an empty column."""
+
+
+class History:
+    """The last minute, frame by frame, and the extremes of every variable since Clear.
+
+    Column c (counted from Clear) lies at index ``c % CAPACITY`` of the arrays. Where a frame does not follow the one
+    before it, `GAP` empty columns lie between the two.
+
+    The extremes are those of all frames that were heard since Clear, however long ago, each as it was measured last;
+    frames that are only shown, as after a seek, do not count.
+
+    Attributes
+    ----------
+    n : columns since Clear.
+    n_bins : bins of the newest spectrum; the rest of a column is 0.
+    spectra : float16, shape (CAPACITY, 1024).
+    frames : int64, shape (CAPACITY,): the column's frame in the file, or `NOWHERE`.
+    phonemes, recognised : uint8, shape (CAPACITY,): with and without the statistics; `NO_PHONEME` in empty columns.
+    intensities : float32, shape (CAPACITY,).
+    """
+
+    def __init__(self) -> None:
+        self.n = 0
+        self.n_bins = MOST_BINS // 4
+        self.spectra = np.zeros((CAPACITY, MOST_BINS), np.float16)
+        self.frames = np.full(CAPACITY, NOWHERE, np.int64)
+        self.phonemes = np.full(CAPACITY, NO_PHONEME, np.uint8)
+        self.recognised = np.full(CAPACITY, NO_PHONEME, np.uint8)
+        self.intensities = np.zeros(CAPACITY, np.float32)
+        self.newest: Analysis | None = None
+        self._heard = np.zeros(CAPACITY, bool)
+        self._oldest = 0  # column that is still remembered
+        self._names: tuple[str, ...] = ()
+        self._values = np.full((CAPACITY, 0), np.nan, np.float32)
+        self._forget_extremes()
+
+    def clear(self) -> None:
+        """Forget everything."""
+        self.n = self._oldest = 0
+        self._heard[:] = False
+        self.newest = None
+        self._forget_extremes()
+
+    def take_back_unheard(self) -> int:
+        """Forget the newest columns that nobody heard, and the gap before them; give how many columns are left."""
+        heard = np.flatnonzero(self._heard[self.indices(0, self.n)])
+        self.n = self._oldest + (int(heard[-1]) + 1 if len(heard) else 0)
+        self.newest = None
+        return self.n
+
+    def newest_run(self, most: int) -> tuple[int, int]:
+        """Give the frames first..last-1 of the file that the newest columns hold in a row, `most` at the most."""
+        if self.n == 0:
+            return 0, 0
+        frames = self.frames[self.indices(self.n - most, self.n)]
+        breaks = np.flatnonzero(np.diff(frames) != 1)
+        return int(frames[breaks[-1] + 1 if len(breaks) else 0]), int(frames[-1]) + 1
+
+    def append(self, analysis: Analysis, *, heard: bool = True) -> None:
+        """Take in a block of frames, at most CAPACITY - GAP; after a gap, where it does not follow the newest."""
+        if self.n and analysis.start != self.frames[(self.n - 1) % CAPACITY] + 1:
+            self._leave_gap()
+        at = self._room_for(len(analysis))
+        self._write(at, analysis)
+        self._heard[at] = heard
+        self.newest = analysis
+
+    def rewrite(self, column: int, analysis: Analysis) -> None:
+        """Write frames anew that are in the history already, from a column on."""
+        self._write(np.arange(column, column + len(analysis)) % CAPACITY, analysis)
+        if column + len(analysis) == self.n and self.newest is not None:
+            self.newest = analysis
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The measured variables."""
+        return self._names
+
+    def indices(self, first: int, last: int) -> NDArray[np.intp]:
+        """Give the indices of columns first..last-1, as far as they are still remembered."""
+        first = max(first, self._oldest)
+        return np.arange(first, max(first, min(last, self.n))) % CAPACITY
+
+    def features(self, indices: NDArray[np.intp]) -> Features:
+        """Give the variables at these indices; NaN where one was not measured."""
+        return Features(self._names, self._values[indices])
+
+    def extremes(self, name: str) -> tuple[float, float, float] | None:
+        """Give maximum, mean and minimum of a variable since Clear, or None before the first frame was heard."""
+        if not self.n_measured(name):
+            return None
+        n, total, highest, lowest = self._extremes_of(self._names.index(name))
+        return highest, total / n, lowest
+
+    def n_measured(self, name: str) -> int:
+        """Give over how many frames the extremes of a variable are taken."""
+        return self._extremes_of(self._names.index(name))[0] if name in self._names else 0
+
+    def phoneme_lasted(self) -> float:
+        """Return how long the newest phoneme has been shown, seconds; at most what is remembered."""
+        codes = self.phonemes[self.indices(0, self.n)]
+        others = np.flatnonzero(codes != codes[-1:])
+        return (len(codes) - 1 - int(others[-1]) if len(others) else len(codes)) * FRAME_PERIOD
+
+    def changes_per_s(self, seconds: float) -> float | None:
+        """Give how often the phoneme changed in a second, over the newest seconds; None before there are any."""
+        codes = self.phonemes[self.indices(self.n - round(seconds / FRAME_PERIOD), self.n)]
+        codes = codes[codes != NO_PHONEME]
+        if len(codes) < 2:
+            return None
+        return float(np.count_nonzero(codes[1:] != codes[:-1]) / (len(codes) * FRAME_PERIOD))
+
+    def _room_for(self, n: int) -> NDArray[np.intp]:
+        """Make the next `n` columns, and give their indices; what they push out is counted before."""
+        at = np.arange(self.n, self.n + n) % CAPACITY
+        self.n += n
+        oldest = max(self._oldest, self.n - CAPACITY)
+        self._count_out(np.arange(self._oldest, oldest) % CAPACITY)
+        self._oldest = oldest
+        return at
+
+    def _leave_gap(self) -> None:
+        at = self._room_for(GAP)
+        self.spectra[at] = 0
+        self.frames[at] = NOWHERE
+        self.phonemes[at] = self.recognised[at] = NO_PHONEME
+        self.intensities[at] = 0
+        self._values[at] = np.nan
+        self._heard[at] = False
+
+    def _write(self, at: NDArray[np.intp], analysis: Analysis) -> None:
+        if analysis.features.names != self._names:
+            self._rename(analysis.features.names)
+        shown = shown_spectra(analysis)
+        self.n_bins = shown.shape[1]
+        self.spectra[at, : self.n_bins] = shown
+        self.spectra[at, self.n_bins :] = 0
+        self.frames[at] = analysis.start + np.arange(len(analysis))
+        self.phonemes[at] = analysis.phonemes
+        self.recognised[at] = analysis.recognised
+        self.intensities[at] = analysis.intensities
+        self._values[at] = analysis.features.values
+
+    def _rename(self, names: tuple[str, ...]) -> None:
+        """Take up other variables; those that stay keep their values and extremes."""
+        before = self._measured
+        stayed = [(names.index(name), k) for k, name in enumerate(self._names) if name in names]
+        self._names, self._values = names, np.full((CAPACITY, len(names)), np.nan, np.float32)
+        self._forget_extremes()
+        for old, new in zip(before, self._measured, strict=True):
+            for k_new, k_old in stayed:
+                new[..., k_new] = old[..., k_old]
+
+    # -- extremes: those of the columns that are forgotten, and those of the columns that are remembered -----
+
+    @property
+    def _measured(self) -> tuple[NDArray[Any], ...]:
+        """Everything whose last axis is the variable."""
+        return self._values, self._n_out, self._sum_out, self._highest_out, self._lowest_out
+
+    def _forget_extremes(self) -> None:
+        n = len(self._names)
+        self._n_out = np.zeros(n, np.int64)
+        self._sum_out = np.zeros(n)
+        self._highest_out = np.full(n, -np.inf)
+        self._lowest_out = np.full(n, np.inf)
+
+    def _count_out(self, at: NDArray[np.intp]) -> None:
+        values = self._values[at[self._heard[at]]]
+        if len(values):
+            self._n_out += np.count_nonzero(~np.isnan(values), axis=0)
+            self._sum_out += np.nansum(values, axis=0, dtype=float)
+            np.fmax(self._highest_out, np.fmax.reduce(values), out=self._highest_out)
+            np.fmin(self._lowest_out, np.fmin.reduce(values), out=self._lowest_out)
+
+    def _extremes_of(self, k: int) -> tuple[int, float, float, float]:
+        """Give number, sum, maximum and minimum of the values of a variable, those that are forgotten included."""
+        values = self._values[:, k][self._heard]
+        values = values[~np.isnan(values)]
+        return (
+            int(self._n_out[k]) + len(values),
+            float(self._sum_out[k] + values.sum(dtype=float)),
+            float(values.max(initial=self._highest_out[k])),
+            float(values.min(initial=self._lowest_out[k])),
+        )
+
+
+def shown_spectra(analysis: Analysis) -> NDArray[np.float32]:
+    """Give the spectra as they are drawn: through the mel bank while it is on, on the linear axis."""
+    if analysis.mel is None:
+        return analysis.spectra
+    return spread_mel(analysis.mel, analysis.spectra.shape[1], BIN_WIDTH)

@@ -1,0 +1,302 @@
+"""The microphone: which one, what it does, and what is recorded of it."""
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeengine.analyser import Analysis
+from phonemeengine.audio.devices import Device, InputChoice
+from phonemeengine.audio.journal import Unfinished, unfinished
+from phonemeengine.audio.level import Level
+from phonemeengine.audio.stream import devices
+from phonemeengine.paths import journal_folder, new_take, recordings_folder
+from phonemeengine.live.microphone_analyser import Latency
+from phonemeengine.live.listener import Listener
+from phonemeengine.live.recorder import Tape
+from phonemeengine.presets.preset import Preset
+from phonemeanalyser.desktop.threads import begun
+from phonemeanalyser.desktop.session.capture import Catch
+from phonemeanalyser.desktop.session.latency_test import ClickTest
+from phonemeanalyser.desktop.session.devices import InputList
+
+RATES = (0, 16_000, 22_050, 32_000, 44_100, 48_000, 96_000)
+"""Sample rates to choose from, Hz; 0 leaves it to the device."""
+SUFFIXES = (".wav", ".flac")
+"""What a recording can be."""
+PATIENCE = 0.5
+"""Seconds for which nothing may come, as when a microphone is opened, before that counts as trouble."""
+MOST_CHANNELS = 8
+"""Channels to choose from at most; some devices claim any number."""
+
+
+class Microphone(QObject):
+    """Listens and records; `take` moves it on.
+
+    Signals
+    -------
+    changed : another choice, or a recording begins or ends.
+    devices_changed : the list of devices is another.
+    recorded : a recording is complete: its path, its seconds, and the gaps in it, in words.
+    told : a sentence for the user about something that went well.
+    failed : a sentence for the user.
+    """
+
+    changed = Signal()
+    told = Signal(str)
+    devices_changed = Signal()
+    recorded = Signal(str, float, str)
+    failed = Signal(str)
+
+    def __init__(
+        self, make_listener: Callable[..., Listener] = Listener, list_devices: Callable[[], list[Device]] = devices,
+        journal: Path | None = None, folder: Path | None = None,
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self.choice = InputChoice()
+        self.inputs = InputList(list_devices)
+        self.clicks = ClickTest()
+        self.catch = Catch()
+        self.folder = self._rescue = folder or recordings_folder()
+        self.suffix = ".wav"
+        self.with_phonemes = False
+        self.fill_gaps = False
+        self._journal = journal or journal_folder()
+        self._make_listener = make_listener
+        self._listener: Listener | None = None
+        self._tape: Tape | None = None
+        self._ending: list[tuple[threading.Thread, Tape]] = []
+        self._leaving: list[threading.Thread] = []
+        self._preset = Preset()
+        self._goes_on = False
+        self._troubled = self._words = ""
+        self._since = 0.0
+        self.inputs.changed.connect(self.devices_changed)
+        self.clicks.told.connect(self.told)
+        self.clicks.failed.connect(self.failed)
+
+    # -- how it is ----------------------------------------------------------------------------------------
+
+    @property
+    def devices(self) -> list[Device]:
+        """The microphones that there are, the default first."""
+        return self.inputs.devices
+
+    @property
+    def active(self) -> bool:
+        """Whether it is listened to, or tried to."""
+        return self._listener is not None
+
+    @property
+    def listening(self) -> bool:
+        """Whether sound comes in now."""
+        return self._listener is not None and self._listener.status.listening
+
+    @property
+    def recording(self) -> bool:
+        """Whether what comes is recorded."""
+        return self._tape is not None
+
+    @property
+    def words(self) -> str:
+        """What is going on, in words."""
+        if self._listener is None:
+            return "measuring its latency" if self.clicks.running else "not listening"
+        status = self._listener.status
+        rate = f"{self._listener.rate:,} Hz".replace(",", " ")
+        return f"{status.words}, {rate}" if status.listening else status.words
+
+    @property
+    def seconds(self) -> float:
+        """How long it has been listened to, seconds."""
+        return self._listener.seconds if self._listener else 0.0
+
+    @property
+    def recorded_seconds(self) -> float:
+        """How much of the present recording is on disk, seconds."""
+        return self._tape.seconds if self._tape else 0.0
+
+    @property
+    def lost_seconds(self) -> float:
+        """Sound that was lost while it was listened to, seconds."""
+        return self._listener.lost_seconds if self._listener else 0.0
+
+    @property
+    def n_dropped(self) -> int:
+        """Frames that were analysed but never taken."""
+        return self._listener.n_dropped if self._listener else 0
+
+    @property
+    def level(self) -> Level:
+        """What the level meter reads."""
+        return self._listener.level if self._listener else Level()
+
+    @property
+    def latency(self) -> Latency | None:
+        """How long a sound takes to become a phoneme; None while nothing comes.
+
+        The card's own word for its share gives way to what a loopback measured.
+        """
+        if self._listener is None or not self.listening:
+            return None
+        latency = self._listener.latency
+        measured = self.clicks.result
+        return replace(latency, capture=measured.capture) if measured and measured.capture else latency
+
+    @property
+    def known_for(self) -> float:
+        """Seconds since the newest frames became known; 0 while nothing is listened to."""
+        return self._listener.known_for if self._listener else 0.0
+
+    # -- what it shall do ---------------------------------------------------------------------------------
+
+    def listen(self, preset: Preset) -> None:
+        """Begin to listen; while the latency is measured, as soon as that is done."""
+        self._preset = preset
+        if self.clicks.running:
+            self._goes_on = True
+        elif self._listener is None:
+            self._listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self.catch.push)
+            self.changed.emit()
+
+    def stop(self) -> None:
+        """Let the microphone go, and end the recording."""
+        self.end_recording()
+        self._goes_on = False
+        listener, self._listener = self._listener, None
+        if listener is not None:
+            self._leaving.append(begun(listener.close))  # a sound server that hangs must not hang the window
+            self.changed.emit()
+
+    def use(self, preset: Preset) -> None:
+        """Recognise with another preset."""
+        self._preset = preset
+        if self._listener is not None:
+            self._listener.use(preset)
+
+    def choose(self, choice: InputChoice) -> None:
+        """Listen to another microphone, channel or rate."""
+        if choice != self.choice:
+            self.choice = choice
+            self.clicks.result = None
+            if self._listener is not None:
+                self._listener.choose(choice)
+            self.changed.emit()
+
+    def set_else_default(self, on: bool) -> None:
+        """Go on with the system's default microphone while the chosen one is not there, or wait for it."""
+        self.choose(replace(self.choice, else_default=on))
+
+    def set_latency(self, seconds: float) -> None:
+        """Ask for longer or shorter blocks."""
+        self.choose(replace(self.choice, latency=seconds))
+
+    def refresh_devices(self) -> None:
+        """Look which microphones there are; `devices_changed` tells when that is known."""
+        self.inputs.look()
+
+    def measure(self) -> None:
+        """Play clicks and listen for them; `told` or `failed` tells what came of it. Listening goes on afterwards."""
+        if not self.clicks.running:
+            goes_on = self.active
+            self.stop()
+            self._goes_on = goes_on
+            self.clicks.begin(self.choice, self._leaving)
+            self.changed.emit()
+
+    def begin_recording(self) -> None:
+        """Record what is heard from now on into a new file in the folder."""
+        if self.clicks.running:
+            self.failed.emit("Nothing is recorded, since the latency is being measured; try again in a few seconds.")
+        if self._listener is None or self._tape is not None:
+            return
+        folder, suffix = self.folder, self.suffix
+        self._tape = Tape(
+            lambda: new_take(folder, suffix),
+            with_phonemes=self.with_phonemes,
+            fill_gaps=self.fill_gaps,
+            journal=self._journal,
+            rescue=self._rescue,
+        )
+        self._listener.record(self._tape)
+        self.changed.emit()
+
+    def end_recording(self) -> None:
+        """End the recording; `recorded` tells when its file is complete."""
+        tape, self._tape = self._tape, None
+        if tape is not None:
+            if self._listener is not None:
+                self._listener.record(None)
+            self._ending.append((begun(tape.close), tape))
+            self.changed.emit()
+
+    def unfinished(self) -> list[Unfinished]:
+        """Give the recordings that were cut off when the program ended."""
+        return unfinished(self._journal)
+
+    def take(self) -> list[Analysis]:
+        """Give what was found since the last call, and see to recordings; raises what ended the listening."""
+        self._leaving = [thread for thread in self._leaving if thread.is_alive()]
+        self.inputs.see()
+        if self.clicks.see():
+            self._go_on()
+        self._see_to_recordings()
+        self._see_to_trouble()
+        return self._listener.take() if self._listener else []
+
+    def close(self) -> None:
+        """Let everything go; waits until recordings are complete."""
+        self.stop()
+        measuring = [self.clicks.measuring] if self.clicks.measuring else []
+        for thread in [*self._leaving, *measuring, *(thread for thread, _ in self._ending)]:
+            thread.join(timeout=6)
+
+    def _go_on(self) -> None:
+        """Listen again, if it was listened to before the latency was measured."""
+        if self._goes_on:
+            self._goes_on = False
+            self.listen(self._preset)
+        self.changed.emit()
+
+    def _see_to_trouble(self) -> None:
+        """Say once when nothing comes any more, and once when it does again."""
+        if self._listener is None or self._listener.status.listening:
+            if self._troubled and self._listener is not None:
+                lost = f"{self.lost_seconds:.1f} s could not be heard"
+                self.told.emit(f"The microphone is there: {self._listener.status.words}; {lost}.")
+            self._troubled = self._words = ""
+            return
+        words, now = self._listener.status.words.split(" since ")[0], time.monotonic()
+        if words != self._words:
+            self._words, self._since = words, now
+        if words != self._troubled and now - self._since >= PATIENCE:
+            self._troubled = words
+            waits = "; the recording waits for it" if self.recording else ""
+            self.failed.emit(f"{words[0].upper()}{words[1:]}{waits}.")
+
+    def _see_to_recordings(self) -> None:
+        if self._tape is not None and self._tape.failure:
+            self.end_recording()
+        for ending in [e for e in self._ending if not e[0].is_alive()]:
+            self._ending.remove(ending)
+            tape = ending[1]
+            if tape.failure:
+                self.failed.emit(tape.failure)
+            elif tape.path is not None and tape.seconds:
+                self.recorded.emit(str(tape.path), tape.seconds, tape.gap_words)
+                for remark in _remarks(tape):
+                    self.told.emit(remark)
+            else:
+                self.failed.emit("Nothing was recorded, since no sound came; check the microphone.")
+
+
+def _remarks(tape: Tape) -> list[str]:
+    """Say what else there is to know of a recording that went well."""
+    earlier = [path.name for path in tape.paths[:-1]]
+    if not earlier:
+        return list(tape.notes)
+    files = " and ".join(earlier)
+    return [*tape.notes, f"The microphone changed its form on the way, so what came before that is in {files}."]

@@ -1,0 +1,327 @@
+"""The preset that is being tuned, with undo and redo."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from phonemeengine.errors import EngineError, RecogniserError, SettingsError
+from phonemeengine.features.variables import Variable
+from phonemeengine.presets.controls import Control, ControlGroup, controls_of
+from phonemeengine.presets.files import (
+    DEFAULT_PRESET,
+    FACTORY,
+    THESIS_PRESETS,
+    beyond_phoneme_data,
+    factory_preset,
+    is_phoneme_data,
+    load_preset,
+    preset_path,
+    save_preset,
+)
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.recogniser import Recogniser, recogniser_of
+from phonemeengine.recognition.rules import Rule
+from phonemeengine.settings import Filter
+
+FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
+    Filter.QUANTISE: ("quantise", "decimation"),
+    Filter.PRE_EMPHASIS: ("pre_emphasis",),
+    Filter.WINDOW_FUNCTION: ("window_function",),
+    Filter.FREQUENCY_SMOOTH: ("frequency_smooth",),
+    Filter.TIME_SMOOTH: ("time_smooth",),
+    Filter.HIGH_PASS: ("high_pass_start", "high_pass_end"),
+    Filter.LOW_PASS: ("low_pass_start", "low_pass_end"),
+    Filter.DENOISE: ("denoise_threshold",),
+    Filter.MEL: ("mel_bands",),
+    Filter.NORMALISE: (),
+}
+PAIRS = (
+    ("high_pass_start", "high_pass_end"),
+    ("low_pass_start", "low_pass_end"),
+    ("intensity_low", "intensity_high"),
+)
+
+
+class _Edit(QUndoCommand):
+    """One change of the preset; changes of the same thing in one run become one."""
+
+    def __init__(self, apply: Callable[[Preset], None], before: Preset, after: Preset, what: str, run: int) -> None:
+        super().__init__(what)
+        self._run = run
+        self._apply = apply
+        self._before = before
+        self._after = after
+
+    def id(self) -> int:
+        return 1
+
+    def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802 - Qt's name
+        if not isinstance(other, _Edit) or (other.text(), other._run) != (self.text(), self._run):
+            return False
+        self._after = other._after
+        self.setObsolete(self._after == self._before)  # a drag back to where it began is no change
+        return True
+
+    def redo(self) -> None:
+        self._apply(self._after)
+
+    def undo(self) -> None:
+        self._apply(self._before)
+
+
+class PresetModel(QObject):
+    """The preset in use, where it came from, and what has been changed since.
+
+    Signals
+    -------
+    changed : the preset in force is another one.
+    file_changed : the file's name, or whether there are unsaved changes.
+    refused : a sentence for the user: the recogniser in use does not take that number.
+    """
+
+    changed = Signal()
+    file_changed = Signal()
+    refused = Signal(str)
+
+    def __init__(self, path: Path = DEFAULT_PRESET) -> None:
+        super().__init__()
+        self.undo_stack = QUndoStack(self)
+        self.undo_stack.indexChanged.connect(self.file_changed)
+        self.bypassed = False
+        self.path = path
+        self.preset = load_preset(path)
+        self._saved = self.preset
+        self._run = 0
+        self._left: dict[str, Preset] = {}
+        self._groups: tuple[ControlGroup, ...] = ()
+        self._kept_groups: tuple[ControlGroup, ...] = ()
+        self._tried: Preset | None = None
+        self._made: tuple[object, Recogniser] = self._make(self.preset)
+
+    @property
+    def recogniser(self) -> Recogniser:
+        """The recogniser of the preset in use, made once; EngineError where it cannot be made."""
+        if self._made[0] != _recogniser_key(self.preset):
+            self._made = self._make(self.preset)
+        return self._made[1]
+
+    @property
+    def control_groups(self) -> tuple[ControlGroup, ...]:
+        """All that the recogniser in use is tuned by; the same while nothing but `tune` changes the preset."""
+        if not self._groups:
+            self._groups = controls_of(self.preset, self._made_recogniser())
+        return self._groups
+
+    @property
+    def controls(self) -> dict[str, Control]:
+        """The same, by their names."""
+        return {control.name: control for group in self.control_groups for control in group.controls}
+
+    @property
+    def in_force(self) -> Preset:
+        """The preset that the analysis uses: all filters off while bypassed."""
+        preset = self._tried or self.preset
+        if not self.bypassed:
+            return preset
+        return replace(preset, settings=replace(preset.settings, filters=frozenset()))
+
+    @property
+    def has_unsaved_changes(self) -> bool:
+        """Whether the preset differs from its file."""
+        return self.preset != self._saved
+
+    @property
+    def is_factory(self) -> bool:
+        """Whether the preset's file ships with the program, and so is not to be changed."""
+        return self.path.resolve().parent == FACTORY
+
+    def load(self, path: Path) -> None:
+        """Load a preset or PhonemeData file, or the preset of a name; EngineError leaves everything as it was."""
+        path = preset_path(path)
+        preset = load_preset(path)
+        self._made = self._make(preset)
+        self._saved = preset
+        self._left = {}
+        self.path = path
+        self.undo_stack.clear()
+        self._apply(preset)
+        self.file_changed.emit()
+
+    def lost_in(self, path: Path) -> tuple[str, ...]:
+        """Return what saving to such a file would drop, in words; a PhonemeData file holds only the 21 numbers."""
+        return beyond_phoneme_data(self.preset) if is_phoneme_data(path) else ()
+
+    def save(self, path: Path) -> None:
+        """Save to a file, which becomes the preset's file; EngineError leaves everything as it was.
+
+        Where a PhonemeData file cannot hold all, `lost_in` says what is left out; that stays unsaved, and marked.
+        """
+        named = replace(self.preset, name=path.stem) if path != self.path else self.preset
+        save_preset(named, path)
+        self.path = path
+        self._saved = load_preset(path)
+        if named != self.preset:
+            self._apply(named)
+        self.undo_stack.setClean()
+        self.file_changed.emit()
+
+    def set_bypassed(self, bypassed: bool) -> None:
+        """Switch all filters off at once, or back to what they were."""
+        self.bypassed = bypassed
+        self.changed.emit()
+
+    def try_out(self, preset: Preset | None) -> None:
+        """Analyse with another preset for a while, without changing the one in use; None ends that."""
+        if preset is not self._tried:
+            self._tried = preset
+            self.changed.emit()
+
+    def edit(self, preset: Preset, what: str) -> None:
+        """Change the preset; `what` names the change in the Edit menu, and equal names in a row become one.
+
+        EngineError, where its recogniser cannot be made, leaves everything as it was.
+        """
+        if preset != self.preset:
+            if _recogniser_key(preset) != self._made[0]:
+                self._made = self._make(preset)
+            self.undo_stack.push(_Edit(self._apply_edit, self.preset, preset, what, self._run))
+            self.file_changed.emit()
+
+    def end_edit(self) -> None:
+        """End a run of changes that undo takes back together, such as a drag."""
+        self._run += 1
+
+    def set_setting(self, name: str, value: Any) -> None:
+        """Change one field of the settings; of an ordered pair, the other one gives way."""
+        changes = {name: value}
+        for low, high in PAIRS:
+            if name == low:
+                changes[high] = max(value, getattr(self.preset.settings, high))
+            if name == high:
+                changes[low] = min(value, getattr(self.preset.settings, low))
+        settings = self.preset.settings.with_numbers(**changes)
+        self.edit(replace(self.preset, settings=settings), f"change of {name.replace('_', ' ')}")
+
+    def set_filter(self, step: Filter, on: bool) -> None:
+        """Switch a filter on or off; one that would do nothing gets its usual strength."""
+        settings = self.preset.settings.with_filter(step, on)
+        self.edit(replace(self.preset, settings=settings), f"{step.replace('_', ' ')} {'on' if on else 'off'}")
+
+    def reset_filter(self, step: Filter) -> None:
+        """Give a filter back what the preset's file says."""
+        saved = self._saved.settings
+        changes: dict[str, Any] = {name: getattr(saved, name) for name in FILTER_PARAMETERS[step]}
+        filters = self.preset.settings.filters
+        changes["filters"] = filters | {step} if saved.has(step) else filters - {step}
+        settings = replace(self.preset.settings, **changes)
+        self.edit(replace(self.preset, settings=settings), f"reset of {step.replace('_', ' ')}")
+
+    def reset_settings(self, names: tuple[str, ...]) -> None:
+        """Give some fields of the settings back what the preset's file says."""
+        changes: dict[str, Any] = {name: getattr(self._saved.settings, name) for name in names}
+        settings = replace(self.preset.settings, **changes)
+        self.edit(replace(self.preset, settings=settings), f"reset of {names[0].replace('_', ' ')}")
+
+    def tune(self, name: str, value: float) -> None:
+        """Set one of the `controls`, if the recogniser takes the value."""
+        self._kept_groups = self.control_groups
+        try:
+            self.edit(self.controls[name].write(self.preset, value), f"change of {name.replace('_', ' ')}")
+        except (RecogniserError, SettingsError) as error:
+            self.refused.emit(str(error))
+            self.changed.emit()  # whoever shows the refused number shows the old one again
+        finally:
+            self._kept_groups = ()
+
+    def set_recogniser(self, name: str) -> None:
+        """Recognise with another recogniser; EngineError, where it cannot be made, leaves everything as it was.
+
+        It goes on as it was left since the preset was loaded. Else it comes as the preset's file has it, or as its
+        factory preset has it: front end, statistics, thresholds; thresholds, rules, model and templates of the user's
+        own stay.
+        """
+        tuned = self._tuned_for(name)
+        left = {self.preset.recogniser: self.preset}
+        self.edit(tuned, f"recogniser {name}")
+        self._left |= left
+
+    def saved_value(self, name: str) -> float | None:
+        """Return a control's value as the preset's file has it; None where the file's rules are others."""
+        if self.preset.recogniser == "rules" and _shape(self._saved.rules) != _shape(self.preset.rules):
+            return None
+        return self.controls[name].read(self._saved)
+
+    def add_variable(self, variable: Variable) -> None:
+        """Add a user's own variable; EngineError where the name is taken."""
+        preset = replace(self.preset, variables=(*self.preset.variables, variable))
+        self.edit(preset, f"variable {variable.name}")
+
+    def remove_variable(self, name: str) -> None:
+        """Remove a user's own variable."""
+        kept = tuple(v for v in self.preset.variables if v.name != name)
+        self.edit(replace(self.preset, variables=kept), f"removal of {name}")
+
+    def _tuned_for(self, name: str) -> Preset:
+        preset, source = self.preset, self._left.get(name)
+        if source is None and name == self._saved.recogniser:
+            source = self._saved
+        if source is not None:
+            return _joined(source, preset, source)
+        source = factory_preset(name) or replace(preset, recogniser=name)
+        own_thresholds = preset.thresholds not in _factory_thresholds()
+        source = replace(source, thresholds=preset.thresholds if own_thresholds else source.thresholds)
+        return _joined(source, preset, preset)
+
+    def _made_recogniser(self) -> Recogniser | None:
+        try:
+            recogniser = self.recogniser
+            recogniser.used_thresholds  # noqa: B018 - one of another package is made by being asked
+        except EngineError:
+            return None
+        return recogniser
+
+    def _make(self, preset: Preset) -> tuple[object, Recogniser]:
+        recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        recogniser.used_thresholds  # noqa: B018 - one of another package is made by being asked
+        return _recogniser_key(preset), recogniser
+
+    def _apply_edit(self, preset: Preset) -> None:
+        self._apply(replace(preset, name=self.preset.name))  # the name is the file's, and saving is not undone
+
+    def _apply(self, preset: Preset) -> None:
+        self.preset = preset
+        self._groups = self._kept_groups
+        self.changed.emit()
+
+
+def _factory_thresholds() -> tuple[Thresholds, ...]:
+    """Return the thresholds that no user has tuned."""
+    return Thresholds(), *(load_preset(path).thresholds for path in THESIS_PRESETS)
+
+
+def _joined(source: Preset, preset: Preset, first: Preset) -> Preset:
+    """Return what `source` recognises with, named as `preset`, with all that either knows; `first` goes first."""
+    mine = {v.name for v in source.variables}
+    return replace(
+        source,
+        name=preset.name,
+        notes=preset.notes,
+        variables=(*source.variables, *(v for v in preset.variables if v.name not in mine)),
+        rules=first.rules or source.rules or preset.rules,
+        model=first.model or source.model or preset.model,
+        templates=first.templates or source.templates or preset.templates,
+    )
+
+
+def _recogniser_key(preset: Preset) -> object:
+    return preset.recogniser, preset.tuning
+
+
+def _shape(rules: tuple[Rule, ...]) -> object:
+    """Return all of some rules but their limits."""
+    return [(rule.phoneme, [(c.variable, c.sign, c.threshold) for c in rule.conditions]) for rule in rules]

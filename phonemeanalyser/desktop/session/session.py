@@ -1,0 +1,391 @@
+"""The sound in hand: a file, a microphone or a tone; played or heard, and what is known of it."""
+
+from collections.abc import Callable
+from enum import StrEnum
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeengine.analyser import Analysis
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.output import Output, open_output
+from phonemeengine.audio.tone.reader import ToneReader
+from phonemeengine.errors import EngineError
+from phonemeengine.live.player import Player
+from phonemeengine.recognition.trace import Trace
+from phonemeengine.settings import FRAME_PERIOD, Channel
+from phonemeengine.audio.tone.settings import Tone
+from phonemeanalyser.desktop.session.results import Findings
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.phoneme_writer import PhonemeWriter
+from phonemeanalyser.desktop.session.preset import PresetModel
+
+QUIETEST_DB = -60.0
+"""At this volume and below nothing is heard."""
+
+
+class Source(StrEnum):
+    """Where the sound comes from."""
+
+    FILE = "file"
+    MICROPHONE = "microphone"
+    TONE = "tone"
+
+
+class Session(QObject):
+    """Follows one source at a time and gathers its analysis.
+
+    `tick` moves it on, and whoever draws looks at it afterwards. Only the source in use holds its device.
+
+    Signals
+    -------
+    opened : another file is in hand, or another source.
+    transport_changed : playing, pausing, stopping, recording, loop, volume or channel.
+    cleared : everything gathered was forgotten.
+    rewritten : the columns of the history from this one on are others now.
+    heard : a list of the blocks that were heard since the last tick; see `phonemeengine.analyser.Analysis`.
+    sought : the file stands elsewhere.
+    failed : a sentence for the user.
+    """
+
+    opened = Signal()
+    heard = Signal(list)
+    sought = Signal()
+    transport_changed = Signal()
+    cleared = Signal()
+    rewritten = Signal(int)
+    failed = Signal(str)
+
+    def __init__(
+        self, preset: PresetModel, open_device: Callable[[int], Output] = open_output,
+        microphone: Microphone | None = None,
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self.preset = preset
+        self.findings = Findings(preset)
+        self.history, self.averages = self.findings.history, self.findings.averages
+        self.microphone = microphone or Microphone()
+        self.writer = PhonemeWriter()
+        self.source = Source.FILE
+        self.tone = Tone()
+        self.loop = False
+        self.volume = 0.0
+        self.wanted_channel = Channel.MIX
+        self._open_device = open_device
+        self._file: SoundReader | None = None
+        self._left_at = 0.0
+        self._player: Player | None = None
+        self._tone_reader: ToneReader | None = None
+        preset.changed.connect(self._use_preset)
+        self.microphone.failed.connect(self.failed)
+        self.writer.failed.connect(self.failed)
+        self.findings.failed.connect(self.failed)
+        self.findings.cleared.connect(self.cleared)
+        self.findings.rewritten.connect(self.rewritten)
+
+    # -- what it is ---------------------------------------------------------------------------------------
+
+    @property
+    def path(self) -> Path | None:
+        """The file in hand; it stays so while another source is in use."""
+        return self._file.path if self._file else None
+
+    @property
+    def duration(self) -> float:
+        """Seconds of the file in hand; 0 while another source is in use."""
+        return self._file.duration if self._file and self.source is Source.FILE else 0.0
+
+    @property
+    def position(self) -> float:
+        """Seconds from the beginning to what is heard."""
+        if self.source is Source.MICROPHONE:
+            return self.microphone.seconds
+        if self.source is Source.TONE:
+            return self._player.position if self._player else 0.0
+        return min(self._player.position, self.duration) if self._player else 0.0
+
+    @property
+    def playing(self) -> bool:
+        """Whether sound is going on, or is listened for."""
+        if self.source is Source.MICROPHONE:
+            return self.microphone.active
+        return self._player is not None and self._player.playing
+
+    @property
+    def deaf(self) -> bool:
+        """Whether the microphone should be heard, and nothing comes from it: what was heard last is no news then."""
+        return self.source is Source.MICROPHONE and self.microphone.active and not self.microphone.listening
+
+    @property
+    def name(self) -> str:
+        """What is in hand: the file's name, the microphone or the tone."""
+        if self.source is Source.FILE:
+            return self._file.path.name if self._file else "no sound"
+        return str(self.source)
+
+    @property
+    def description(self) -> str:
+        """What is in hand, in words: rate and channels of a file, the microphone's state, the kind of tone."""
+        if self.source is Source.MICROPHONE:
+            return self.microphone.words
+        if self.source is Source.TONE:
+            return self.tone.kind.replace("_", " ")
+        if self._file is None:
+            return "no sound"
+        n = self._file.n_file_channels
+        channels = {1: "mono", 2: "stereo"}.get(n, f"{n} channels")
+        return ", ".join([f"{self._file.file_rate:,} Hz".replace(",", " "), channels, *self._file.notes])
+
+    @property
+    def output_name(self) -> str:
+        """What the sound is heard on."""
+        return self._player.output_name if self._player else ""
+
+    @property
+    def has_card(self) -> bool:
+        """Whether a sound card plays."""
+        return self._player is not None and self._player.has_card
+
+    @property
+    def n_dropped(self) -> int:
+        """Frames that were analysed but never shown, since the source is in use."""
+        return self._player.n_dropped if self._player else self.microphone.n_dropped
+
+    @property
+    def channel(self) -> Channel:
+        """What is analysed of the file in hand: the channel that is wanted, or the mix of a file that lacks it."""
+        return self._file.channel if self._file else self.wanted_channel
+
+    @property
+    def n_channels(self) -> int:
+        """Channels of the file in hand; 2 where there is none yet."""
+        return self._file.n_file_channels if self._file else 2
+
+    @property
+    def cut_off(self) -> str:
+        """What the file in hand lacks, as a sentence; empty where it is whole."""
+        return f"{self._file.path.name}: {self._file.cut_off}" if self._file and self._file.cut_off else ""
+
+    # -- where the sound comes from -----------------------------------------------------------------------
+
+    def open(self, path: Path) -> bool:
+        """Open a file and stand at its beginning; a file that cannot be read leaves everything as it was.
+
+        Of a file without the channel that is wanted, the mix is analysed.
+        """
+        return self._open(path, None)
+
+    def _open(self, path: Path, channel: Channel | None) -> bool:
+        try:
+            file = SoundReader(path, channel or Channel.MIX)
+            if channel is None and self.wanted_channel.number <= file.n_file_channels:
+                file.choose(self.wanted_channel)
+        except EngineError as error:
+            self.failed.emit(str(error))
+            return False
+        self._leave()
+        self.source = Source.FILE
+        self._file = file
+        self._take_up(Player(file, self.preset.in_force, self._open_device))
+        return True
+
+    def set_source(self, source: Source) -> None:
+        """Follow a file, the microphone or a tone, which is heard at once; a file goes on from where it was left."""
+        if source is self.source:
+            if source is Source.TONE and not self.playing:
+                self.play()
+            return
+        if self.source is Source.FILE:
+            self._left_at = self.position
+        if source is Source.FILE and self.path is not None and self.open(self.path):
+            self.seek(self._left_at)
+            return
+        self._leave()
+        self.source = source
+        self._forget("Opening")
+        if source is Source.TONE:
+            self._tone_reader = ToneReader(self.tone)
+            self._take_up(Player(self._tone_reader, self.preset.in_force, self._open_device))
+        if source is Source.MICROPHONE:
+            self.microphone.refresh_devices()
+        if source is not Source.FILE:
+            self.play()
+        self.opened.emit()
+
+    def set_tone(self, tone: Tone) -> None:
+        """Generate another tone, which is heard at once."""
+        self.tone = tone
+        if self._tone_reader is not None:
+            self._tone_reader.use(tone)
+            if not self.playing:
+                self.play()
+        self.transport_changed.emit()
+
+    def _take_up(self, player: Player) -> None:
+        player.loop = self.loop
+        self._player = player
+        self.set_volume(self.volume)
+        self._forget("Opening")
+        self.opened.emit()
+        self.transport_changed.emit()
+
+    def _leave(self) -> None:
+        """Let the source in use go: some cards serve one stream at a time."""
+        self.microphone.stop()
+        self._tone_reader = None
+        if self._player is not None:
+            self._player.close()
+            self._player = None
+
+    # -- transport ----------------------------------------------------------------------------------------
+
+    def play(self) -> None:
+        """Play or listen; the averaged spectrum begins anew when that is the beginning."""
+        if self.source is not Source.MICROPHONE and self._player is None:
+            return
+        if self.position == 0:
+            self.averages.begin("Play", self.name)
+        if self.source is Source.MICROPHONE:
+            self.microphone.listen(self.preset.in_force)
+        elif self._player is not None:
+            self._player.play()
+        self.transport_changed.emit()
+
+    def pause(self) -> None:
+        """Hold still; a microphone is let go, and a recording ends."""
+        if self.source is Source.MICROPHONE:
+            self.microphone.stop()
+        elif self._player is not None:
+            self._player.pause()
+        self.transport_changed.emit()
+
+    def toggle(self) -> None:
+        """Play or pause."""
+        if self.playing:
+            self.pause()
+        else:
+            self.play()
+
+    def stop(self) -> None:
+        """Hold still; a file stands at its beginning."""
+        self.pause()
+        if self.source is Source.FILE and self._player is not None:
+            self._player.seek(0)
+            self.sought.emit()
+        self.transport_changed.emit()
+
+    def toggle_recording(self) -> None:
+        """Record what the microphone hears, or end that; another source makes room for the microphone.
+
+        The averaged spectrum begins anew with a recording.
+        """
+        if self.microphone.recording:
+            self.microphone.end_recording()
+        else:
+            self.set_source(Source.MICROPHONE)
+            self.play()
+            self.microphone.begin_recording()
+            if self.microphone.recording:
+                self.averages.begin("Record", self.name)
+        self.transport_changed.emit()
+
+    def seek(self, seconds: float) -> None:
+        """Go to a place in the file; while nothing plays, the seconds before it are shown in place of the old."""
+        if self._player is not None and self.source is Source.FILE:
+            self._player.seek(seconds)
+            if not self.playing and self._file is not None:
+                self.findings.show_before(self._file.path, self.channel, self.position)
+            self.sought.emit()
+            self.transport_changed.emit()
+
+    def set_loop(self, loop: bool) -> None:
+        """Begin again at the end, or not."""
+        self.loop = loop
+        if self._player is not None:
+            self._player.loop = loop
+        self.transport_changed.emit()
+
+    def set_volume(self, decibels: float) -> None:
+        """Set the loudness of what is heard, -60..0 dB, where -60 is silence."""
+        self.volume = min(0.0, max(QUIETEST_DB, float(decibels)))
+        if self._player is not None:
+            self._player.set_gain(0.0 if self.volume <= QUIETEST_DB else 10 ** (self.volume / 20))
+        self.transport_changed.emit()
+
+    def set_channel(self, channel: Channel) -> None:
+        """Choose what is analysed of files of several channels; the one in hand goes on from the same place."""
+        if channel is self.wanted_channel is self.channel:
+            return
+        if self._file is None or self.source is not Source.FILE:
+            self.wanted_channel = channel
+        else:
+            position, playing = self.position, self.playing
+            if self._open(self._file.path, channel):
+                self.wanted_channel = channel
+                self.seek(position)
+                if playing:
+                    self.play()
+        self.transport_changed.emit()
+
+    def clear(self) -> None:
+        """Forget spectra, averages, sonagram and extremes."""
+        self._forget("Clear")
+
+    def close(self) -> None:
+        """Let everything go."""
+        self._leave()
+        self.microphone.close()
+        self.writer.close()
+
+    def write_phonemes(self, target: Path) -> None:
+        """Write the phonemes of the whole file in hand, if there is one, with the preset in force; does not wait."""
+        if self.path is not None:
+            self.writer.write(self.path, self.channel, self.preset.in_force, target)
+
+    # -- what is found ------------------------------------------------------------------------------------
+
+    def tick(self) -> bool:
+        """Gather what has been heard since the last tick; say whether there was anything."""
+        self.writer.see()
+        try:
+            heard = self.microphone.take()  # it tells of devices and recordings even while another source is in use
+            blocks = heard if self._player is None else self._player.take()
+        except EngineError as error:
+            self.stop()
+            self.failed.emit(str(error))
+            return False
+        for analysis in blocks:
+            self.findings.gather(analysis)
+        if blocks:
+            self.heard.emit(blocks)
+        if self._player is not None and self.playing and self._player.finished:
+            self.stop()
+        return bool(blocks)
+
+    def follow(self, seconds: float) -> None:
+        """Analyse the file in hand from its beginning up to a time at once, as if it had been played so far."""
+        if self._player is None or self._file is None:
+            return
+        n_frames = round(min(seconds, self.duration) / FRAME_PERIOD) + (seconds >= self.duration)
+        self.findings.follow(self._file.path, self.channel, n_frames)
+        self._player.seek(seconds)
+        self.sought.emit()
+
+    def ahead(self) -> list[tuple[float, Analysis]]:
+        """Give what is known of the file before it is heard, each block with the seconds until then."""
+        return self._player.ahead() if self._player is not None and self.source is Source.FILE else []
+
+    def explain(self) -> Trace | None:
+        """Say why the newest frame was recognised as it was."""
+        return self.findings.explain()
+
+    def _forget(self, cause: str) -> None:
+        self.averages.begin(cause, self.name)
+        self.findings.clear()
+
+    def _use_preset(self) -> None:
+        self.microphone.use(self.preset.in_force)
+        if self._player is not None:
+            self._player.use(self.preset.in_force)
+            if not self.playing and self.source is Source.FILE and self._file is not None:
+                self.findings.analyse_again(self._file.path, self.channel)

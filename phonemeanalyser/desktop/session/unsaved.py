@@ -1,0 +1,93 @@
+"""Changes of a preset that are in no file of the user's, kept so that no ending of the program loses them."""
+
+from contextlib import suppress
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, QSettings, QTimer
+
+from phonemeengine.audio.locking import lock_at
+from phonemeengine.errors import EngineError
+from phonemeengine.presets.files import load_preset, save_preset
+from phonemeanalyser.desktop.session.preset import PresetModel
+
+KEPT_AFTER_MS = 1000
+"""So long after the last change of a preset the changes are written: a drag is not written all the time."""
+
+
+class UnsavedChanges(QObject):
+    """Keeps a copy of a preset with changes that are in no file of the user's; programs at once have one each.
+
+    Parameters
+    ----------
+    preset : the preset that is changed.
+    folder : where the copies are.
+    settings : knows of which file a copy is.
+    """
+
+    def __init__(self, preset: PresetModel, folder: Path, settings: QSettings) -> None:
+        super().__init__(preset)
+        with suppress(OSError):
+            folder.mkdir(parents=True, exist_ok=True)
+        self._preset = preset
+        self._settings = settings
+        self.path, self._lock = _first_free(folder)
+        self._timer = QTimer(self, singleShot=True, interval=KEPT_AFTER_MS)
+        self._timer.timeout.connect(self.keep)
+        preset.file_changed.connect(self._timer.start)
+
+    def take_up(self) -> bool:
+        """Take the changes up that were left; says whether there were any. Undo takes them back.
+
+        Raises
+        ------
+        EngineError : there are some, but they cannot be read.
+        """
+        if not self.path.exists():
+            return False
+        base, changed = Path(str(self._settings.value(self._of, ""))), load_preset(self.path)
+        if base.is_file() and base != self._preset.path:
+            self._preset.load(base)
+        self._preset.edit(changed, "changes of the last time")
+        return self._preset.has_unsaved_changes
+
+    def keep(self) -> None:
+        """Write the changes, or forget those that were written where there are none any more."""
+        if not self._preset.has_unsaved_changes:
+            self.forget()
+            return
+        self._settings.setValue(self._of, str(self._preset.path.resolve()))
+        try:
+            save_preset(self._preset.preset, self.path)
+        except EngineError as error:
+            self._preset.refused.emit(f"The unsaved changes cannot be kept for the next start: {error}")
+
+    def forget(self) -> None:
+        """Forget what was written."""
+        for path in (self.path, self.path.with_suffix(".npz")):
+            with suppress(OSError):
+                path.unlink(missing_ok=True)
+
+    def close(self) -> None:
+        """Leave the copy, if there is one, to the next start."""
+        self._timer.stop()
+        self._lock.release()
+
+    @property
+    def _of(self) -> str:
+        return f"unsaved/{self.path.stem}"
+
+
+def _first_free(folder: Path) -> tuple[Path, Any]:
+    """Give the first copy that belongs to no program that lives, and the lock that says so."""
+    for number in count(1):
+        lock = lock_at(folder / f"unsaved-{number}.lock")
+        try:
+            lock.acquire(blocking=False)
+        except TimeoutError:
+            continue
+        except (OSError, NotImplementedError):  # no locks here; whoever writes there says what is wrong
+            pass
+        break
+    return folder / f"unsaved-{number}.toml", lock

@@ -1,0 +1,155 @@
+"""Whose face it is, and how it moves."""
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
+
+from phonemeengine.mouth.morpher import Detail
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.talk.face_model import FaceFiles
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.phoneme_keys import LettersPassed
+from phonemeanalyser.desktop.widgets.key_filters import KeysOfNumbers
+from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.session.status_line import ElidedLabel
+from phonemeanalyser.desktop.talk.times_view import TimesOfSounds
+
+DETAILS = {Detail.PHONEMES: "all phonemes", Detail.LOUDNESS: "loudness only", Detail.TWO_STATES: "open and shut"}
+OWN = "own table …"
+FASTEST_PERCENT, SLOWEST_PERCENT, STEP_PERCENT = 10, 1000, 10
+
+WIDE = ElidedLabel | QComboBox | TimesOfSounds
+"""What takes the width that is left."""
+
+
+class ChoicesPanel(QWidget):
+    """Chooses face, table, detail, speed, and what the face does besides.
+
+    Signals
+    -------
+    mesh_asked : the user wants a mesh of his own.
+    table_asked : the user wants a table of his own.
+    """
+
+    mesh_asked = Signal()
+    table_asked = Signal()
+
+    def __init__(self, talking: Talking, theme: Theme) -> None:
+        super().__init__()
+        self._talking = talking
+        self._theme = theme
+        self.face = ElidedLabel()
+        self.own = _button("Own Mesh…", "Show a mesh of your own (.obj, .glb, .gltf, .x), with its movestates (.3dm)")
+        self.shipped = _button("Program’s Own", "Show the head that ships with the program")
+        self.table, self.detail = QComboBox(), QComboBox()
+        self.attack, self.release = NumberField(), NumberField()
+        self.times = TimesOfSounds(talking, theme)
+        self.blinks, self.motion, self.random = QCheckBox("blinks"), QCheckBox("head motion"), QCheckBox("randomness")
+        self._describe()
+        self._lay_out()
+        self._connect()
+        self._show_state()
+
+    def _describe(self) -> None:
+        self.table.setAccessibleName("mouth table")
+        self.table.setToolTip("Which mouth shape each phoneme has, and which movestates make it")
+        self.detail.setAccessibleName("level of detail")
+        self.detail.setToolTip("How much of the speech the mouth follows: faces that are far away need less")
+        for detail, words in DETAILS.items():
+            self.detail.addItem(words, detail)
+        for box, what in ((self.attack, "attack"), (self.release, "release")):
+            box.setRange(FASTEST_PERCENT, SLOWEST_PERCENT)
+            box.setSingleStep(STEP_PERCENT)
+            box.setSuffix(" %")
+            box.setAccessibleName(f"how long every {what} is")
+            box.setToolTip(f"How long every {what} is: 100 % as the table has it, less is faster, more is slower")
+            box.setKeyboardTracking(False)
+            box.installEventFilter(KeysOfNumbers(self))
+        for combo in (self.table, self.detail):
+            combo.installEventFilter(LettersPassed(self))
+        self.blinks.setToolTip("The eyes blink at human intervals")
+        self.motion.setToolTip("The head moves with pitch and loudness of the voice")
+        self.random.setToolTip("Shapes and times vary a little, as they do in people")
+
+    def _lay_out(self) -> None:
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setVerticalSpacing(5)
+        grid.setHorizontalSpacing(8)
+        rows: tuple[tuple[str, tuple[QWidget, ...]], ...] = (
+            ("Face", (self.face, self.own, self.shipped)),
+            ("Table", (self.table, QLabel("detail"), self.detail)),
+            ("Times", (QLabel("attack"), self.attack, QLabel("release"), self.release, QLabel("of the table’s"))),
+            ("", (self.times,)),
+            ("Life", (self.blinks, self.motion, self.random)),
+        )
+        for number, (name, widgets) in enumerate(rows):
+            label = QLabel(name)
+            label.setStyleSheet(f"color: {self._theme.faint}")
+            grid.addWidget(label, number, 0)
+            row = QHBoxLayout()
+            row.setSpacing(8)
+            for widget in widgets:
+                row.addWidget(widget, 1 if isinstance(widget, WIDE) else 0)
+            if not any(isinstance(widget, WIDE) for widget in widgets):
+                row.addStretch(1)
+            grid.addLayout(row, number, 1)
+        grid.setColumnStretch(1, 1)
+
+    def _connect(self) -> None:
+        talking = self._talking
+        self.own.clicked.connect(lambda _checked: self.mesh_asked.emit())
+        self.shipped.clicked.connect(lambda _checked: talking.face.load(FaceFiles()))
+        self.table.activated.connect(self._choose_table)
+        self.detail.activated.connect(lambda k: talking.set_detail(self.detail.itemData(k)))
+        for box in (self.attack, self.release):
+            box.valueChanged.connect(self._choose_speed)
+        self.blinks.toggled.connect(talking.set_blinks)
+        self.motion.toggled.connect(talking.set_head_motion)
+        self.random.toggled.connect(talking.set_random)
+        talking.changed.connect(self._show_state)
+
+    def _choose_table(self, place: int) -> None:
+        name = self.table.itemData(place)
+        if name is None:
+            self.table_asked.emit()
+            self._show_state()
+        else:
+            self._talking.set_table(name)
+
+    def _choose_speed(self, _value: float) -> None:
+        self._talking.set_speed(self.attack.value() / 100, self.release.value() / 100)
+
+    def _show_state(self) -> None:
+        talking = self._talking
+        boxes = (self.attack, self.release, self.blinks, self.motion, self.random)
+        blockers = [QSignalBlocker(box) for box in boxes]
+        self.face.setText(talking.face.name)
+        self.face.setToolTip(talking.face.name)
+        self.shipped.setEnabled(not talking.face.is_shipped)
+        self._list_tables()
+        self.detail.setCurrentIndex(self.detail.findData(talking.detail))
+        self.attack.setValue(round(100 * talking.attack_factor))
+        self.release.setValue(round(100 * talking.release_factor))
+        self.blinks.setChecked(talking.blinks)
+        self.motion.setChecked(talking.head_motion)
+        self.random.setChecked(talking.random)
+        del blockers
+
+    def _list_tables(self) -> None:
+        """List the tables of the program that move this face, the user's own, and the way to another one."""
+        talking = self._talking
+        listed = talking.face.tables | {talking.table_name: talking.table.name}
+        wanted = [*((words, name) for name, words in listed.items()), (OWN, None)]
+        if [(self.table.itemText(k), self.table.itemData(k)) for k in range(self.table.count())] != wanted:
+            self.table.clear()
+            for words, name in wanted:
+                self.table.addItem(words, name)
+        self.table.setCurrentIndex(self.table.findData(talking.table_name))
+
+
+def _button(text: str, tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
+    button.setToolTip(tip)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    return button

@@ -1,0 +1,102 @@
+"""What the user is asked on the page of the head, and what of it is kept for the next start."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QSettings
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from phonemeengine.mouth.files.io import FACES, FIGURES
+from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.percentages import Mode
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.talk.face_model import FaceFiles
+from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
+
+MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*FIGURES, *FACES))})"
+TABLES = "Mouth tables (*.toml)"
+
+
+class TalkingDialogs(QObject):
+    """Asks, passes the answers to the models, and keeps what was chosen."""
+
+    def __init__(self, window: QWidget, talking: Talking, settings: QSettings) -> None:
+        super().__init__(window)
+        self._window = window
+        self._talking = talking
+        self._settings = settings
+
+    @staticmethod
+    def opens(path: Path) -> bool:
+        """Say whether a file is a mesh or movestates, by the ending of its name."""
+        return path.suffix.lower() in (*FIGURES, *FACES)
+
+    def ask_mesh(self) -> None:
+        """Let the user choose a mesh, with its movestates if they are in a file of their own."""
+        folder = str(self._settings.value("folder/mesh", str(Path.home())))
+        names, _ = QFileDialog.getOpenFileNames(self._window, "A mesh, and its movestates", folder, MESHES)
+        paths = [Path(name) for name in names]
+        if paths:
+            self._settings.setValue("folder/mesh", str(paths[0].parent))
+            self.open(paths)
+
+    def open(self, paths: list[Path]) -> None:
+        """Show a mesh, or other movestates of the mesh that is there, or both."""
+        meshes = [path for path in paths if path.suffix.lower() not in FACES]
+        faces = [path for path in paths if path.suffix.lower() in FACES]
+        face = self._talking.face
+        if meshes:
+            face.load(FaceFiles(meshes[0], faces[0] if faces else None))
+        elif faces:
+            face.load(FaceFiles(face.files.mesh, faces[0]))
+
+    def ask_table(self) -> None:
+        """Let the user choose a mouth table of his own."""
+        folder = str(self._settings.value("folder/table", str(Path.home())))
+        name, _ = QFileDialog.getOpenFileName(self._window, "A mouth table", folder, TABLES)
+        if name:
+            self._settings.setValue("folder/table", str(Path(name).parent))
+            self._talking.set_table(name)
+
+    def save(self) -> None:
+        """Keep what was chosen for the next start."""
+        talking, keep = self._talking, self._settings.setValue
+        files, osc = talking.face.files, talking.osc
+        keep("talk/mesh", str(files.mesh or ""))
+        keep("talk/movestates", str(files.movestates or ""))
+        keep("talk/table", talking.table_name)
+        keep("talk/detail", talking.detail.value)
+        keep("talk/mode", talking.mode.value)
+        keep("talk/attack_percent", round(100 * talking.attack_factor))
+        keep("talk/release_percent", round(100 * talking.release_factor))
+        for name, on in (("blinks", talking.blinks), ("head", talking.head_motion), ("random", talking.random)):
+            keep(f"talk/{name}", int(on))
+        keep("talk/osc_address", osc.address)
+        keep("talk/osc_table", osc.table)
+        keep("talk/osc", int(osc.on))
+
+    def restore(self) -> None:
+        """Take up what was chosen at the last start."""
+        talking = self._talking
+        files = [Path(text) if (text := self._kept(f"talk/{name}", "")) else None for name in ("mesh", "movestates")]
+        if any(files) and all(path is None or path.is_file() for path in files):
+            talking.face.files = FaceFiles(files[0], files[1])
+        talking.set_table(self._kept("talk/table", talking.table_name))
+        detail = self._kept("talk/detail", talking.detail.value)
+        talking.set_detail(next((d for d in Detail if d.value == detail), talking.detail))
+        mode = self._kept("talk/mode", talking.mode.value)
+        talking.set_mode(next((m for m in Mode if m.value == mode), talking.mode))
+        talking.set_blinks(self._kept("talk/blinks", "1") == "1")
+        talking.set_head_motion(self._kept("talk/head", "1") == "1")
+        talking.set_random(self._kept("talk/random", "1") == "1")
+        talking.set_speed(self._percent("attack") / 100, self._percent("release") / 100)
+        talking.osc.set_address(self._kept("talk/osc_address", talking.osc.address))
+        talking.osc.set_table(self._kept("talk/osc_table", talking.osc.table))
+        talking.osc.set_on(self._kept("talk/osc", "0") == "1")
+
+    def _percent(self, name: str) -> int:
+        kept = self._kept(f"talk/{name}_percent", "100")
+        usable = kept.isdecimal() and FASTEST_PERCENT <= int(kept) <= SLOWEST_PERCENT  # somebody may edit the file
+        return int(kept) if usable else 100
+
+    def _kept(self, name: str, default: str) -> str:
+        return str(self._settings.value(name, default))

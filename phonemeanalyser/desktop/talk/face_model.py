@@ -1,0 +1,170 @@
+"""Whose face it is: the head that ships with the program, or a mesh and movestates of the user's own."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
+
+from phonemeengine.errors import MeshError
+from phonemeengine.mouth.morph_mesh import Figure, fitted
+from phonemeengine.mouth.files.io import load_face, load_figure
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.mesh import Vectors
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.blendshape_names import EYELIDS
+from phonemeengine.mouth.percentages import MOST_PERCENT
+from phonemeengine.mouth.table import MouthTable, load_table, shipped_tables
+from phonemeanalyser.desktop.tasks import Backroom
+
+MOST_WEIGHT = MOST_PERCENT / 100
+
+
+@dataclass(frozen=True)
+class FaceFiles:
+    """Where a face comes from; without a mesh it is the head that ships with the program.
+
+    Attributes
+    ----------
+    mesh : .obj, .gltf, .glb or .x.
+    movestates : .3dm or .3dma, where the mesh brings none of its own, or others are wanted.
+    """
+
+    mesh: Path | None = None
+    movestates: Path | None = None
+
+
+class TalkingFace(QObject):
+    """Loads faces in the background and moves the one that is there; `see` takes note of what was loaded.
+
+    Signals
+    -------
+    changed : another face is there.
+    failed : a sentence for the user; the face stays as it was.
+
+    Attributes
+    ----------
+    files : where the face that is there, or is being loaded, comes from.
+    figure, states : None until the first face is loaded.
+    tables : the tables of the program that move anything in this face: what people call them, by name.
+    """
+
+    changed = Signal()
+    failed = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.files = FaceFiles()
+        self.figure: Figure | None = None
+        self.states: MovestateSet | None = None
+        self.tables: dict[str, str] = {}
+        self._work = Backroom(self._fail)
+        self._shown = self.files
+        self._asked = False
+        self._columns: list[tuple[int, str]] = []
+        self._spoken: dict[str, float] = {}
+        self._lids: tuple[str, ...] = ()
+
+    @property
+    def busy(self) -> bool:
+        """Whether a face is being loaded."""
+        return self._work.busy
+
+    @property
+    def name(self) -> str:
+        """What the face is called."""
+        return self._shown.mesh.name if self._shown.mesh else "the program's own head"
+
+    @property
+    def is_shipped(self) -> bool:
+        """Whether it is the head that ships with the program, as it is."""
+        return self._shown == FaceFiles()
+
+    def wake(self) -> None:
+        """Load the face, now that somebody looks."""
+        if not self._asked:
+            self.load(self.files)
+
+    def load(self, files: FaceFiles) -> None:
+        """Load a face instead of the one that is there."""
+        self._asked = True
+        self.files = files
+        self._work.instead(lambda _heed: _loaded(files), lambda figure: self._take(files, figure))
+
+    def see(self) -> None:
+        """Take note of what was loaded."""
+        self._work.see()
+
+    def moved_by(self, table: MouthTable) -> tuple[str, ...]:
+        """Name the movestates of this face that a table moves."""
+        return tuple(mine for _, mine in self._pairs(table))
+
+    def use(self, table: MouthTable) -> None:
+        """Move with the weights of another table."""
+        if self.states is not None:
+            self._columns = self._pairs(table)
+
+    def move(self, weights: NDArray[np.float32]) -> None:
+        """Set the movestates of the table by its weights, and all others to 0; a blink goes on."""
+        if self.states is not None:
+            values = (100 * np.clip(weights, -MOST_WEIGHT, MOST_WEIGHT)).tolist()
+            self._spoken = {name: values[column] for column, name in self._columns}
+            self.states.reset_all()
+            self.states.set_percentages(self._spoken)
+
+    def blink(self, closure: float) -> None:
+        """Close the lids as far as a blink has closed them, 0..1, where what is said does not close them farther."""
+        if self.states is not None:
+            for lid in self._lids:
+                self.states.set_percentage(lid, max(100 * closure, self._spoken.get(lid, 0.0)))
+
+    def positions(self) -> Vectors:
+        """Give where the vertices are now, shape (n_vertices, 3); the array is used again by the next call."""
+        assert self.states is not None
+        return self.states.morphed()
+
+    def close(self) -> None:
+        """End the work."""
+        self._work.cancel()
+        self._work.close()
+
+    def _pairs(self, table: MouthTable) -> list[tuple[int, str]]:
+        """Give the places of the movestates that the table moves and the face has, under its own names for them."""
+        if self.states is None:
+            return []
+        moved = {name for shape in table.shapes.values() for name, percent in shape.items() if percent}
+        mine = {_plain(name): name for name in self.states.names}
+        return [
+            (k, mine[_plain(name)])
+            for k, name in enumerate(table.movestates)
+            if name in moved and _plain(name) in mine
+        ]
+
+    def _take(self, files: FaceFiles, figure: Figure) -> None:
+        self._shown = files
+        self.figure, self.states = figure, MovestateSet(figure.mesh, figure.states)
+        self._lids = tuple(name for name in EYELIDS if name in self.states)
+        for name in self.states.names:  # brows and eyes are the table's here: only blinks have a life of their own
+            self.states.set_interactable(name, name not in self._lids)
+        known = [(name, load_table(name)) for name in shipped_tables()]
+        self.tables = {name: table.name for name, table in known if self.moved_by(table)}
+        self.changed.emit()
+
+    def _fail(self, sentence: str) -> None:
+        self.files = self._shown
+        self.failed.emit(sentence)
+
+
+def _loaded(files: FaceFiles) -> Figure:
+    figure = load_figure(files.mesh) if files.mesh else load_head()
+    if files.movestates is None:
+        if not figure.states:
+            raise MeshError(f"{figure.mesh.name}: this mesh has no movestates; choose its .3dm file together with it")
+        return figure
+    return Figure(figure.mesh, fitted(load_face(files.movestates), figure.mesh).states)
+
+
+def _plain(name: str) -> str:
+    """Give a name as it is whoever wrote it: jawOpen, JawOpen and jaw_open are one."""
+    return "".join(filter(str.isalnum, name)).casefold()

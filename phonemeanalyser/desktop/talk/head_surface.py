@@ -1,0 +1,232 @@
+"""What a head is drawn on in the window: its OpenGL where there is a graphics card, else pictures."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QImage, QOffscreenSurface, QOpenGLContext, QPainter, QSurfaceFormat
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from PySide6.QtWidgets import QWidget
+
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.mesh import Vectors
+from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.errors import RenderingError
+from phonemeanalyser.rendering.light import Light
+
+GL_RENDERER = 0x1F01
+SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "gdi generic", "basic render")
+"""What the names of renderers hold that draw with the processor."""
+WITHOUT_GL = ("offscreen", "minimal", "vnc", "linuxfb")
+"""Qt's platforms that have no OpenGL in their windows."""
+MOST_SHARE = 0.8
+"""Of the time that goes into pictures which the processor draws: the sound comes first."""
+REST_MS = 300
+"""Without a change for so long, a picture is drawn again without jagged edges."""
+MOST_QUICK_PIXELS, MOST_PIXELS = 300_000, 2_100_000
+"""A picture that the processor draws is no larger, while something moves and while nothing does."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What is drawn: a figure's vertices, how the head is turned, and how it is looked at."""
+
+    figure: Figure
+    positions: Vectors
+    pose: HeadPose
+    camera: Camera
+    light: Light
+    background: tuple[float, float, float]
+    wireframe: bool
+
+
+def rendering() -> ModuleType:
+    """Give what draws heads: 200 ms that only who sees one waits for."""
+    import phonemeanalyser.rendering.offscreen  # noqa: PLC0415
+    import phonemeanalyser.rendering.renderer  # noqa: PLC0415
+
+    return phonemeanalyser.rendering
+
+
+def has_graphics_card() -> bool:
+    """Say whether the windows' OpenGL is one that a graphics card draws."""
+    if QGuiApplication.platformName() in WITHOUT_GL:
+        return False
+    context, surface = QOpenGLContext(), QOffscreenSurface()
+    surface.create()
+    if not (context.create() and surface.isValid() and context.makeCurrent(surface)):
+        return False
+    name = str(context.functions().glGetString(GL_RENDERER)).lower()
+    context.doneCurrent()
+    return not any(word in name for word in SOFTWARE)
+
+
+class GlSurface(QOpenGLWidget):
+    """Draws with the window's OpenGL.
+
+    Signals
+    -------
+    failed : a sentence; nothing can be drawn here.
+    """
+
+    failed = Signal(str)
+
+    def __init__(self, scene: Callable[[], Scene | None]) -> None:
+        super().__init__()
+        form = QSurfaceFormat()
+        form.setVersion(3, 3)
+        form.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
+        form.setDepthBufferSize(24)
+        self.setFormat(form)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.n_drawn = 0
+        self.due = 0.0
+        self._scene = scene
+        self._figure: Figure | None = None
+        self._renderer: Any = None
+
+    def initializeGL(self) -> None:
+        """Begin in a context that is new."""
+        self._figure, self._renderer = None, None
+        self.context().aboutToBeDestroyed.connect(self._leave)
+
+    def paintGL(self) -> None:
+        """Draw the scene as it is now."""
+        scene = self._scene()
+        if scene is None:
+            return
+        scale = self.devicePixelRatio()
+        size = (max(1, round(self.width() * scale)), max(1, round(self.height() * scale)))
+        try:
+            self._renderer_of(scene.figure).draw(
+                scene.camera, scene.positions, scene.pose, size=size, background=scene.background,
+                wireframe=scene.wireframe, light=scene.light,
+            )  # fmt: skip
+            self.n_drawn += 1
+        except RenderingError as error:
+            self.failed.emit(str(error))
+
+    def redraw(self) -> None:
+        """Draw anew, since something is different."""
+        self.update()
+
+    def let_go(self) -> None:
+        """Give everything back to the graphics driver."""
+        if self._renderer is not None:
+            self.makeCurrent()
+            self._leave()
+            self.doneCurrent()
+
+    def _leave(self) -> None:
+        if self._renderer is not None:
+            self._renderer.release()
+        self._renderer = self._figure = None
+
+    def _renderer_of(self, figure: Figure) -> Any:
+        if self._renderer is None or figure is not self._figure:
+            self._leave()
+            context = rendering().contexts.window_context()
+            self._renderer, self._figure = rendering().renderer.HeadRenderer(context, figure), figure
+        return self._renderer
+
+
+class PictureSurface(QWidget):
+    """Has pictures drawn without the window's OpenGL, and shows them.
+
+    Signals
+    -------
+    failed : a sentence; nothing can be drawn here.
+
+    Attributes
+    ----------
+    due : when the next picture may be drawn, on the clock of `time.monotonic`.
+    """
+
+    failed = Signal(str)
+
+    def __init__(self, scene: Callable[[], Scene | None]) -> None:
+        super().__init__()
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.n_drawn = 0
+        self.due = 0.0
+        self._stale, self._fine = True, False
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.timeout.connect(self._draw_finely)
+        self._scene = scene
+        self._figure: Figure | None = None
+        self._photographer: Any = None
+        self._kept = b""
+        self._image: QImage | None = None
+
+    def redraw(self) -> None:
+        """Draw anew, since something is different."""
+        self._stale = True
+        self.update()
+
+    def resizeEvent(self, _event: Any) -> None:
+        """Draw in the new size."""
+        self._stale = True
+
+    def paintEvent(self, _event: Any) -> None:
+        """Draw what is different quickly, and finely once nothing moves any more; else show the same again."""
+        fine = not self._stale and self._fine
+        if self._stale or fine:
+            self._stale = self._fine = False
+            began = time.monotonic()
+            scene = self._scene()
+            self._image = self._image_of(scene, fine=fine) if scene is not None else None
+            now = time.monotonic()
+            self.due = now + (now - began) * (1 / MOST_SHARE - 1)
+            if not fine and self._image is not None:
+                self._rest.start(REST_MS)
+        painter = QPainter(self)
+        if self._image is None:
+            painter.fillRect(self.rect(), self.palette().base())
+            return
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(self.rect(), self._image)
+
+    def _draw_finely(self) -> None:
+        self._fine = True
+        self.update()
+
+    def let_go(self) -> None:
+        """Give everything back to the graphics driver."""
+        self._rest.stop()
+        if self._photographer is not None:
+            self._photographer.release()
+        self._photographer = self._figure = None
+
+    def _image_of(self, scene: Scene, *, fine: bool) -> QImage | None:
+        width, height = self._size(MOST_PIXELS if fine else MOST_QUICK_PIXELS)
+        try:
+            photographer = self._photographer_of(scene.figure)
+            photographer.resize((width, height))
+            picture = photographer.picture(
+                scene.camera, scene.positions, scene.pose, background=scene.background,
+                wireframe=scene.wireframe, light=scene.light, fine=fine,
+            )  # fmt: skip
+        except RenderingError as error:
+            self.failed.emit(str(error))
+            return None
+        self.n_drawn += 1
+        self._kept = picture.tobytes()
+        return QImage(self._kept, width, height, 3 * width, QImage.Format.Format_RGB888)
+
+    def _size(self, most: int) -> tuple[int, int]:
+        scale = self.devicePixelRatio()
+        width, height = max(1.0, self.width() * scale), max(1.0, self.height() * scale)
+        less = min(1.0, (most / (width * height)) ** 0.5)
+        return max(1, round(width * less)), max(1, round(height * less))
+
+    def _photographer_of(self, figure: Figure) -> Any:
+        if self._photographer is None or figure is not self._figure:
+            self.let_go()
+            self._photographer, self._figure = rendering().pictures.Photographer(figure), figure
+        return self._photographer

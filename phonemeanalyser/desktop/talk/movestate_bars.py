@@ -1,0 +1,110 @@
+"""Which movestate of the face is on, and by how many percent, as bars."""
+
+import math
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from phonemeengine.mouth.blendshape_names import EYELIDS
+from phonemeanalyser.desktop.painting import set_size
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.theme import Theme
+
+ROW, COLUMNS, GAP = 16, 2, 14
+NAME_SHARE, NUMBER_WIDTH = 0.5, 36
+LEFT, RIGHT = "Left", "Right"
+
+
+class MovestateBars(QWidget):
+    """Paints a bar for each movestate that the table moves; the two sides of a face share one.
+
+    Attributes
+    ----------
+    rows : for each bar its name, and its one or two movestates.
+    """
+
+    def __init__(self, talking: Talking, theme: Theme) -> None:
+        super().__init__()
+        self._talking = talking
+        self._theme = theme
+        self._shown: tuple[float, ...] = ()
+        self.rows: list[tuple[str, tuple[str, ...]]] = []
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setToolTip(
+            "How far each movestate of the face is on now: of two sides, the left one above and the right one below"
+        )
+        talking.changed.connect(self._list_states)
+        self._list_states()
+
+    def refresh(self) -> None:
+        """Show how it is now."""
+        percentages = self._talking.percentages
+        shown = tuple(round(percentages.get(name, 0.0)) for _, names in self.rows for name in names)
+        if shown != self._shown:
+            self._shown = shown
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        """Ask for the height of all rows."""
+        return QSize(300, ROW * max(1, self._n_rows) + 2)
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for the height of all rows."""
+        return QSize(200, self.sizeHint().height())
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Paint name, bar and number of each."""
+        painter = QPainter(self)
+        set_size(painter, 11)
+        width = (self.width() - GAP * (COLUMNS - 1)) / COLUMNS
+        percentages = self._talking.percentages
+        for k, (name, states) in enumerate(self.rows):
+            column, row = divmod(k, max(1, self._n_rows))
+            box = QRectF(column * (width + GAP), row * ROW, width, ROW)
+            self._paint_row(painter, box, name, [percentages.get(state, 0.0) for state in states])
+
+    @property
+    def _n_rows(self) -> int:
+        return math.ceil(len(self.rows) / COLUMNS)
+
+    def _paint_row(self, painter: QPainter, box: QRectF, name: str, percents: list[float]) -> None:
+        theme, most = self._theme, max(percents, key=abs)
+        words = box.adjusted(0, 0, -box.width() * (1 - NAME_SHARE) - 4, 0)
+        number = QRectF(box.right() - NUMBER_WIDTH, box.top(), NUMBER_WIDTH, ROW)
+        bar = QRectF(words.right() + 4, box.top() + 3, number.left() - words.right() - 6, ROW - 6)
+        painter.fillRect(bar, QColor(theme.raised))
+        for k, percent in enumerate(percents):
+            height = bar.height() / len(percents)
+            length = bar.width() * min(abs(percent), 100) / 100
+            colour = theme.accent if percent >= 0 else theme.bad
+            painter.fillRect(QRectF(bar.left(), bar.top() + k * height, length, height), QColor(colour))
+        seen = abs(most) >= 0.5
+        painter.setPen(QColor(theme.text if seen else theme.faint))
+        shown = painter.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, int(words.width()))
+        painter.drawText(words, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown)
+        if seen:
+            painter.drawText(number, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, f"{most:.0f} %")
+
+    def _list_states(self) -> None:
+        face = self._talking.face
+        moved = list(face.moved_by(self._talking.table)) if face.states is not None else []
+        moved += [lid for lid in EYELIDS if face.states is not None and lid in face.states and lid not in moved]
+        self.rows = _paired(moved)
+        self._shown = ()
+        self.updateGeometry()
+        self.update()
+
+
+def _paired(names: list[str]) -> list[tuple[str, tuple[str, ...]]]:
+    """Put the two sides of a face into one row."""
+    rows: dict[str, tuple[str, ...]] = {}
+    for name in names:
+        side = next((side for side in (LEFT, RIGHT) if name.endswith(side)), "")
+        stem = name.removesuffix(side) if side else name
+        both = (stem + LEFT, stem + RIGHT)
+        if side and all(other in names for other in both):
+            rows[stem] = both
+        else:
+            rows[name] = (name,)
+    return list(rows.items())

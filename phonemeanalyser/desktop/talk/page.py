@@ -1,0 +1,179 @@
+"""The page of the head: the head at the left, and what it does at the right."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QSplitter,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
+from phonemeanalyser.desktop.talk.head_view import HINT, LIGHT_STEP, HeadView
+from phonemeanalyser.desktop.session.status_line import ElidedLabel
+from phonemeanalyser.desktop.talk.movestate_bars import MovestateBars
+from phonemeanalyser.desktop.talk.choices_panel import ChoicesPanel
+from phonemeanalyser.desktop.widgets.heading import heading
+from phonemeanalyser.desktop.talk.phoneme_chip import HeardChip
+from phonemeanalyser.desktop.talk.osc_panel import OscPanel
+from phonemeanalyser.desktop.talk.viseme_panel import VisemePanel
+
+PANEL_WIDTH = 480
+BARS_EVERY = 2
+"""The bars are drawn at every second picture."""
+
+
+class TalkPage(QWidget):
+    """Lays out head, mouth shapes, bars and choices.
+
+    Signals
+    -------
+    sound_asked, preset_asked : the user wants the head to say another sound, or to load phoneme data.
+
+    Attributes
+    ----------
+    keys : to be installed as an event filter of the window.
+    """
+
+    sound_asked = Signal()
+    preset_asked = Signal()
+
+    def __init__(self, talking: Talking, theme: Theme) -> None:
+        super().__init__()
+        self._talking = talking
+        self._theme = theme
+        self._ticks = 0
+        self.head = HeadView(talking, theme)
+        self.choices = ChoicesPanel(talking, theme)
+        self.visemes = VisemePanel(talking, theme)
+        self.bars = MovestateBars(talking, theme)
+        self.osc = OscPanel(talking.osc, theme)
+        self.keys = HeldKeys(talking, self)
+        self.open = _button("Open Sound…", "Open a sound file, and have the head say it at once")
+        self.play = _button("Play", "Play or pause (Space)")
+        self.stop = _button("Stop", "Stop (Escape)")
+        self.preset = _button("Load Preset…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")
+        self.wireframe = QCheckBox("wireframe")
+        self.wireframe.setToolTip("Draw the edges of the mesh alone (W)")
+        self.home = _button("⌂", "Look at the whole head from the front (Home, or a double click)")
+        self.light_left = _button("☀ ◂", "Move the light to the left (,)")
+        self.light_right = _button("▸", "Move the light to the right (.)")
+        self.said = ElidedLabel()
+        self.heard = HeardChip(talking, theme)
+        self._lay_out()
+        self._connect()
+        self._show_state()
+
+    def refresh(self) -> None:
+        """Show what changes by itself."""
+        self.head.refresh()
+        self._ticks += 1
+        if self._ticks % BARS_EVERY == 0:
+            self.bars.refresh()
+            self.heard.refresh()
+            self.osc.refresh()
+
+    def _connect(self) -> None:
+        session = self._talking.session
+        self.open.clicked.connect(lambda _checked: self.sound_asked.emit())
+        self.preset.clicked.connect(lambda _checked: self.preset_asked.emit())
+        self.play.clicked.connect(lambda _checked: session.toggle())
+        self.stop.clicked.connect(lambda _checked: session.stop())
+        self.home.clicked.connect(lambda _checked: self.head.go_home())
+        self.wireframe.toggled.connect(lambda on: self.head.look(wireframe=on))
+        self.light_left.clicked.connect(lambda _checked: self.head.move_light(-LIGHT_STEP))
+        self.light_right.clicked.connect(lambda _checked: self.head.move_light(LIGHT_STEP))
+        self.head.looked.connect(lambda: self.wireframe.setChecked(self.head.wireframe))
+        session.transport_changed.connect(self._show_state)
+        session.opened.connect(self._show_state)
+
+    def _show_state(self) -> None:
+        session = self._talking.session
+        self.play.setText("Pause" if session.playing else "Play")
+        self.said.setText(session.name)
+        self.said.setToolTip(f"{session.name}: {session.description}")
+
+    def _lay_out(self) -> None:
+        left = QWidget()
+        column = QVBoxLayout(left)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.head, 1)
+        column.addLayout(self._rows_below())
+        split = QSplitter(Qt.Orientation.Horizontal)
+        split.addWidget(left)
+        split.addWidget(self._panel())
+        split.setStretchFactor(0, 1)
+        split.setStretchFactor(1, 0)
+        split.setSizes([10_000, PANEL_WIDTH])
+        split.setChildrenCollapsible(False)
+        whole = QHBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(split)
+
+    def _rows_below(self) -> QVBoxLayout:
+        rows = QVBoxLayout()
+        rows.setContentsMargins(8, 5, 8, 5)
+        rows.setSpacing(4)
+        looks = (self.wireframe, self.light_left, self.light_right, self.home)
+        for widgets in ((self.open, self.play, self.stop, self.preset), (self.heard, self.said, *looks)):
+            row = QHBoxLayout()
+            row.setSpacing(6)
+            for widget in widgets:
+                row.addWidget(widget, 1 if widget is self.said else 0)
+            if self.said not in widgets:
+                row.addStretch(1)
+            rows.addLayout(row)
+        return rows
+
+    def _panel(self) -> QWidget:
+        body = QWidget()
+        column = QVBoxLayout(body)
+        column.setContentsMargins(10, 8, 10, 8)
+        column.setSpacing(8)
+        parts: tuple[tuple[QWidget, ...], ...] = (
+            (self.choices,), (self.visemes,), (heading("Movestates"), self.bars), (heading("Network"), self.osc),
+        )  # fmt: skip
+        for k, part in enumerate(parts):
+            if k:
+                column.addWidget(_line(self._theme))
+            for widget in part:
+                column.addWidget(widget)
+        column.addStretch(1)
+        hint = QLabel(f"{HINT}.")
+        hint.setWordWrap(True)
+        hint.setStyleSheet(f"color: {self._theme.faint}")
+        column.addWidget(hint)
+        scroll = QScrollArea()
+        scroll.setWidget(body)
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setMinimumWidth(body.minimumSizeHint().width() + scroll.verticalScrollBar().sizeHint().width())
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        scroll.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
+        return scroll
+
+
+def _line(theme: Theme) -> QFrame:
+    line = QFrame()
+    line.setFixedHeight(1)
+    line.setStyleSheet(f"background: {theme.line}")
+    return line
+
+
+def _button(text: str, tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
+    button.setToolTip(tip)
+    button.setAccessibleName(tip)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    return button

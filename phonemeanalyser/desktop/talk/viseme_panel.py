@@ -1,0 +1,178 @@
+"""A key and a slider for each mouth shape, and what becomes of everything else when one is asked for."""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QSlider,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.table import MouthTable
+from phonemeanalyser.desktop.painting import set_size
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LettersPassed
+from phonemeanalyser.desktop.widgets.heading import heading
+
+MODES = {
+    Mode.NONE: "others stay",
+    Mode.RESET: "others to 0",
+    Mode.FORCE_RESET: "others and blinks to 0",
+    Mode.INTERACT: "others share 100 %",
+}
+COLUMNS = 2
+PERCENT_WIDTH = 40
+
+
+class VisemeButton(QToolButton):
+    """Shows a mouth shape and its keys; held down, the mouth takes that shape."""
+
+    def __init__(self, shape: str, keys: str, theme: Theme) -> None:
+        super().__init__()
+        self.shape = shape
+        self._keys = keys
+        self._theme = theme
+        self.setFixedHeight(22)
+        self.setMinimumWidth(122)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setAccessibleName(f"hold the mouth shape {shape}")
+        named = f", or the key {' or '.join(keys)}," if keys else ""
+        self.setToolTip(f"Hold this{named} to see the mouth shape {shape}, whatever is said")
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Paint the shape's name at the left, and its keys at the right."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        box, down = self.rect().adjusted(1, 1, -1, -1), self.isDown()
+        painter.setPen(QColor(self._theme.accent if self.hasFocus() or self.underMouse() else self._theme.line))
+        painter.setBrush(QColor(self._theme.accent if down else self._theme.raised))
+        painter.drawRoundedRect(box, 3, 3)
+        inner = box.adjusted(6, 0, -6, 0)
+        painter.setPen(QColor(self._theme.on_colour if down else self._theme.text))
+        painter.drawText(inner, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, self.shape)
+        set_size(painter, 10)
+        painter.setPen(QColor(self._theme.on_colour if down else self._theme.faint))
+        painter.drawText(inner, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, self._keys)
+
+
+class VisemePanel(QWidget):
+    """Lists the shapes of the table in use.
+
+    Attributes
+    ----------
+    buttons, sliders : by the name of the shape.
+    """
+
+    def __init__(self, talking: Talking, theme: Theme) -> None:
+        super().__init__()
+        self._talking = talking
+        self._theme = theme
+        self._table: MouthTable | None = None
+        self.buttons: dict[str, VisemeButton] = {}
+        self.sliders: dict[str, QSlider] = {}
+        self._percents: dict[str, QLabel] = {}
+        self.mode = QComboBox()
+        self.leave = QToolButton()
+        self.leave.setText("Leave It to the Speech")
+        self.leave.setToolTip("Set all sliders back to 0")
+        self.leave.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.leave.clicked.connect(lambda _checked: talking.ask_nothing())
+        self._lay_out()
+        talking.changed.connect(self._take_table)
+        self.mode.activated.connect(lambda k: talking.set_mode(Mode(self.mode.itemData(k))))
+        talking.asked_changed.connect(self._show_asked)
+        self._take_table()
+
+    def _lay_out(self) -> None:
+        for mode, words in MODES.items():
+            self.mode.addItem(words, mode.value)
+        self.mode.setAccessibleName("what becomes of everything else when a slider is pulled")
+        self.mode.setToolTip(
+            "What becomes of the speech, of the other shapes and of blinks when a slider asks for a shape: all stay, "
+            "and movements add up; all but blinks go to 0; blinks as well; or first the speech and then other shapes "
+            "shrink, so that all are 100 % at most. Keys and buttons set all but blinks to 0 while they are held"
+        )
+        self.mode.installEventFilter(LettersPassed(self))
+        head = QHBoxLayout()
+        head.addWidget(heading("Mouth shapes"), 1)
+        head.addWidget(self.mode)
+        head.addWidget(self.leave)
+        self._body = QWidget()
+        self._column = column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        column.addLayout(head)
+        column.addWidget(self._body)
+
+    def _take_table(self) -> None:
+        """List the shapes, where they are others."""
+        table = self._talking.table
+        self.mode.setCurrentIndex(self.mode.findData(self._talking.mode.value))
+        if self._table is None or self._table.shapes is not table.shapes:
+            body = QWidget()
+            self._column.replaceWidget(self._body, body)
+            self._body.deleteLater()
+            self._body = body
+            self._fill(QGridLayout(body), table)
+        self._table = table
+        self._show_asked()
+
+    def _fill(self, grid: QGridLayout, table: MouthTable) -> None:
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setVerticalSpacing(3)
+        grid.setHorizontalSpacing(5)
+        self.buttons, self.sliders, self._percents = {}, {}, {}
+        n_rows = -(-len(table.shapes) // COLUMNS)
+        for k, shape in enumerate(table.shapes):
+            column = 3 * (k // n_rows)
+            for offset, widget in enumerate(self._row_of(shape, keys_of(table).get(shape, ""))):
+                grid.addWidget(widget, k % n_rows, column + offset)
+            grid.setColumnStretch(column + 1, 1)
+
+    def _row_of(self, shape: str, keys: str) -> tuple[QWidget, QWidget, QWidget]:
+        talking = self._talking
+        button = self.buttons[shape] = VisemeButton(shape, keys, self._theme)
+        button.pressed.connect(lambda: talking.hold(shape))
+        button.released.connect(talking.release)
+        slider = self.sliders[shape] = QSlider(Qt.Orientation.Horizontal)
+        slider.setRange(0, 100)
+        slider.setPageStep(10)
+        slider.setMinimumWidth(44)
+        slider.setAccessibleName(f"share of the mouth shape {shape}")
+        slider.setToolTip(f"How far the mouth takes the shape {shape}; with all at 0 it is left to the speech")
+        slider.valueChanged.connect(lambda value: talking.ask(shape, value / 100))
+        percent = self._percents[shape] = QLabel()
+        percent.setFixedWidth(PERCENT_WIDTH)
+        percent.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        return button, slider, percent
+
+    def _show_asked(self) -> None:
+        asked = self._talking.asked
+        if asked.shares.keys() != self.sliders.keys():
+            return  # the table is about to be listed
+        for shape, share in asked.shares.items():
+            with QSignalBlocker(self.sliders[shape]):
+                self.sliders[shape].setValue(round(100 * share))
+            self.buttons[shape].setDown(shape == asked.held)
+            self._percents[shape].setText(f"{100 * share:.0f} %" if share else "")
+        self.leave.setEnabled(any(asked.shares.values()))
+
+
+def keys_of(table: MouthTable) -> Mapping[str, str]:
+    """Give the letters of the phonemes for which a table has each shape."""
+    keys: dict[str, str] = {}
+    for phoneme, key in KEYS.items():
+        shape = table.phonemes[phoneme]
+        keys[shape] = keys.get(shape, "") + key
+    return keys

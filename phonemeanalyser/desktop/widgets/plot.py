@@ -1,0 +1,174 @@
+"""A plot with a heading, axes with units, and a cursor that reads out what lies under it."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pyqtgraph as pg
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.session.status_line import ElidedLabel
+
+READOUTS_PER_SECOND = 30
+
+
+class LiveCurve(pg.PlotCurveItem):
+    """A curve that is drawn anew up to 60 times a second within fixed axes.
+
+    Its bounds are those of the axes, so its points need not be measured at every picture. They are kept, and
+    changed only after Qt was told so, since it would paint a new range within the old bounds otherwise.
+    """
+
+    _bounds = QRectF()
+
+    def boundingRect(self) -> QRectF:
+        """Give the visible part of the plot."""
+        return self._bounds
+
+    def viewTransformChanged(self) -> None:
+        """Take over the new visible part (that of the view box, since viewRect() keeps the old one)."""
+        super().viewTransformChanged()
+        view = self.getViewBox()
+        self._bounds = view.viewRect() if view is not None else QRectF()
+
+    def dataBounds(self, *_asked: Any, **_options: Any) -> tuple[None, None]:
+        """Ask for no range, since the axes are fixed."""
+        return None, None
+
+
+class RangeBox(pg.ViewBox):
+    """A view box in which a drag moves the picture, or draws a range.
+
+    Attributes
+    ----------
+    draw : is given both ends of a range (on the x axis) while it is drawn; None while a drag moves the picture.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.draw: Callable[[float, float], object] | None = None
+
+    def mouseDragEvent(self, event: Any, axis: int | None = None) -> None:
+        """Draw a range, or move the picture."""
+        if self.draw is None or event.button() != Qt.MouseButton.LeftButton:
+            super().mouseDragEvent(event, axis)
+            return
+        event.accept()
+        self.draw(*(self.mapToView(point).x() for point in (event.buttonDownPos(), event.pos())))
+
+
+class ReadOut(QLabel):
+    """Says at a plot's upper right corner what lies under the mouse; hidden while that is nothing."""
+
+    def __init__(self, plot: QWidget, theme: Theme) -> None:
+        super().__init__(plot)
+        self._plot = plot
+        self.setStyleSheet(f"color: {theme.text}; background: {theme.raised}; padding: 2px 5px; border-radius: 3px")
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.tell("")
+
+    def tell(self, text: str) -> None:
+        """Show a text; an empty one hides it."""
+        self.setVisible(bool(text))
+        if text != self.text():
+            self.setText(text)
+            self.adjustSize()
+        self.move(self._plot.width() - self.width() - 14, 8)
+
+
+class Plot(QWidget):
+    """A heading with controls at its right, and a plot below it.
+
+    Parameters
+    ----------
+    title : the heading.
+    tip : what is drawn, and of what.
+    axes : text and unit of the x and the y axis.
+    read_out : says in words what lies at a point of the plot; an empty text for nothing.
+    """
+
+    def __init__(
+        self, title: str, tip: str, axes: tuple[tuple[str, str], tuple[str, str]],
+        read_out: Callable[[float, float], str], theme: Theme,
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self.theme = theme
+        self.graphics = pg.PlotWidget(viewBox=RangeBox())
+        self.item: Any = self.graphics.getPlotItem()
+        self.header = QHBoxLayout()
+        self._read_out = read_out
+        self._mouse: QPointF | None = None
+        self._cursor_label = ReadOut(self.graphics, theme)
+        self._cursor = pg.InfiniteLine(angle=90, pen=pg.mkPen(theme.faint, style=Qt.PenStyle.DashLine))
+        self._style(axes)
+        self._lay_out(title, tip)
+        self._follow_mouse()
+
+    def refresh_read_out(self) -> None:
+        """Say what lies under the mouse now: it may stand still while the picture moves."""
+        point = None if self._mouse is None else self.item.vb.mapSceneToView(self._mouse)
+        self._cursor.setVisible(point is not None)
+        if point is not None:
+            self._cursor.setPos(point.x())
+        self._cursor_label.tell("" if point is None else self._read_out(point.x(), point.y()))
+
+    def leaveEvent(self, event: Any) -> None:
+        """Hide the cursor when the mouse leaves."""
+        self._mouse = None
+        self.refresh_read_out()
+        super().leaveEvent(event)
+
+    def _style(self, axes: tuple[tuple[str, str], tuple[str, str]]) -> None:
+        for side, (text, unit) in zip(("bottom", "left"), axes, strict=True):
+            self.item.setLabel(side, f"{text} ({unit})" if unit else text)
+            axis = self.item.getAxis(side)
+            axis.enableAutoSIPrefix(False)
+            axis.setStyle(tickTextOffset=2, tickLength=-4)
+            axis.setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # painting an axis costs half a ms
+        self.item.getAxis("left").setWidth(52)
+        self.item.showGrid(x=True, y=True, alpha=0.12)
+        self.item.hideButtons()
+        self.item.layout.setContentsMargins(0, 2, 10, 4)
+        self.item.setMenuEnabled(False)
+        self.item.addItem(self._cursor, ignoreBounds=True)
+        self._cursor.setVisible(False)
+
+    def _lay_out(self, title: str, tip: str) -> None:
+        self.heading = bold(ElidedLabel(title))
+        self.heading.setToolTip(tip or title)
+        self.header.setContentsMargins(6, 3, 6, 1)
+        self.header.setSpacing(6)
+        self.header.addWidget(self.heading, 1)
+        self._body = QVBoxLayout(self)
+        layout = self._body
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(self.header)
+        layout.addWidget(self.graphics, 1)
+
+    def _follow_mouse(self) -> None:
+        self._proxy = pg.SignalProxy(
+            self.graphics.scene().sigMouseMoved, rateLimit=READOUTS_PER_SECOND, slot=self._on_mouse
+        )
+
+    def _on_mouse(self, event: tuple[QPointF]) -> None:
+        self._mouse = event[0] if self.item.vb.sceneBoundingRect().contains(event[0]) else None
+        self.refresh_read_out()
+
+
+def bold(label: QLabel) -> QLabel:
+    """Have a label write boldly."""
+    font = label.font()
+    font.setBold(True)
+    label.setFont(font)
+    return label
+
+
+def switch(text: str, tip: str) -> QToolButton:
+    """Make a small button that stays down while it is on."""
+    button = QToolButton()
+    button.setText(text)
+    button.setToolTip(tip)
+    button.setCheckable(True)
+    return button

@@ -1,0 +1,346 @@
+"""The main window: lays the views out, and joins menus, keys and drops to the models. No signal logic."""
+
+from functools import partial
+
+from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
+from PySide6.QtWidgets import QMainWindow, QWidget
+
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeanalyser.desktop import commands
+from phonemeanalyser.desktop.calibrate.dialogs import CalibrationDialogs
+from phonemeanalyser.desktop.dialogs import Dialogs
+from phonemeanalyser.desktop.docks import Docks
+from phonemeanalyser.desktop.redraw import Drawing
+from phonemeanalyser.desktop.drops import open_dropped
+from phonemeanalyser.desktop.heads import Heads
+from phonemeanalyser.desktop.menus import Command, Menus
+from phonemeanalyser.desktop.calibrate.model import Calibration
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session, Source
+from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.pages import PageMaker
+from phonemeanalyser.desktop.recent_menu import RecentMenu
+from phonemeanalyser.desktop.talk.dialogs import TalkingDialogs
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.about import show_about
+from phonemeanalyser.desktop.analyse.page import AnalysisPage
+from phonemeanalyser.desktop.widgets.banner import Banner
+from phonemeanalyser.desktop.widgets.bars import add_bar
+from phonemeanalyser.desktop.calibrate.page import CalibrationPage
+from phonemeanalyser.desktop.analyse.filter_column import FilterColumn
+from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.session.empty_hint import invitation_of
+from phonemeanalyser.desktop.widgets.key_filters import KeysOfButtons
+from phonemeanalyser.desktop.widgets.pages import LatePage, PageStack, PageSwitch
+from phonemeanalyser.desktop.analyse.phoneme_view import PhonemeView
+from phonemeanalyser.desktop.analyse.preset_box import PresetBox
+from phonemeanalyser.desktop.analyse.recogniser_choice import RecogniserChoice
+from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
+from phonemeanalyser.desktop.session.status_line import StatusLine
+from phonemeanalyser.desktop.talk.page import TalkPage
+from phonemeanalyser.desktop.analyse.threshold_view import ThresholdView
+from phonemeanalyser.desktop.analyse.transport import Transport
+from phonemeanalyser.desktop.state import WindowState
+
+FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 280, 310, 230
+USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
+"""What the window likes to have, and what window managers put around it, pixels."""
+NARROW = 1200
+"""A window that opens narrower than this has its filters behind the thresholds, unless the user moves them."""
+ANALYSE, CALIBRATE, TALK = range(3)
+KEYS_OF_DOCKS = {"Head": "F7"}
+
+
+class MainWindow(QMainWindow):
+    """All views over one session and one preset.
+
+    Signals
+    -------
+    theme_asked : the user chose ``system``, ``light`` or ``dark``.
+    """
+
+    theme_asked = Signal(str)
+
+    def __init__(
+        self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings, calibration: Calibration,
+        talking: Talking,
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self.theme = theme
+        self.dialogs = Dialogs(self, session, preset, settings)
+        self.calibration_dialogs = CalibrationDialogs(self, calibration, settings)
+        self.menus = Menus(self)
+        self.talking_dialogs = TalkingDialogs(self, talking, settings)
+        self._docks = Docks(self)
+        self._calibration = calibration
+        self._talking = talking
+        self._session = session
+        self._preset = preset
+        self._settings = settings
+        self._retired = False
+        self.calibration_dialogs.restore()
+        self._make_views()
+        self._lay_out()
+        self._make_menus()
+        self._connect()
+        self.state.restore(session, self.analysis.time_view)
+        self._banner_bar.hide()
+        self.drawing.refresh_all()
+
+    # -- what it is made of -------------------------------------------------------------------------------
+
+    def _make_views(self) -> None:
+        session, theme = self._session, self.theme
+        self.banner = Banner(theme)
+        self.transport = Transport(session, theme)
+        self.analysis = AnalysisPage(session, self._preset, theme)
+        self.filters = FilterColumn(self._preset, theme)
+        self.recogniser = RecogniserChoice(self._preset)
+        self.preset_box = PresetBox(self._preset, self.dialogs.preset_sections)
+        self.phoneme = PhonemeView(session, theme)
+        self.thresholds = ThresholdView(self._preset, session.history, theme)
+        self.status = StatusLine(session, self._preset, theme)
+        self.head = HeadView(self._talking, theme)
+        self.head.setMinimumHeight(HEAD_HEIGHT)
+        self.switch = PageSwitch(commands.PAGES)
+        make = PageMaker(self, theme, self.dialogs, self.calibration_dialogs, self.talking_dialogs)
+        self.pages = PageStack()
+        self.pages.addWidget(self.analysis)
+        self._late_calibration = LatePage(
+            self.pages, partial(make.calibration_page, self._calibration, self._talking)
+        )
+        self._late_talk = LatePage(self.pages, partial(make.talk_page, self._talking))
+        self._heads = Heads(self._talking, self._late_talk, self._late_calibration, self.head)
+        self.drawing = Drawing(
+            self, session, self._calibration, self.pages, self.analysis, self._late_calibration, self._heads,
+            self.phoneme, self.thresholds, self.transport, self.status,
+        )  # fmt: skip
+
+    @property
+    def calibration(self) -> CalibrationPage:
+        """The page of the calibration."""
+        return self._late_calibration.get()
+
+    @property
+    def talk(self) -> TalkPage:
+        """The page of the head."""
+        return self._late_talk.get()
+
+    def _lay_out(self) -> None:
+        add_bar(self, "Transport", self.transport).addWidget(self.preset_box)
+        self._banner_bar = add_bar(self, "Messages", self.banner)
+        self.setCentralWidget(self.pages)
+        self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
+        self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
+        self.state = WindowState(self, self.analysis.splitters, self.analysis.switches, self._settings)
+        self._last_page = self.state.page()
+        self._add_docks()
+        self.statusBar().addWidget(self.status.left, 1)
+        self.statusBar().addPermanentWidget(self.status.right)
+        self.setAcceptDrops(True)
+        self.resize(USUAL_SIZE.boundedTo(self.screen().availableSize() - DECORATIONS))
+
+    def _add_docks(self) -> None:
+        docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
+        self._filters = docks.add("Filters", left, self.filters)
+        phoneme = docks.add("Phoneme", right, self.recogniser, self.phoneme)
+        self._thresholds = docks.add("Thresholds", right, self.thresholds)
+        docks.add("Head", left, self.head).hide()
+        docks.resize({self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH})
+
+    def _make_menus(self) -> None:
+        session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
+        file = add("&File", *commands.file_commands(dialogs), Command("Quit", "Ctrl+Q", self.close))
+        self.preset_box.add_commands(*(self.menus.actions[text] for text in commands.PRESET_COMMANDS))
+        self._recent = RecentMenu(self, dialogs)
+        file.insertMenu(self.menus.actions["Save the Phonemes…"], self._recent)
+        self.menus.add_edit(preset.undo_stack)
+        self.menus.add_edit_of_page(self._calibration.edits.undo, self._calibration.edits.redo)
+        add("&Play", *commands.play_commands(session))
+        measure = Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency)
+        room = Command("Measure the Room (2 s of Quiet)", "", self._calibration.measure_room)
+        add("&Record", *commands.record_commands(session, dialogs), measure, room)
+        freeze = Command("Freeze Views", "F", self.set_frozen, checkable=True)
+        mark = Command("New Variable…", "V", self.analysis.averaged.measure.toggle)
+        add("&Analysis", freeze, *commands.analysis_commands(session, preset, dialogs), mark)
+        self._make_view_menu()
+        add(
+            "&Help",
+            Command("Keyboard Shortcuts", "F1", self.show_shortcuts),
+            Command("About PhonemeAnalyser", "", lambda: show_about(self, load_preset(DEFAULT_PRESET).notes)),
+        )
+
+    def _make_view_menu(self) -> None:
+        view = self.menus.add("&View", *commands.view_commands(self.show_page, self.analysis))
+        view.addSeparator()
+        view.addActions(self._docks.switches(KEYS_OF_DOCKS))
+        view.addSeparator()
+        chosen = str(self._settings.value("theme", "system"))
+        self.menus.add_choice(view, "Theme", ("system", "light", "dark"), chosen, self.theme_asked.emit)
+
+    def _connect(self) -> None:
+        session, preset, dialogs = self._session, self._preset, self.dialogs
+        self.transport.open_asked.connect(dialogs.ask_sound)
+        self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
+        session.microphone.recorded.connect(dialogs.offer_recording)
+        session.microphone.told.connect(self.banner.tell)
+        session.writer.told.connect(self.banner.tell)
+        dialogs.offered.connect(self.banner.offer)
+        self.analysis.picture_asked.connect(dialogs.ask_save_picture)
+        self.analysis.averaged.load_asked.connect(dialogs.ask_curves)
+        self.analysis.averaged.save_asked.connect(dialogs.ask_save_curve)
+        self.analysis.averaged.variable_asked.connect(dialogs.ask_variable)
+        self.filters.bypass_asked.connect(preset.set_bypassed)
+        self.recogniser.chosen.connect(dialogs.choose_recogniser)
+        self.preset_box.chosen.connect(dialogs.load_preset)
+        dialogs.refused.connect(self.banner.say)
+        dialogs.told.connect(self.banner.tell)
+        preset.refused.connect(self.banner.say)
+        dialogs.variable_added.connect(self.analysis.time_view.variable.setCurrentText)
+        self.banner.shown.connect(self._banner_bar.setVisible)
+        self.switch.chosen.connect(self.show_page)
+        for model in (self._calibration, self._talking, session):
+            model.failed.connect(self.banner.say)
+        self._calibration.told.connect(self.banner.tell)
+        self._calibration.edits.changed.connect(self._show_edits)
+        self._calibration.guide.changed.connect(self._lend_keys)
+        self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
+        session.opened.connect(self._show_names)
+        session.cleared.connect(self.drawing.refresh_all)
+        session.rewritten.connect(self.analysis.time_view.sonagram.forget)
+        session.transport_changed.connect(self._show_state)
+        preset.changed.connect(self._show_state)
+        preset.file_changed.connect(self._show_names)
+        self.installEventFilter(KeysOfButtons(self))
+        self.show_page(ANALYSE)
+        self._show_names()
+        self._show_state()
+
+    def show_page(self, number: int) -> None:
+        """Show a page; the docks belong to the first one."""
+        if number != ANALYSE and self.pages.currentIndex() == ANALYSE:
+            self.state.save_docks()
+            self._docks.put_away()
+        focused = self._focused_on(number)
+        self.pages.setCurrentIndex(number)  # first, lest docks beside a wide page make the window wider
+        if number == ANALYSE:
+            self._docks.bring_back()
+        self.switch.show_page(number)
+        self.state.save_page(number)
+        self._show_edits()
+        self._lend_keys()
+        focused.setFocus()
+        self.drawing.stale = True
+
+    def _focused_on(self, number: int) -> QWidget:
+        """Give what has the focus when a page is shown; makes the page if it is not there yet."""
+        if number == CALIBRATE:
+            return self.calibration.takes.list
+        return self.talk.head if number == TALK else self.analysis
+
+    def _show_edits(self) -> None:
+        edits = self._calibration.edits
+        on_page = self.pages.currentIndex() == CALIBRATE
+        self.menus.show_edits(of_page=on_page, undo=edits.undoable, redo=edits.redoable)
+
+    def _lend_keys(self) -> None:
+        """Leave keys to what the user is in the middle of: the guide, or a region that becomes a variable."""
+        page = self.pages.currentIndex()
+        guided = page == CALIBRATE and self._calibration.guide.running
+        marking = page == ANALYSE and self.analysis.averaged.measure.isChecked()
+        self.menus.lend_key("Stop", lent=guided or marking)
+        self.menus.lend_key("Record", lent=guided)
+
+    def set_frozen(self, frozen: bool) -> None:
+        """Hold the views still while sound goes on, or let them go on."""
+        self.drawing.frozen = frozen
+        self.menus.show_checked("Freeze Views", frozen)
+        self._show_state()
+
+    def _measure_latency(self) -> None:
+        """Play clicks, with the microphone and the loudspeaker free for that."""
+        self._session.set_source(Source.MICROPHONE)
+        self.banner.tell("Listening for clicks from the loudspeaker, for three seconds …")
+        self._session.microphone.measure()
+
+    def _show_names(self) -> None:
+        session, preset = self._session, self._preset
+        self.analysis.time_view.invite(invitation_of(session))
+        self.setWindowTitle(f"{session.name} - {preset.preset.name}[*] - PhonemeAnalyser")
+        self.setWindowModified(preset.has_unsaved_changes)
+        self.drawing.refresh_status()
+
+    def _show_state(self) -> None:
+        self.menus.show_checked("Loop", self._session.loop)
+        self.menus.show_checked("Bypass All Filters", self._preset.bypassed)
+        self.drawing.stale = True
+        self.drawing.refresh_status()
+
+    def show_shortcuts(self) -> None:
+        """List all keys."""
+        ShortcutsDialog(self.menus.keys(), self).open()
+
+    # -- Qt's events --------------------------------------------------------------------------------------
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take files."""
+        if event.mimeData().hasUrls():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Load what was dropped."""
+        event.acceptProposedAction()
+        open_dropped(event.mimeData(), self.dialogs, self.talking_dialogs)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Lay the docks out for a narrow window, unless they were laid out for one already."""
+        if not event.spontaneous() and self.width() < NARROW <= self.state.docks_width():
+            self._docks.stack(self._filters, on=self._thresholds)
+            self._docks.resize({self._thresholds: PHONEME_WIDTH})
+        super().showEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Keep everything whenever the user turns to another program: nobody knows how this one will end."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ActivationChange and not self.isActiveWindow():
+            self.save_state()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask about unsaved changes, and keep the layout for the next start."""
+        if not self._retired and not self.dialogs.may_go_on():
+            event.ignore()
+            return
+        self.save_state()
+        self.drawing.timer.stop()
+        if not self._retired:
+            self._session.pause()
+        event.accept()
+
+    def save_state(self) -> None:
+        """Keep layout and choices for the next start."""
+        if self.pages.currentIndex() == ANALYSE:
+            self.state.save_docks()
+        self.calibration_dialogs.save()
+        self.talking_dialogs.save()
+        self.state.save(self._session, self.analysis.time_view)
+
+    def show_last_page(self) -> None:
+        """Show the page that was seen when the program ended the last time."""
+        if self._last_page in {CALIBRATE, TALK}:
+            self.show_page(self._last_page)
+
+    def look_like(self, other: "MainWindow") -> None:
+        """Have the same size and page, frozen or not, and show the heads from where the other window shows them."""
+        if not self.isMaximized() and not self.isFullScreen():
+            self.resize(other.size())
+        self.show_page(other.pages.currentIndex())
+        self.set_frozen(other.drawing.frozen)
+        self._heads.look_like(other._heads)
+
+    def retire(self) -> None:
+        """Close without asking, since another window takes over."""
+        self._retired = True
+        self._heads.let_go()
+        self.close()
+        self.deleteLater()

@@ -1,0 +1,40 @@
+"""A figure that plays an animation, frame by frame."""
+
+from collections.abc import Iterator
+
+from phonemeengine.mouth.animation import Animation
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.mesh import Vectors
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeanalyser.rendering.errors import RenderingError
+
+
+class Actor:
+    """Moves a figure as an animation says; movestates that the figure lacks are left out.
+
+    Raises
+    ------
+    RenderingError : the figure has none of the animation's movestates.
+    """
+
+    def __init__(self, figure: Figure, animation: Animation) -> None:
+        self._animation = animation
+        self._face = MovestateSet(figure.mesh, figure.states)
+        self._columns = [k for k, name in enumerate(animation.movestates) if name in self._face]
+        if not self._columns:
+            raise RenderingError(
+                f"the mesh has none of the table's movestates {', '.join(animation.movestates[:5])}, ...: it has "
+                f"{', '.join(self._face.names[:5]) or 'none at all'}; choose another table, or other movestates"
+            )
+
+    def __len__(self) -> int:
+        return len(self._animation.weights)
+
+    def scenes(self) -> Iterator[tuple[Vectors, HeadPose]]:
+        """Give the vertices and the pose of each frame; the vertices hold until the next one."""
+        names = [self._animation.movestates[k] for k in self._columns]
+        percentages = self._animation.weights[:, self._columns] * 100.0
+        for row, turn in zip(percentages, self._animation.head.tolist(), strict=True):
+            self._face.set_percentages(dict(zip(names, row.tolist(), strict=True)))
+            yield self._face.morphed(), HeadPose(*turn)

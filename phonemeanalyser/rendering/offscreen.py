@@ -1,0 +1,108 @@
+"""Pictures of a head, drawn with an OpenGL that needs no window."""
+
+from contextlib import ExitStack
+from types import TracebackType
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.mesh import Vectors
+from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.contexts import offscreen_context
+from phonemeanalyser.rendering.errors import RenderingError
+from phonemeanalyser.rendering.light import LIGHT, Light
+from phonemeanalyser.rendering.renderer import STILL, Colour, HeadRenderer
+
+USUAL_SIZE = (640, 640)
+
+Picture = NDArray[np.uint8]
+"""Shape (height, width, 3): red, green, blue (sRGB), the first row at the top."""
+
+
+class Photographer:
+    """Takes pictures of a figure; give the graphics back with `release`, or use it in a ``with``.
+
+    Parameters
+    ----------
+    figure : whose pictures are taken.
+    size : width and height, pixels.
+
+    Raises
+    ------
+    RenderingError : there is no OpenGL 3.3 on this machine, or no room for pictures of this size.
+    """
+
+    def __init__(self, figure: Figure, size: tuple[int, int] = USUAL_SIZE) -> None:
+        self._context = offscreen_context()
+        with ExitStack() as unless_ready:
+            unless_ready.callback(self._context.release)
+            with self._context:
+                self._sheet = _sheet(self._context, size)
+                self._renderer = HeadRenderer(self._context, figure)
+            unless_ready.pop_all()
+
+    def __enter__(self) -> "Photographer":
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.release()
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """Take pictures of another width and height, pixels.
+
+        Raises
+        ------
+        RenderingError : there is no room for pictures of this size.
+        """
+        if size != self._sheet.size:
+            with self._context:
+                old, self._sheet = self._sheet, _sheet(self._context, size)
+                _let_go(old)
+
+    def picture(
+        self,
+        camera: Camera,
+        positions: Vectors,
+        pose: HeadPose = STILL,
+        *,
+        background: Colour,
+        wireframe: bool = False,
+        light: Light = LIGHT,
+        fine: bool = True,
+    ) -> Picture:
+        """Take a picture; the arguments are those of `HeadRenderer.draw`."""
+        width, height = self._sheet.size
+        with self._context:
+            self._renderer.draw(
+                camera, positions, pose, size=(width, height), background=background,
+                wireframe=wireframe, light=light, fine=fine, target=self._sheet,
+            )  # fmt: skip
+            rows = np.frombuffer(self._sheet.read(components=3, alignment=1), np.uint8)
+        picture: Picture = rows.reshape(height, width, 3)[::-1]
+        return picture
+
+    def release(self) -> None:
+        """Give everything back to the graphics driver."""
+        with self._context:
+            self._renderer.release()
+            _let_go(self._sheet)
+        self._context.release()
+
+
+def _sheet(context: moderngl.Context, size: tuple[int, int]) -> moderngl.Framebuffer:
+    try:
+        return context.framebuffer(context.renderbuffer(size, 4))
+    except moderngl.Error as error:
+        raise RenderingError(
+            f"pictures of {size[0]}x{size[1]} pixels are too large for OpenGL here; make them smaller"
+        ) from error
+
+
+def _let_go(sheet: moderngl.Framebuffer) -> None:
+    sheet.color_attachments[0].release()
+    sheet.release()

@@ -1,0 +1,151 @@
+"""Pictures one after the other, as a film with sound (.mp4), as a .gif, or as a folder of .png files."""
+
+import importlib
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from types import ModuleType
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from phonemeanalyser.rendering.errors import RenderingError
+from phonemeanalyser.rendering.offscreen import Picture
+
+QUALITY = "18"
+"""The constant rate factor of H.264: smaller is better, 18 looks like the original."""
+SOUND_BIT_RATE = 160_000
+FASTEST_GIF = 50.0
+"""Frames per second: programs show faster ones slowly."""
+ROUNDS = 2
+"""In which the 256 colours of a .gif are brought nearer to those of the picture; without, blue eyes would be grey."""
+LONGEST_GIF = 1800
+"""Frames of a .gif, which is held in memory."""
+
+Blocks = Iterable[NDArray[np.float32]]
+
+
+@dataclass(frozen=True)
+class Sound:
+    """What is heard along with a film.
+
+    Attributes
+    ----------
+    rate : samples per second.
+    n_channels : 1 or 2.
+    blocks : float32, each of shape (n, n_channels), ±1.
+    """
+
+    rate: int
+    n_channels: int
+    blocks: Blocks
+
+
+def why_no_film(size: tuple[int, int]) -> str:
+    """Say in a sentence why no .mp4 of this size can be written; empty if it can."""
+    if size[0] % 2 or size[1] % 2:
+        return f"an .mp4 has an even width and height, got {size[0]}x{size[1]}; choose another size"
+    try:
+        _av()
+    except ImportError as error:
+        return (
+            f"an .mp4 needs the package av, which cannot be loaded ({error}); install it with: pip install "
+            "'phonemeanalyser[preview]', or name a .gif or a folder"
+        )
+    return ""
+
+
+def why_no_gif(n_frames: int, rate: float) -> str:
+    """Say in a sentence why no .gif of so many frames can be written; empty if it can."""
+    if rate > FASTEST_GIF:
+        return f"a .gif shows at most {FASTEST_GIF:g} frames per second, got {rate:g}; choose fewer, or an .mp4"
+    if n_frames > LONGEST_GIF:
+        return f"a .gif holds at most {LONGEST_GIF} frames, this would have {n_frames}; choose fewer, or an .mp4"
+    return ""
+
+
+def write_film(file: BinaryIO, pictures: Iterable[Picture], size: tuple[int, int], rate: float, sound: Sound) -> None:
+    """Write H.264 and AAC as .mp4.
+
+    Raises
+    ------
+    RenderingError : the encoders refuse it.
+    """
+    av = _av()
+    try:
+        with av.open(file, "w", format="mp4") as film:
+            seen = _picture_stream(film, size, rate)
+            heard = film.add_stream("aac", rate=sound.rate, layout=("mono", "stereo")[sound.n_channels - 1])
+            heard.bit_rate = SOUND_BIT_RATE
+            for packet in _packets(av, seen, heard, pictures, sound):
+                film.mux(packet)
+    except av.error.FFmpegError as error:
+        raise RenderingError(f"the film cannot be encoded ({error.strerror}); write a folder of pictures") from error
+
+
+def write_gif(file: BinaryIO, pictures: Iterable[Picture], n_frames: int, rate: float) -> None:
+    """Write a .gif that goes on and on; it has no sound."""
+    images = (Image.fromarray(picture).quantize(kmeans=ROUNDS, dither=Image.Dither.NONE) for picture in pictures)
+    ends = np.round(np.arange(n_frames + 1) / rate * 100).astype(int)
+    durations = (np.diff(ends) * 10).tolist()
+    first = next(images)
+    first.save(file, "GIF", save_all=True, append_images=images, duration=durations, loop=0)
+
+
+def write_pictures(folder: Path, pictures: Iterable[Picture]) -> None:
+    """Write ``000000.png`` and so on into a folder, which is made if need be.
+
+    Raises
+    ------
+    RenderingError : there are other things in the folder, or it cannot be written to.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if next(folder.iterdir(), None) is not None:
+            raise RenderingError(f"{folder}: this folder is not empty; name another one for the pictures")
+        for number, picture in enumerate(pictures):
+            Image.fromarray(picture).save(folder / f"{number:06d}.png", compress_level=4)
+    except OSError as error:
+        raise RenderingError(f"{folder}: cannot be written ({error.strerror}); choose another folder") from error
+
+
+def _av() -> ModuleType:
+    """Import FFmpeg's libraries, which only films need."""
+    return importlib.import_module("av")
+
+
+def _picture_stream(film: Any, size: tuple[int, int], rate: float) -> Any:
+    stream = film.add_stream("libx264", rate=Fraction(rate).limit_denominator(1001))
+    stream.width, stream.height = size
+    stream.pix_fmt = "yuv420p"
+    stream.options = {"crf": QUALITY, "preset": "veryfast"}
+    return stream
+
+
+def _packets(av: ModuleType, seen: Any, heard: Any, pictures: Iterable[Picture], sound: Sound) -> Iterator[Any]:
+    """Encode pictures and sound, always what comes next."""
+    blocks = _frames_of_sound(av, sound)
+    rate = float(seen.codec_context.framerate)
+    time = 0.0
+    for number, picture in enumerate(pictures):
+        yield from seen.encode(av.VideoFrame.from_ndarray(np.ascontiguousarray(picture), format="rgb24"))
+        while time <= number / rate and (frame := next(blocks, None)) is not None:
+            time += frame.samples / sound.rate
+            yield from heard.encode(frame)
+    for frame in blocks:
+        yield from heard.encode(frame)
+    yield from seen.encode()
+    yield from heard.encode()
+
+
+def _frames_of_sound(av: ModuleType, sound: Sound) -> Iterator[Any]:
+    start = 0
+    for block in sound.blocks:
+        layout = ("mono", "stereo")[sound.n_channels - 1]
+        frame = av.AudioFrame.from_ndarray(np.ascontiguousarray(block.T), format="fltp", layout=layout)
+        frame.sample_rate, frame.pts, frame.time_base = sound.rate, start, Fraction(1, sound.rate)
+        start += len(block)
+        yield frame
