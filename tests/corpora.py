@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
-
-from phonemeengine.analyser import analyses_of
+from phonemeengine.analyser import analyse_blocks
 from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label, labels_of
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.sounds import Sound, noise, silence, vowel
 
 MANIFEST = ("corpus", "speaker", "wav", "labels")
@@ -31,7 +31,7 @@ def speech(f0: float = 120.0, seed: int = 0) -> Sound:
 
 
 def heard_by(preset: Preset, sound: Sound) -> np.ndarray:
-    return np.concatenate([a.phonemes for a in analyses_of([sound], preset)])
+    return np.concatenate([a.phonemes for a in analyse_blocks([sound], preset)])
 
 
 def write_corpus(

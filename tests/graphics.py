@@ -7,12 +7,12 @@ import moderngl
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
-from phonemeengine.mouth.morph_mesh import Figure
 from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
+
 from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
-from phonemeanalyser.rendering.offscreen import Photographer
+from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 
 Picture = NDArray[np.uint8]
 LIGHT, DARK, MAGENTA = (0.95, 0.955, 0.965), (0.12, 0.13, 0.16), (1.0, 0.0, 1.0)
@@ -38,13 +38,13 @@ def context() -> Iterator[moderngl.Context]:
 
 
 @pytest.fixture
-def photographer() -> Iterator[Callable[..., Photographer]]:
+def photographer() -> Iterator[Callable[..., OffscreenRenderer]]:
     """Makes photographers of figures, who leave at the end."""
     context_or_skip().release()
-    made: list[Photographer] = []
+    made: list[OffscreenRenderer] = []
 
-    def make(figure: Figure, size: tuple[int, int] = (240, 240)) -> Photographer:
-        made.append(Photographer(figure, size))
+    def make(figure: MorphMesh, size: tuple[int, int] = (240, 240)) -> OffscreenRenderer:
+        made.append(OffscreenRenderer(figure, size))
         return made[-1]
 
     yield make

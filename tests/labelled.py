@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
-
-from phonemeengine.labels.label import Label
 from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.sounds import Sound, noise, silence, vowel
 
 FORMANTS = {

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-
 from phonemeengine.mouth.mesh import normals_of
+
 from tests.head_colours import brow_region, eye_colours, painted
 
 Floats = NDArray[np.float32]

@@ -5,9 +5,8 @@ import json
 
 import numpy as np
 from numpy.typing import NDArray
-
-from phonemeengine.mouth.morph_mesh import Figure
 from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import movestate_of
 
 CORNERS = np.array([(x, y, z) for z in (1, -1) for y in (1, -1) for x in (-1, 1)], np.float32)
@@ -29,9 +28,9 @@ def moved_by(numbers: tuple[int, ...], offset: tuple[float, float, float]) -> ND
     return offsets
 
 
-def figure_of_cube() -> Figure:
+def figure_of_cube() -> MorphMesh:
     """The cube, with a lid that rises, a side that widens, and a state that moves nothing."""
-    return Figure(
+    return MorphMesh(
         cube(),
         (
             movestate_of("lid up", moved_by((0, 1, 4, 5), (0, 0.5, 0.25))),

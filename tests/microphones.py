@@ -9,8 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
-from phonemeengine.analyser import Analysis, analyses_of
+from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.dsp.framing import LEAD
 from phonemeengine.errors import DeviceError
@@ -18,6 +17,7 @@ from phonemeengine.live import listener as live
 from phonemeengine.live.listener import Listener
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
+
 from tests.players import PRESET, joined, wait_for
 
 SILENCE = np.zeros(SAMPLE_RATE // 10, np.float32)
@@ -132,7 +132,7 @@ def frames_in(n_samples: int) -> int:
 
 def offline(samples: NDArray[np.float32], preset: Preset = PRESET, start: int = 0) -> Analysis:
     """The analysis of a whole sound, its frames numbered from `start`."""
-    return replace(joined(list(analyses_of([samples], preset, pitch=True))), start=start)
+    return replace(joined(list(analyse_blocks([samples], preset, pitch=True))), start=start)
 
 
 def middle_of(frame: int) -> float:

@@ -1,10 +1,9 @@
 """Small models whose answers are known, since they are built by hand."""
 
 import numpy as np
-
-from phonemeengine.dsp.log_mel import FLOOR, N_BANDS, log_mels_of
+from phonemeengine.dsp.log_mel import FLOOR, N_BANDS, log_mels
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.model import Head, Model
+from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.settings import SAMPLE_RATE, WINDOW
 
@@ -16,7 +15,7 @@ HEARD = -6.0
 def band_of(frequency: float) -> int:
     """Say in which mel band a tone is loudest."""
     wave = np.sin(2 * np.pi * frequency * np.arange(WINDOW) / SAMPLE_RATE)
-    return int(log_mels_of(wave.astype(np.float32)[np.newaxis])[0].argmax())
+    return int(log_mels(wave.astype(np.float32)[np.newaxis])[0].argmax())
 
 
 def tone_model(tones: dict[float, Phoneme], n_heads: int = 6) -> Model:
@@ -45,7 +44,7 @@ def tone_model(tones: dict[float, Phoneme], n_heads: int = 6) -> Model:
             weights[k * n + channel, tones[frequency]] = 10.0
         bias = np.zeros(len(Phoneme), np.float32)
         bias[Phoneme.SILENCE] = 1.0
-        heads.append(Head(weights, bias))
+        heads.append(OutputHead(weights, bias))
     return Model(tuple(layers), tuple(heads), about={"name": "tones"})
 
 

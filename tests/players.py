@@ -6,13 +6,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-
-from phonemeengine.analyser import Analysis, analyses_of
+from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.live import player as live
 from phonemeengine.live.player import Player
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import HOP, AnalysisSettings, Channel
+
 from tests.outputs import HandDrivenOutput
 from tests.sounds import noise, silence, tone, vowel
 
@@ -87,7 +87,7 @@ class Rig:
 def offline(path: Path, preset: Preset = PRESET, channel: Channel = Channel.MIX) -> Analysis:
     """The analysis of the whole file, as one block."""
     with SoundReader(path, channel) as reader:
-        return joined(list(analyses_of(reader.blocks(10_000), preset, pitch=True)))
+        return joined(list(analyse_blocks(reader.blocks(10_000), preset, pitch=True)))
 
 
 def joined(analyses: list[Analysis]) -> Analysis:

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import soundfile
-
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.recording import Recording
 

@@ -5,13 +5,13 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QSettings
-
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY
 from phonemeengine.settings import SAMPLE_RATE
+from PySide6.QtCore import QSettings
+
 from phonemeanalyser.desktop.app import Desktop, make_application
-from phonemeanalyser.desktop.calibrate.model import Calibration
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from tests.bench.desktop import live_for
@@ -54,7 +54,7 @@ def main(out: Path, theme: str, width: int, height: int) -> None:
         desktop.close()
 
 
-def _record_takes(calibration: Calibration) -> None:
+def _record_takes(calibration: CalibrationModel) -> None:
     generator = np.random.default_rng(1)
     pause = silence(0.2)
     puffs = np.concatenate([np.concatenate((noise(0.04, 0.2), silence(0.16))) for _ in range(6)])
@@ -72,7 +72,7 @@ def _record_takes(calibration: Calibration) -> None:
         calibration.takes.add(take[:, np.newaxis], SAMPLE_RATE, phoneme, "Desk Microphone")
 
 
-def _settle(calibration: Calibration) -> None:
+def _settle(calibration: CalibrationModel) -> None:
     live_for(0.3)
     while calibration.takes.busy or calibration.recordings.busy or calibration.bench.busy:
         live_for(0.1)

@@ -4,9 +4,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+from phonemeengine.audio.output import ClockOutput
 from PySide6.QtCore import QSettings
 
-from phonemeengine.audio.output import ClockOutput
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
 from tests.bench.desktop import live_for

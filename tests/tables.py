@@ -4,8 +4,8 @@ import csv
 from itertools import pairwise
 
 import pytest
-
 from phonemeengine.phonemes import Phoneme
+
 from phonemeanalyser.cli.main import main
 
 LABELS = {phoneme.label for phoneme in Phoneme}

@@ -29,7 +29,7 @@ Movestates (morph targets) move the vertices of a mesh::
     positions = face.morphed()              # of all vertices
 """
 
-from phonemeengine.analyser import Analyser, Analysis, analyses_of
+from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.recording import Recording
@@ -47,18 +47,18 @@ from phonemeengine.errors import (
     RecordingError,
     SettingsError,
 )
-from phonemeengine.live.reading import Heard
 from phonemeengine.live.listener import Listener
+from phonemeengine.live.reading import Reading
+from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.sound import Sound
-from phonemeengine.live.recorder import Tape
 from phonemeengine.mouth.blinks import Blinker
-from phonemeengine.mouth.morph_mesh import Face, Figure, face_of, fitted
-from phonemeengine.mouth.files.io import load_face, load_figure, save_face
+from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.head_motion import HeadMotion
-from phonemeengine.mouth.motion_settings import Manner, Times
 from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, matched, morph_targets_of
 from phonemeengine.mouth.morpher import Detail, Morpher
+from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
 from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.percentages import Mode
@@ -81,17 +81,16 @@ __all__ = [
     "Device",
     "DeviceError",
     "EngineError",
-    "Face",
-    "Figure",
     "HeadMotion",
-    "Heard",
     "InputChoice",
     "Listener",
-    "Manner",
     "Mesh",
     "MeshError",
     "Mode",
+    "MorphMesh",
+    "MorphTargets",
     "Morpher",
+    "MotionSettings",
     "MouthError",
     "MouthShape",
     "MouthTable",
@@ -100,30 +99,31 @@ __all__ = [
     "Phoneme",
     "Preset",
     "PresetError",
+    "Reading",
     "RecogniserError",
+    "Recorder",
     "Recording",
     "RecordingError",
     "SettingsError",
     "Sound",
     "SoundReader",
-    "Tape",
-    "Times",
-    "analyses_of",
+    "TransitionTimes",
+    "analyse_blocks",
     "denoise",
     "devices",
-    "face_of",
-    "fitted",
     "high_pass_gains",
-    "load_face",
-    "load_figure",
     "load_head",
+    "load_morph_mesh",
+    "load_morph_targets",
     "load_preset",
     "load_table",
     "low_pass_gains",
+    "matched",
     "mesh_of",
+    "morph_targets_of",
     "movestate_at",
     "movestate_of",
     "normalise",
-    "save_face",
+    "save_morph_targets",
     "save_preset",
 ]

@@ -9,18 +9,18 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import Framer
+from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
 from phonemeengine.features.measure import Features
-from phonemeengine.features.front_end import LevelPath, Measured, SpectrumPath, joined
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.intensity import intensities_of
-from phonemeengine.recognition.recogniser import HEARERS, Recogniser, recogniser_of
+from phonemeengine.recognition.recogniser import NEED_WAVEFORM, Recogniser, recogniser_of
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.smoothing import Statistics
+from phonemeengine.recognition.smoothing import PhonemeSmoother
 from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
 BLOCK = 512
@@ -29,7 +29,6 @@ BLOCK = 512
 PRE_ROLL = 100
 """Frames before a place in a sound that are analysed unseen, so that the filters know their past."""
 
-Block = NDArray[np.float32]
 _SILENCE = int(Phoneme.SILENCE)  # which compares faster than the member does
 
 
@@ -51,20 +50,20 @@ class Analysis:
     """
 
     start: int
-    spectra: Block
-    mel: Block | None
-    waveforms: Block
+    spectra: Float32Array
+    mel: Float32Array | None
+    waveforms: Float32Array
     features: Features
-    recognised: NDArray[np.uint8]
-    phonemes: NDArray[np.uint8]
-    intensities: Block
+    recognised: UInt8Array
+    phonemes: UInt8Array
+    intensities: Float32Array
     settings: AnalysisSettings
 
     def __len__(self) -> int:
         return len(self.phonemes)
 
     @property
-    def times(self) -> NDArray[np.float64]:
+    def times(self) -> Float64Array:
         """Middle of each frame in seconds, shape (n_frames,)."""
         return (self.start + np.arange(len(self), dtype=float) + 0.5) * FRAME_PERIOD
 
@@ -84,13 +83,13 @@ class Analysis:
         )
 
 
-class _Waiting:
+class LookAheadBuffer:
     """Holds measured frames until the recogniser has said what they are."""
 
     def __init__(self) -> None:
-        self._blocks: deque[Measured] = deque()
+        self._blocks: deque[FrameBlock] = deque()
 
-    def push(self, block: Measured, n: int) -> Measured:
+    def push(self, block: FrameBlock, n: int) -> FrameBlock:
         """Take a block, and give the oldest `n` frames of all."""
         if len(block.spectra):
             self._blocks.append(block)
@@ -102,12 +101,12 @@ class _Waiting:
                 oldest = oldest.part(slice(n))
             taken.append(oldest)
             n -= len(oldest.spectra)
-        return taken[0] if len(taken) == 1 else joined(taken) if taken else block.part(slice(0))
+        return taken[0] if len(taken) == 1 else concatenate(taken) if taken else block.part(slice(0))
 
-    def clear(self) -> Measured | None:
+    def clear(self) -> FrameBlock | None:
         """Give up all frames."""
         taken, self._blocks = [*self._blocks], deque()
-        return joined(taken) if taken else None
+        return concatenate(taken) if taken else None
 
 
 class Analyser:
@@ -133,7 +132,7 @@ class Analyser:
         self._path = self._path_of(preset)
         self._recogniser = recogniser_of(preset.recogniser, preset.tuning)
         self._statistics = _statistics_of(preset)
-        self._waiting = _Waiting()
+        self._waiting = LookAheadBuffer()
         self._unasked = False
         self._next = start
 
@@ -165,11 +164,11 @@ class Analyser:
         if recogniser is not self._recogniser:
             self._change_recogniser(recogniser)
 
-    def push(self, samples: Block) -> Analysis:
+    def push(self, samples: Float32Array) -> Analysis:
         """Take the next samples (float32, shape (n,), 44.1 kHz, ±1) and analyse the frames they complete."""
         return self._analyse(self._framer.push(samples))
 
-    def push_windows(self, windows: Block) -> Analysis:
+    def push_windows(self, windows: Float32Array) -> Analysis:
         """Analyse windows that the caller cut, shape (n, 2048), as if they followed each other every 10 ms."""
         return self._analyse(windows)
 
@@ -182,7 +181,7 @@ class Analyser:
         silence = self._path.push(np.zeros((n, WINDOW), np.float32))
         return self._join([last, self._recognise(silence)])
 
-    def _analyse(self, frames: Block) -> Analysis:
+    def _analyse(self, frames: Float32Array) -> Analysis:
         if 0 < len(frames) <= BLOCK and not self._unasked:
             return self._recognise(self._path.push(frames))
         waiting, self._unasked = self._waiting.clear() if self._unasked else None, False
@@ -190,13 +189,13 @@ class Analyser:
         pushed = [self._path.push(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
         return self._join([*ready, *(self._recognise(block) for block in pushed)])
 
-    def _recognise(self, measured: Measured) -> Analysis:
+    def _recognise(self, measured: FrameBlock) -> Analysis:
         recognition = self._recogniser.recognise(measured.features)
         if self._recogniser.look_ahead:
             measured = self._waiting.push(measured, len(recognition.phonemes))
         return self._completed(measured, recognition)
 
-    def _completed(self, measured: Measured, recognition: Recognition) -> Analysis:
+    def _completed(self, measured: FrameBlock, recognition: Recognition) -> Analysis:
         settings = self._preset.settings
         features, recognised = measured.features, recognition.phonemes
         levels = features["volume"]
@@ -214,13 +213,13 @@ class Analyser:
             settings,
         )  # fmt: skip
 
-    def _path_of(self, preset: Preset) -> SpectrumPath | LevelPath:
-        if self._phonemes_only and preset.recogniser in HEARERS:
-            return LevelPath()
-        return SpectrumPath(preset.settings, preset.variables, pitch=self._pitch)
+    def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
+        if self._phonemes_only and preset.recogniser in NEED_WAVEFORM:
+            return LevelFrontEnd()
+        return FrontEnd(preset.settings, preset.variables, pitch=self._pitch)
 
     def _path_key(self, preset: Preset) -> object:
-        hears = self._phonemes_only and preset.recogniser in HEARERS
+        hears = self._phonemes_only and preset.recogniser in NEED_WAVEFORM
         return hears, preset.settings, preset.variables
 
     def _change_path(self, preset: Preset) -> None:
@@ -239,7 +238,7 @@ class Analyser:
     def _join(self, blocks: list[Analysis]) -> Analysis:
         if not blocks:
             return self._recognise(self._path.nothing())
-        measured = joined([Measured(b.spectra, b.mel, b.waveforms, b.features) for b in blocks])
+        measured = concatenate([FrameBlock(b.spectra, b.mel, b.waveforms, b.features) for b in blocks])
         return Analysis(
             blocks[0].start, measured.spectra, measured.mel, measured.waveforms, measured.features,
             recognised=np.concatenate([b.recognised for b in blocks]),
@@ -253,12 +252,12 @@ def _statistics_key(preset: Preset) -> object:
     return preset.settings.statistics, preset.settings.minimum_hold, preset.settings.hysteresis, preset.successors
 
 
-def _statistics_of(preset: Preset) -> Statistics:
-    return Statistics(preset.settings.minimum_hold, preset.successors, preset.settings.hysteresis)
+def _statistics_of(preset: Preset) -> PhonemeSmoother:
+    return PhonemeSmoother(preset.settings.minimum_hold, preset.successors, preset.settings.hysteresis)
 
 
-def analyses_of(
-    blocks: Iterable[Block], preset: Preset, *, pitch: bool = False, start: int = 0
+def analyse_blocks(
+    blocks: Iterable[Float32Array], preset: Preset, *, pitch: bool = False, start: int = 0
 ) -> Iterator[Analysis]:
     """Analyse a whole sound, given as consecutive blocks of samples; ends with the frames at its end.
 
@@ -274,7 +273,7 @@ def analyses_of(
         yield analysis
 
 
-def analyses_between(
+def analyse_range(
     reader: SoundReader, first: int, last: int, preset: Preset, *, pitch: bool = False
 ) -> Iterator[Analysis]:
     """Analyse frames first..last-1 of a file as if it had been followed from its beginning.
@@ -283,7 +282,7 @@ def analyses_between(
     """
     start = max(0, first - PRE_ROLL)
     reader.seek(start * HOP)
-    for analysis in analyses_of(reader.blocks(BLOCK * HOP), preset, pitch=pitch, start=start):
+    for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), preset, pitch=pitch, start=start):
         wanted = analysis.part(slice(max(0, first - analysis.start), max(0, last - analysis.start)))
         if len(wanted):
             yield wanted

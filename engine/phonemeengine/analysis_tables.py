@@ -9,14 +9,14 @@ from typing import Any, TextIO
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.audacity import format_audacity
 from phonemeengine.labels.label import Label, labels_of_runs
-from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.own_files import JSON_TEXT, Owns, begins_like
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.segments import RUN_COLUMNS, Run, runs_of
+from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, segments_of
 from phonemeengine.settings import FRAME_PERIOD
 
 Writer = Callable[[TextIO, Iterator[Analysis], SoundReader, Preset], None]
@@ -43,7 +43,7 @@ class TableFormat:
 
 def _csv_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, _preset: Preset) -> None:
     rows = csv.writer(file, lineterminator="\n")
-    rows.writerow(RUN_COLUMNS)
+    rows.writerow(SEGMENT_COLUMNS)
     rows.writerows(run.row().values() for run in _runs(analyses, reader))
 
 
@@ -84,8 +84,8 @@ def _heading(reader: SoundReader, preset: Preset) -> dict[str, Any]:
     return {"file": reader.path.name, "duration_s": _seconds(reader.duration), "preset": preset.name}
 
 
-def _runs(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[Run]:
-    return runs_of(((a.phonemes, a.intensities) for a in analyses), reader.duration)
+def _runs(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[Segment]:
+    return segments_of(((a.phonemes, a.intensities) for a in analyses), reader.duration)
 
 
 def _labels(analyses: Iterator[Analysis], reader: SoundReader) -> tuple[Label, ...]:
@@ -111,9 +111,9 @@ def _seconds(value: float) -> float:
 
 _RUNS = re.compile(
     b"%s\n(?:[0-9.e-]+,[0-9.e-]+,(?:%s),[0-9.e-]+\n)*"
-    % (",".join(RUN_COLUMNS).encode(), "|".join(phoneme.label for phoneme in Phoneme).encode())
+    % (",".join(SEGMENT_COLUMNS).encode(), "|".join(phoneme.label for phoneme in Phoneme).encode())
 )
-_FRAMES = ",".join([*RUN_COLUMNS, *BUILT_IN_NAMES]).encode() + b","
+_FRAMES = ",".join([*SEGMENT_COLUMNS, *BUILT_IN_NAMES]).encode() + b","
 
 
 def _owns_csv(content: bytes) -> bool:

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CurveError
 from phonemeengine.settings import BIN_WIDTH
 
@@ -18,7 +18,7 @@ MOST_BINS = 1 << 14
 
 
 @dataclass(frozen=True)
-class Curve:
+class AveragedSpectrum:
     """An averaged spectrum.
 
     Attributes
@@ -32,13 +32,13 @@ class Curve:
     """
 
     name: str
-    frequencies: NDArray[np.float64]
-    amplitudes: NDArray[np.float64]
+    frequencies: Float64Array
+    amplitudes: Float64Array
     n_frames: int
     front_end: str
     since: str = ""
 
-    def at(self, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
+    def at(self, frequencies: Float64Array) -> Float64Array:
         """Give the amplitudes at other frequencies (Hz), linear between bins, NaN beyond the curve's end."""
         return np.interp(frequencies, self.frequencies, self.amplitudes, right=np.nan)
 
@@ -50,7 +50,7 @@ class SpectrumAverage:
         self.n_frames = 0
         self._sum = np.zeros(0)
 
-    def add(self, spectra: NDArray[np.float32]) -> None:
+    def add(self, spectra: Float32Array) -> None:
         """Take in a block of spectra, shape (n_frames, n_bins)."""
         if spectra.shape[1] != len(self._sum):
             self.clear()
@@ -63,10 +63,10 @@ class SpectrumAverage:
         self.n_frames = 0
         self._sum = np.zeros(0)
 
-    def curve(self, name: str, front_end: str, since: str = "") -> Curve:
+    def curve(self, name: str, front_end: str, since: str = "") -> AveragedSpectrum:
         """Give the mean so far; bins lie at multiples of 21.53 Hz."""
         n_bins = len(self._sum)
-        return Curve(
+        return AveragedSpectrum(
             name,
             np.arange(n_bins, dtype=float) * BIN_WIDTH,
             self._sum / max(self.n_frames, 1),
@@ -76,7 +76,7 @@ class SpectrumAverage:
         )
 
 
-def distance_of(one: Curve, other: Curve) -> float:
+def distance_of(one: AveragedSpectrum, other: AveragedSpectrum) -> float:
     """Measure how differently two curves are shaped, in dB.
 
     The root mean square of their difference in dB, over the frequencies that both have, after the mean difference
@@ -89,7 +89,7 @@ def distance_of(one: Curve, other: Curve) -> float:
     return float(difference.std()) if len(difference) else math.nan
 
 
-def save_curve(curve: Curve, path: Path) -> None:
+def save_averaged_spectrum(curve: AveragedSpectrum, path: Path) -> None:
     """Save a curve as CSV with a header that says what it is; an old file stays until the new one is complete.
 
     Raises
@@ -117,8 +117,8 @@ def save_curve(curve: Curve, path: Path) -> None:
         raise CurveError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
 
 
-def load_curve(path: Path) -> Curve:
-    """Load a curve that `save_curve` wrote.
+def load_averaged_spectrum(path: Path) -> AveragedSpectrum:
+    """Load a curve that `save_averaged_spectrum` wrote.
 
     Raises
     ------
@@ -138,7 +138,7 @@ def load_curve(path: Path) -> Curve:
         raise CurveError(f"{path.name}: {error}") from error
 
 
-def _parse(lines: list[str]) -> Curve:
+def _parse(lines: list[str]) -> AveragedSpectrum:
     if not lines or lines[0].strip() != f"# {FORMAT}":
         raise ValueError(f"a curve begins with the line '# {FORMAT}'; choose a file saved by Save Curve")
     comments = [line[1:].partition(":") for line in lines[1:] if line.startswith("#")]
@@ -156,7 +156,7 @@ def _parse(lines: list[str]) -> Curve:
     if np.any(np.diff(points[:, 0]) <= 0):
         raise ValueError("the frequencies must rise from row to row")
     since = header.get("since", "")
-    return Curve(header["name"], points[:, 0], points[:, 1], n_frames, header["front end"], since)
+    return AveragedSpectrum(header["name"], points[:, 0], points[:, 1], n_frames, header["front end"], since)
 
 
 def _count(header: dict[str, str], key: str) -> int:

@@ -13,7 +13,7 @@ EngineError
 ├── MouthError      a mouth table that cannot be used
 │   └── ExportError     speech that cannot be written in the form that was asked for
 └── CorpusError     labelled recordings that cannot be read
-    ├── UnknownPhonemes names of sounds that stand for no phoneme
+    ├── UnknownPhonemeError names of sounds that stand for no phoneme
     └── TakeError       takes that cannot be kept or used
 
 Every message is one sentence for the person at the screen: what is wrong, the limit, and what came.
@@ -74,7 +74,7 @@ class CorpusError(EngineError, ValueError):
     """A folder of labelled recordings cannot be used."""
 
 
-class UnknownPhonemes(CorpusError):  # noqa: N818 - it says what it holds
+class UnknownPhonemeError(CorpusError):
     """Label files hold names that stand for no phoneme.
 
     Attributes

@@ -4,7 +4,7 @@ import os
 from datetime import datetime
 from pathlib import Path
 
-from phonemeengine.audio.file_access import shown_name
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import RecordingError
 
 FOLDER = "PhonemeAnalyser"
@@ -32,7 +32,7 @@ def journal_folder() -> Path:
     return user_data_path(FOLDER, appauthor=False) / "unfinished"
 
 
-def new_take(folder: Path, suffix: str) -> Path:
+def new_recording_path(folder: Path, suffix: str) -> Path:
     """Give a free name for a recording that begins now, and make the folder if need be.
 
     Raises
@@ -43,7 +43,7 @@ def new_take(folder: Path, suffix: str) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
     except (OSError, ValueError) as error:
         raise RecordingError(
-            f"{shown_name(folder)}: this folder for recordings cannot be made ({reason_of(error)}); choose another"
+            f"{printable_name(folder)}: this folder for recordings cannot be made ({reason_of(error)}); choose another"
         ) from error
     return free_path(folder / f"{datetime.now().astimezone():%Y-%m-%d %H-%M-%S}{suffix}")
 

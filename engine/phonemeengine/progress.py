@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-Heed = Callable[[float], bool]
+Progress = Callable[[float], bool]
 """Told how much of the work is done, 0..1; answers whether to go on."""
 
 
@@ -10,12 +10,12 @@ class Cancelled(Exception):  # noqa: N818 - no error: somebody wanted it
     """The work was ended before its end; nothing has changed."""
 
 
-def go_on(_share: float) -> bool:
+def no_progress(_share: float) -> bool:
     """Let work go on to its end."""
     return True
 
 
-def tell(heed: Heed, share: float) -> None:
+def report_progress(heed: Progress, share: float) -> None:
     """Tell how much is done.
 
     Raises
@@ -26,6 +26,6 @@ def tell(heed: Heed, share: float) -> None:
         raise Cancelled
 
 
-def part_of(heed: Heed, first: float, last: float) -> Heed:
+def subrange(heed: Progress, first: float, last: float) -> Progress:
     """Give what a part of the work heeds, which is the whole from `first` to `last`."""
     return lambda share: heed(first + share * (last - first))

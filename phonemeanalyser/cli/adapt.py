@@ -5,17 +5,17 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.calibrate import Outcome, calibrate
-from phonemeengine.labels.phoneme_map import Mapping, load_mapping
 from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
 from phonemeengine.calibration.takes.room_noise import measure_room
 from phonemeengine.errors import PresetError, TakeError
+from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
+
 from phonemeanalyser.cli.arguments import add_channel
 from phonemeanalyser.cli.jobs import say_cut_off
 
@@ -38,8 +38,8 @@ def adapt(words: list[str]) -> int:
     return 0
 
 
-def _calibrated(preset: Preset, room: NDArray[np.float32] | None, options: argparse.Namespace) -> Preset:
-    mapping = load_mapping(options.map) if options.map else Mapping()
+def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Namespace) -> Preset:
+    mapping = load_phoneme_map(options.map) if options.map else PhonemeMap()
     takes, held_back = (_read(sources, mapping, options.channel) for sources in (options.folders, options.held_back))
     say_cut_off([*takes, *held_back])
     outcome = calibrate(preset, takes, held_back=held_back, room=room)
@@ -51,7 +51,7 @@ def _calibrated(preset: Preset, room: NDArray[np.float32] | None, options: argpa
     return outcome.preset
 
 
-def _quietened(preset: Preset, room: NDArray[np.float32], options: argparse.Namespace) -> Preset:
+def _quietened(preset: Preset, room: Float32Array, options: argparse.Namespace) -> Preset:
     measured = measure_room(room, preset)
     if measured.notes:
         raise TakeError(f"{options.room.name}: {measured.notes[0]}")
@@ -73,11 +73,11 @@ def _told(outcome: Outcome) -> str:
     )
 
 
-def _read(sources: list[Path], mapping: Mapping, channel: Channel) -> list[Utterance]:
+def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[Utterance]:
     return [utterance for source in sources for utterance in read_recordings(source, mapping, channel=channel)]
 
 
-def _sound_of(path: Path, channel: Channel) -> NDArray[np.float32]:
+def _sound_of(path: Path, channel: Channel) -> Float32Array:
     with SoundReader(path, channel) as reader:
         n = min(reader.n_samples, round(MOST_ROOM * reader.n_samples / max(reader.duration, MOST_ROOM)))
         return np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])[:n]

@@ -5,18 +5,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
+from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
-from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
+
 from phonemeanalyser.cli.arguments import add_channel, add_overwrite
-from phonemeanalyser.cli.jobs import Job, is_single, jobs_of, sound_of, watched, work_through
+from phonemeanalyser.cli.jobs import Job, analyse_with_progress, is_single, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
 
 
 @dataclass(frozen=True)
-class Table:
+class AnalysisTable:
     """What is written.
 
     Attributes
@@ -63,11 +64,11 @@ def analyse(words: list[str]) -> int:
     add_channel(parser)
     add_overwrite(parser)
     options = parser.parse_args(words)
-    table = Table(options.kind or kind_for(options.inputs, options.out), options.features)
+    table = AnalysisTable(options.kind or kind_for(options.inputs, options.out), options.features)
     preset = load_preset(options.preset)
     jobs = jobs_of(options.inputs, options.out, table.format.ending)
     guard = Guard(table.format.owns, options.overwrite)
-    return 1 if work_through(jobs, lambda job: _analyse(job, options.channel, preset, table, guard)) else 0
+    return 1 if run_all(jobs, lambda job: _analyse(job, options.channel, preset, table, guard)) else 0
 
 
 def kind_for(inputs: list[Path], out: Path | None) -> str:
@@ -77,12 +78,12 @@ def kind_for(inputs: list[Path], out: Path | None) -> str:
     return {form.ending.lower(): kind for kind, form in TABLES.items()}.get(out.suffix.lower(), "csv")
 
 
-def _analyse(job: Job, channel: Channel, preset: Preset, table: Table, guard: Guard) -> None:
+def _analyse(job: Job, channel: Channel, preset: Preset, table: AnalysisTable, guard: Guard) -> None:
     guard.check(job.target)
-    with sound_of(job, channel) as reader:
+    with open_sound(job, channel) as reader:
 
         def write(file: TextIO) -> None:
-            table.write(file, watched(reader, preset, pitch=table.features), reader, preset)
+            table.write(file, analyse_with_progress(reader, preset, pitch=table.features), reader, preset)
 
         if job.target is None:
             print_whole(write)

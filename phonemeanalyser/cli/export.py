@@ -3,43 +3,44 @@
 import argparse
 from pathlib import Path
 
-from phonemeengine.audio.file_access import shown_name
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import EngineError
-from phonemeengine.mouth.animation import Life
-from phonemeengine.mouth.exports.exporter import Exporter, Wishes
+from phonemeengine.mouth.animation import IdleMotion
+from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.utterance import speech_of
 from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.mouth.utterance import utterance_of
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
+
 from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, number
-from phonemeanalyser.cli.jobs import Job, jobs_of, sound_of, watched, work_through
+from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
 
 
 def export(words: list[str]) -> int:
     """Export sound files as the command line asks; 1 where one could not be."""
     options = _options(words)
-    life = Life(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
-    wishes = Wishes(options.fps, options.minimum, options.anticipation, options.table, options.mesh, life)
+    life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
+    wishes = ExportOptions(options.fps, options.minimum, options.anticipation, options.table, options.mesh, life)
     exporter = Exporter(options.kind, wishes)
     if exporter.format.moves_mesh and options.out is None:
         raise EngineError(f"{options.kind} is no text to be printed; name a file or a folder with -o")
     preset = load_preset(options.preset)
     jobs = jobs_of(options.inputs, options.out, exporter.format.full_ending)
     guard = Guard(exporter.format.owns, options.overwrite)
-    return 1 if work_through(jobs, lambda job: _export(job, options.channel, preset, exporter, guard)) else 0
+    return 1 if run_all(jobs, lambda job: _export(job, options.channel, preset, exporter, guard)) else 0
 
 
 def _export(job: Job, channel: Channel, preset: Preset, exporter: Exporter, guard: Guard) -> None:
     guard.check(job.target)
-    with sound_of(job, channel) as reader:
+    with open_sound(job, channel) as reader:
         pitch = exporter.format.moves_head and exporter.life.head
-        analyses = watched(reader, preset, pitch=pitch)
-        speech = speech_of(analyses, shown_name(job.source), reader.duration, job.source)
-    parts = exporter.parts_of(speech)
+        analyses = analyse_with_progress(reader, preset, pitch=pitch)
+        speech = utterance_of(analyses, printable_name(job.source), reader.duration, job.source)
+    parts = exporter.chunks_of(speech)
     if job.target is None:
         text = b"".join(parts).decode()
         print_whole(lambda file: file.writelines([text]))

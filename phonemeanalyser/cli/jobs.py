@@ -6,15 +6,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from tqdm import tqdm
-
-from phonemeengine.analyser import Analysis, analyses_of
+from phonemeengine.analyser import Analysis, analyse_blocks
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.files import SUFFIXES, SoundReader
-from phonemeengine.audio.file_access import shown_name
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.errors import AudioError, EngineError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
+from tqdm import tqdm
 
 BLOCK = 5 * SAMPLE_RATE
 """Samples that are read at a time."""
@@ -55,7 +54,7 @@ def is_single(inputs: list[Path], out: Path) -> bool:
     return len(inputs) == 1 and out.suffix != "" and not _is_folder(inputs[0]) and not _is_folder(out)
 
 
-def work_through(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
+def run_all(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
     """Do something with every file; report those that fail on standard error and go on. Returns how many failed."""
     jobs = list(jobs)
     failures = 0
@@ -73,14 +72,14 @@ def work_through(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
 
 
 @contextmanager
-def sound_of(job: Job, channel: Channel) -> Iterator[SoundReader]:
+def open_sound(job: Job, channel: Channel) -> Iterator[SoundReader]:
     """Open the sound of a job to analyse one of its channels, and say what is odd about it.
 
     Raises
     ------
     AudioError : it cannot be read, or lacks the channel, or there is none.
     """
-    name = shown_name(job.source)
+    name = printable_name(job.source)
     if _is_folder(job.source):
         raise AudioError(f"{name}: there is no sound file in this folder; name another")
     with SoundReader(job.source, channel) as reader:
@@ -93,7 +92,7 @@ def say_cut_off(utterances: Iterable[Utterance]) -> None:
     """Say of which recordings a part is missing."""
     for utterance in utterances:
         if utterance.cut_off:
-            say_note(shown_name(utterance.path), utterance.cut_off)
+            say_note(printable_name(utterance.path), utterance.cut_off)
 
 
 def say_note(name: str, note: str) -> None:
@@ -101,13 +100,13 @@ def say_note(name: str, note: str) -> None:
     tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
 
 
-def watched(reader: SoundReader, preset: Preset, *, pitch: bool) -> Iterator[Analysis]:
+def analyse_with_progress(reader: SoundReader, preset: Preset, *, pitch: bool) -> Iterator[Analysis]:
     """Analyse with a progress bar, which appears only where the work is long."""
-    total, name = round(reader.duration), shown_name(reader.path)
+    total, name = round(reader.duration), printable_name(reader.path)
     with tqdm(
         total=total, unit="s", desc=name, delay=1, leave=False, disable=None, file=sys.stderr
     ) as progress:  # fmt: skip
-        for analysis in analyses_of(reader.blocks(BLOCK), preset, pitch=pitch):
+        for analysis in analyse_blocks(reader.blocks(BLOCK), preset, pitch=pitch):
             progress.update(len(analysis) * FRAME_PERIOD)
             yield analysis
 

@@ -15,11 +15,11 @@ from types import FrameType
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import InputChoice, chosen_input, inputs_of
 from phonemeengine.audio.stream import devices
-from phonemeengine.paths import free_path
 from phonemeengine.errors import DeviceError, RecordingError
 from phonemeengine.live.listener import Listener
-from phonemeengine.live.recorder import Tape
+from phonemeengine.live.recorder import Recorder
 from phonemeengine.mouth.osc import OscMouth, OscSettings
+from phonemeengine.paths import free_path
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD
@@ -84,7 +84,7 @@ def record(
     path: Path, preset: Preset, choice: InputChoice, seconds: float | None, *, with_phonemes: bool,
     fill_gaps: bool = False,
 ) -> None:  # fmt: skip
-    """Record to a file, for some seconds or until Ctrl-C; see `Tape`.
+    """Record to a file, for some seconds or until Ctrl-C; see `Recorder`.
 
     Raises
     ------
@@ -93,7 +93,7 @@ def record(
     """
     chosen_input(choice, devices())
     limit = math.inf if seconds is None else seconds
-    tape = Tape(_names_from(path), with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
+    tape = Recorder(_names_from(path), with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
     with _quiet_libraries(), _ended_by_signals():
         listener = Listener(preset, choice, phonemes_only=True, tape=tape)
         try:
@@ -171,7 +171,7 @@ def _attend(listener: Listener, seconds: float | None, look: Callable[[], None])
             said = words
 
 
-def _check(tape: Tape) -> None:
+def _check(tape: Recorder) -> None:
     if tape.failure:
         raise RecordingError(tape.failure)
 
@@ -182,7 +182,7 @@ def _names_from(path: Path) -> Callable[[], Path]:
     return lambda: next(names, None) or free_path(path)
 
 
-def _report(tape: Tape, listener: Listener) -> None:
+def _report(tape: Recorder, listener: Listener) -> None:
     lost = listener.lost_seconds - sum(gap.seconds for gap in tape.gaps)
     other = " more" if tape.gaps else ""
     missing = f", {lost:.2f} s{other} were lost on the way" if lost >= LEAST_LOSS else f", nothing{other} lost"

@@ -17,11 +17,12 @@ from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import Channel
+
 from phonemeanalyser.cli.arguments import add_channel
 from phonemeanalyser.cli.display import why_no_qt, why_no_window
 from phonemeanalyser.cli.listen import list_devices, listen, record
 
-DEMO = Path(__file__).parent / "demo" / "demo.flac"
+DEMO = Path(__file__).parents[1] / "demo" / "demo.flac"
 LATENCY = 0.12
 """What commands ask of the microphone, seconds: half the processor time of the window's, for 10 ms more."""
 NO_DISPLAY = 3

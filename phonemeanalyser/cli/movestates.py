@@ -5,10 +5,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import TOLERANCE, Face, Figure, face_of, fitted
-from phonemeengine.mouth.files.io import FACES, load_face, load_figure, save_face
+from phonemeengine.mouth.files.io import FACES, load_morph_mesh, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.morph_mesh import TOLERANCE, MorphMesh, MorphTargets, matched, morph_targets_of
 from phonemeengine.mouth.movestate import LONGEST_NAME, Movestate, movestate_of
+
 from phonemeanalyser.cli.output_files import print_whole
 
 OWN = "head"
@@ -33,11 +34,11 @@ def _export(options: argparse.Namespace) -> Iterator[str]:
     if not states:
         raise MeshError(f"{options.base.name}: there are no morph targets in it; name the files of targets after it")
     face = _named_apart(base, states)
-    save_face(face, options.out, base)
+    save_morph_targets(face, options.out, base)
     yield _summary(options.out, face)
 
 
-def _states_of(path: Path, base: Figure) -> list[Movestate]:
+def _states_of(path: Path, base: MorphMesh) -> list[Movestate]:
     """Give what a target's file holds: its mesh as a movestate of the file's name, and its own morph targets."""
     target = _figure_of(path)
     if len(target.mesh) != len(base.mesh):
@@ -51,9 +52,9 @@ def _states_of(path: Path, base: Figure) -> list[Movestate]:
     return [*([moved] if len(moved) else []), *target.states]
 
 
-def _named_apart(base: Figure, states: list[Movestate]) -> Face:
+def _named_apart(base: MorphMesh, states: list[Movestate]) -> MorphTargets:
     try:
-        return face_of(base.mesh, states)
+        return morph_targets_of(base.mesh, states)
     except MeshError as error:
         raise MeshError(f"{error}, or rename a target's file") from error
 
@@ -78,25 +79,25 @@ def _convert(options: argparse.Namespace) -> Iterator[str]:
     figure = _figure_of(options.source) if options.source.suffix.lower() not in FACES else None
     if options.mesh is not None:
         figure = _figure_of(options.mesh)
-        as_it_was, face = face, fitted(face, figure.mesh, options.tolerance)
+        as_it_was, face = face, matched(face, figure.mesh, options.tolerance)
         if face is not as_it_was:
             yield f"{options.source.name}: the vertices are renumbered as {options.mesh.name} has them"
-    save_face(face, options.out, figure)
+    save_morph_targets(face, options.out, figure)
     yield _summary(options.out, face)
 
 
-def _figure_of(path: Path) -> Figure:
-    return load_head() if str(path) == OWN else load_figure(path)
+def _figure_of(path: Path) -> MorphMesh:
+    return load_head() if str(path) == OWN else load_morph_mesh(path)
 
 
-def _face_of(path: Path) -> Face:
+def _face_of(path: Path) -> MorphTargets:
     if str(path) == OWN:
         head = load_head()
-        return face_of(head.mesh, head.states)
-    return load_face(path)
+        return morph_targets_of(head.mesh, head.states)
+    return load_morph_targets(path)
 
 
-def _summary(path: Path, face: Face) -> str:
+def _summary(path: Path, face: MorphTargets) -> str:
     size = path.stat().st_size / 1000
     return f"{path.name}: {_many(len(face.states), 'movestate')}, {len(face.numbers)} vertices move, {size:.0f} kB"
 

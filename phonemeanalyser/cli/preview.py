@@ -5,33 +5,32 @@ import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-from tqdm import tqdm
-
+from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.file_access import shown_name
-from phonemeengine.mouth.animation import Animation, Life, animation_of
+from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
-from phonemeengine.mouth.morph_mesh import Figure, fitted
-from phonemeengine.mouth.files.io import load_face, load_figure
+from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
 from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.utterance import speech_of
 from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
+from phonemeengine.mouth.utterance import utterance_of
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import SAMPLE_RATE
+from tqdm import tqdm
+
 from phonemeanalyser.cli.arguments import add_channel, add_mouth
+from phonemeanalyser.cli.jobs import Job, analyse_with_progress, open_sound
+from phonemeanalyser.cli.output_files import write_whole_file
 from phonemeanalyser.colours import DARK, LIGHT
-from phonemeanalyser.cli.jobs import Job, sound_of, watched
-from phonemeanalyser.rendering.animation_player import Actor
+from phonemeanalyser.rendering.animation_player import AnimationPlayer
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.errors import RenderingError
-from phonemeanalyser.rendering.video import Sound, why_no_film, why_no_gif, write_film, write_gif, write_pictures
-from phonemeanalyser.rendering.offscreen import Photographer, Picture
+from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
-from phonemeanalyser.rendering.subdivision import smoothed
-from phonemeanalyser.cli.output_files import write_whole_file
+from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif, write_film, write_gif, write_pictures
 
 SMALLEST, LARGEST = 16, 4096
 """Pixels along an edge of the picture."""
@@ -46,12 +45,12 @@ def preview(words: list[str]) -> int:
     """Make the clip that the command line asks for."""
     options = _options(words)
     _check_target(options.out, options.size)
-    figure = smoothed(_figure_of(options.mesh, options.movestates))
-    with sound_of(Job(options.file, options.out), options.channel) as reader:
-        actor = Actor(figure, _animation_of(reader, options))
+    figure = subdivided(_figure_of(options.mesh, options.movestates))
+    with open_sound(Job(options.file, options.out), options.channel) as reader:
+        actor = AnimationPlayer(figure, _animation_of(reader, options))
         if options.out.suffix.lower() == ".gif" and (reason := why_no_gif(len(actor), options.fps)):
             raise RenderingError(reason)
-        with Photographer(figure, options.size) as photographer:
+        with OffscreenRenderer(figure, options.size) as photographer:
             background = colour_of({"light": LIGHT, "dark": DARK}[options.theme].window)
             _write(options, reader, len(actor), _pictures_of(actor, figure, photographer, background))
     return 0
@@ -65,33 +64,33 @@ def _check_target(out: Path, size: tuple[int, int]) -> None:
         raise RenderingError(reason)
 
 
-def _figure_of(mesh: Path | None, movestates: Path | None) -> Figure:
+def _figure_of(mesh: Path | None, movestates: Path | None) -> MorphMesh:
     """Give the head that ships with the program, or a mesh with its movestates."""
     if mesh is None:
         if movestates is not None:
             raise RenderingError(f"{movestates.name}: movestates move a mesh of their own; name it with --mesh")
         return load_head()
-    figure = load_figure(mesh)
+    figure = load_morph_mesh(mesh)
     if movestates is not None:
-        figure = Figure(figure.mesh, fitted(load_face(movestates), figure.mesh).states)
+        figure = MorphMesh(figure.mesh, matched(load_morph_targets(movestates), figure.mesh).states)
     if not figure.states:
         raise RenderingError(f"{mesh.name}: there are no morph targets in it; name its movestates with --movestates")
     return figure
 
 
 def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation:
-    life = Life(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
+    life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     table, preset = load_table(options.table), load_preset(options.preset)
-    name = shown_name(options.file)
-    speech = speech_of(watched(reader, preset, pitch=life.head), name, reader.duration)
+    name = printable_name(options.file)
+    speech = utterance_of(analyse_with_progress(reader, preset, pitch=life.head), name, reader.duration)
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
     return animation_of(speech, cues, table, options.fps, life)
 
 
 def _pictures_of(
-    actor: Actor, figure: Figure, photographer: Photographer, background: tuple[float, float, float]
-) -> Iterator[Picture]:
+    actor: AnimationPlayer, figure: MorphMesh, photographer: OffscreenRenderer, background: tuple[float, float, float]
+) -> Iterator[UInt8Array]:
     """Take the pictures with a progress bar."""
     camera = Camera.facing(figure.mesh).orbit(ASIDE, ABOVE)
     scenes = tqdm(actor.scenes(), total=len(actor), unit="frame", disable=None, leave=False, file=sys.stderr)
@@ -99,11 +98,11 @@ def _pictures_of(
         yield photographer.picture(camera, positions, pose, background=background)
 
 
-def _write(options: argparse.Namespace, reader: SoundReader, n_frames: int, pictures: Iterable[Picture]) -> None:
+def _write(options: argparse.Namespace, reader: SoundReader, n_frames: int, pictures: Iterable[UInt8Array]) -> None:
     kind = options.out.suffix.lower()
     if kind == ".mp4":
         reader.seek(0)
-        sound = Sound(SAMPLE_RATE, reader.n_channels, _blocks_of(reader))
+        sound = SoundTrack(SAMPLE_RATE, reader.n_channels, _blocks_of(reader))
         write_whole_file(options.out, lambda file: write_film(file, pictures, options.size, options.fps, sound))
     elif kind == ".gif":
         write_whole_file(options.out, lambda file: write_gif(file, pictures, n_frames, options.fps))
@@ -111,7 +110,7 @@ def _write(options: argparse.Namespace, reader: SoundReader, n_frames: int, pict
         write_pictures(options.out, pictures)
 
 
-def _blocks_of(reader: SoundReader) -> Iterator[NDArray[np.float32]]:
+def _blocks_of(reader: SoundReader) -> Iterator[Float32Array]:
     while len(block := reader.read(BLOCK)):
         yield block
 

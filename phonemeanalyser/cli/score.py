@@ -6,24 +6,24 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from tqdm import tqdm
-
-from phonemeengine.labels.phoneme_map import Mapping, load_mapping
-from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, Noise, NoiseAdder, NoiseKind
+from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, AddedNoise, NoiseAdder, NoiseKind
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
 from phonemeengine.calibration.scores.evaluation import CorpusScores, score_corpus
 from phonemeengine.errors import AudioError, CorpusError, PresetError
+from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
+from tqdm import tqdm
+
 from phonemeanalyser.cli.arguments import add_channel, number
 from phonemeanalyser.cli.jobs import say_cut_off
+from phonemeanalyser.cli.output_files import print_whole, write_whole
 from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset, printable
 from phonemeanalyser.reports.text import text_of
-from phonemeanalyser.cli.output_files import print_whole, write_whole
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
 """The formats that an ending asks for; text is the format of all others."""
@@ -42,8 +42,8 @@ def score(words: list[str]) -> int:
     """Score presets as the command line asks; 1 where a sound could not be read."""
     options = _options(words)
     presets = _presets_of(options.preset, options.against)
-    noise = None if options.noise is None else Noise(NoiseKind(options.noise), options.snr, options.seed)
-    mapping = None if options.map is None else load_mapping(options.map)
+    noise = None if options.noise is None else AddedNoise(NoiseKind(options.noise), options.snr, options.seed)
+    mapping = None if options.map is None else load_phoneme_map(options.map)
     troubles = _Troubles()
     utterances = _recordings_in(options.corpus, mapping, options.channel, troubles)
     scored: list[ScoredPreset] = []
@@ -69,7 +69,7 @@ class _Troubles:
 
 
 def _recordings_in(
-    folder: Path, mapping: Mapping | None, channel: Channel, troubles: _Troubles
+    folder: Path, mapping: PhonemeMap | None, channel: Channel, troubles: _Troubles
 ) -> tuple[Utterance, ...]:
     if not folder.exists():
         raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")

@@ -5,13 +5,13 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-from tqdm import tqdm
-
-from phonemeengine.calibration.learning.model_card import card_of
-from phonemeengine.calibration.learning.pipeline import Taught, teach
-from phonemeengine.calibration.learning.training import Course
+from phonemeengine.calibration.learning.model_card import model_card
+from phonemeengine.calibration.learning.pipeline import TrainingResult, train_and_validate
+from phonemeengine.calibration.learning.training import TrainingConfig
 from phonemeengine.errors import ModelError
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from tqdm import tqdm
+
 from phonemeanalyser.cli.arguments import add_channel
 from phonemeanalyser.cli.output_files import write_whole
 
@@ -19,7 +19,7 @@ from phonemeanalyser.cli.output_files import write_whole
 def train(words: list[str]) -> int:
     """Run the command; returns its exit code."""
     options = _options(words)
-    course = Course(seed=options.seed, n_epochs=options.epochs, width=options.width)
+    course = TrainingConfig(seed=options.seed, n_epochs=options.epochs, width=options.width)
     with tqdm(
         total=100, unit="%", file=sys.stderr, disable=None, bar_format="{desc}: {n:.0f} %|{bar}| {elapsed}"
     ) as bar:
@@ -28,13 +28,13 @@ def train(words: list[str]) -> int:
             bar.set_description(what)
             bar.update(100 * share - bar.n)
 
-        taught = teach(options.corpora, course, options.variations, options.folds, told, options.channel)
+        taught = train_and_validate(options.corpora, course, options.variations, options.folds, told, options.channel)
     model = replace(taught.model, about=_about(options.out.stem, taught, course))
     preset, card = options.out.with_suffix(".toml"), options.out.with_suffix(".md")
     notes = f"Trained by phonemeanalyser train; {card.name} tells on what, and how well it does."
     shipped = load_preset(DEFAULT_PRESET)
     save_preset(replace(shipped, name=preset.stem, model=model, notes=notes, sensitivities={}), preset)
-    text = card_of(options.out.stem, taught, course, options.variations)
+    text = model_card(options.out.stem, taught, course, options.variations)
     write_whole(card, lambda file: print(text, file=file, end=""))
     print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}; {preset} uses it")
     if taught.everyone is not None:
@@ -43,7 +43,7 @@ def train(words: list[str]) -> int:
     return 0
 
 
-def _about(name: str, taught: Taught, course: Course) -> dict[str, object]:
+def _about(name: str, taught: TrainingResult, course: TrainingConfig) -> dict[str, object]:
     figures = {} if taught.everyone is None else {"macro_f1": round(taught.everyone.ten_f1, 3)}
     return {"name": name, "seed": course.seed, "epochs": course.n_epochs, "speakers": len(taught.sources), **figures}
 
@@ -57,8 +57,12 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("corpora", type=Path, nargs="+", metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="MODEL", help="the model's file, .npz")
     parser.add_argument("--seed", type=int, default=1, help="of all chance (default 1)")
-    parser.add_argument("--epochs", type=int, default=Course.n_epochs, help=f"default {Course.n_epochs}")
-    parser.add_argument("--width", type=int, default=Course.width, help=f"channels (default {Course.width})")
+    parser.add_argument(
+        "--epochs", type=int, default=TrainingConfig.n_epochs, help=f"default {TrainingConfig.n_epochs}"
+    )
+    parser.add_argument(
+        "--width", type=int, default=TrainingConfig.width, help=f"channels (default {TrainingConfig.width})"
+    )
     parser.add_argument("--variations", type=int, default=6, help="of each recording (default 6)")
     parser.add_argument(
         "--folds", type=int, default=4, help="groups of speakers left out in turn (default 4; 0: none)"

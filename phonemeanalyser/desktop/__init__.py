@@ -1,1 +1,1 @@
-""" """
+"""The desktop program."""

@@ -9,6 +9,9 @@ from functools import partial
 from pathlib import Path
 from types import TracebackType
 
+from phonemeengine.audio.output import ClockOutput, Output, open_output
+from phonemeengine.errors import EngineError
+from phonemeengine.settings import Channel
 from PySide6.QtCore import (
     QCoreApplication,
     QEvent,
@@ -25,19 +28,16 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
-from phonemeengine.audio.output import ClockOutput, Output, open_output
-from phonemeengine.errors import EngineError
-from phonemeengine.settings import Channel
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.garbage import WindowThreadCollector
-from phonemeanalyser.desktop.shutdown import Keeper
-from phonemeanalyser.desktop.window import MainWindow
-from phonemeanalyser.desktop.calibrate.model import Calibration
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.talk.model import Talking
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeanalyser.desktop.shutdown import SessionKeeper
+from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme, apply_theme, system_theme
+from phonemeanalyser.desktop.window import MainWindow
 
 AFTER_PAINTING_MS = 20
 """The window is to be seen before the sound card is awake."""
@@ -65,8 +65,8 @@ class Desktop:
         self._settings = settings
         self.preset = preset or PresetModel()
         self.session = Session(self.preset, open_device, microphone)
-        self.calibration = Calibration(self.session, self.preset)
-        self.talking = Talking(self.session)
+        self.calibration = CalibrationModel(self.session, self.preset)
+        self.talking = TalkModel(self.session)
         self.window = self._make_window()
         self.window.talking_dialogs.restore()
         self._scheme = app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
@@ -158,7 +158,7 @@ def run(file: Path | None, demo: Path, preset: Path | None = None, channel: Chan
     settings, collector = QSettings(), WindowThreadCollector()
     desktop = Desktop(app, settings)
     dialogs, unsaved = desktop.window.dialogs, UnsavedChanges(desktop.preset, _data_folder(), settings)
-    keeper = Keeper(app, desktop.save, unsaved)
+    keeper = SessionKeeper(app, desktop.save, unsaved)
     dialogs.restore_preset()
     dialogs.take_up_unsaved(unsaved)
     if preset is not None:

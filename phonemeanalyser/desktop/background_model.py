@@ -4,10 +4,10 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.tasks import Backroom
+from phonemeanalyser.desktop.tasks import TaskQueue
 
 
-class Workplace(QObject):
+class BackgroundModel(QObject):
     """Has backrooms, of which the first is the one that people wait for.
 
     Signals
@@ -19,7 +19,7 @@ class Workplace(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self._rooms: list[Backroom] = []
+        self._rooms: list[TaskQueue] = []
 
     @property
     def busy(self) -> bool:
@@ -42,7 +42,7 @@ class Workplace(QObject):
             room.cancel()
             room.close()
 
-    def _room(self, refuse: Callable[[str], object] | None = None) -> Backroom:
+    def _room(self, refuse: Callable[[str], object] | None = None) -> TaskQueue:
         """Give another room; what the engine refuses in it is told to the user, unless something else is said."""
-        self._rooms.append(Backroom(refuse or self.failed.emit))
+        self._rooms.append(TaskQueue(refuse or self.failed.emit))
         return self._rooms[-1]

@@ -3,11 +3,11 @@
 from collections.abc import Callable
 from functools import partial
 
+from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.menus import Command
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.analyse.page import AnalysisPage
 
 Commands = tuple[Command, ...]
 PRESET_COMMANDS = ("Load Preset…", "Save Preset", "Save Preset As…", "Preset Notes…")

@@ -6,20 +6,20 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from phonemeengine.errors import EngineError
+from phonemeengine.features.variables import Variable
+from phonemeengine.labels.files import LABEL_SUFFIXES
+from phonemeengine.paths import free_path, presets_folder
+from phonemeengine.presets.entries import PresetEntry, preset_entries
+from phonemeengine.presets.files import FACTORY_PRESETS, own_presets
 from PySide6.QtCore import QIODevice, QObject, QSaveFile, QSettings, Signal
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
-from phonemeengine.paths import free_path, presets_folder
-from phonemeengine.labels.files import LABEL_SUFFIXES
-from phonemeengine.errors import EngineError
-from phonemeengine.features.variables import Variable
-from phonemeengine.presets.entries import PresetEntry, preset_entries
-from phonemeengine.presets.files import FACTORY_PRESETS, own_presets
-from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session, Source
-from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
@@ -111,7 +111,7 @@ class Dialogs(QObject):
     def ask_save_phonemes(self) -> None:
         """Let the user choose a file to save the phonemes of the opened sound to; its ending says in which format."""
         sound = self._session.path
-        if sound is None or self._session.source is not Source.FILE:
+        if sound is None or self._session.source is not SoundSource.FILE:
             self.refused.emit("There is no sound file in hand; open the one whose phonemes are to be saved.")
             return
         suggested = Path(self._folder("phonemes", sound.parent)) / f"{sound.stem}.TextGrid"
@@ -141,7 +141,7 @@ class Dialogs(QObject):
 
     def offer_unfinished(self) -> None:
         """Offer to open a recording that was cut off when the program ended; the newest, if there are several."""
-        found = self._session.microphone.unfinished()
+        found = self._session.microphone.interrupted_recordings()
         if not found:
             return
         newest = found[-1]

@@ -5,10 +5,10 @@ from pathlib import Path
 from PySide6.QtCore import QMimeData
 
 from phonemeanalyser.desktop.dialogs import Dialogs
-from phonemeanalyser.desktop.talk.dialogs import TalkingDialogs
+from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
 
 
-def open_dropped(mime: QMimeData, dialogs: Dialogs, talking: TalkingDialogs) -> None:
+def open_dropped(mime: QMimeData, dialogs: Dialogs, talking: TalkDialogs) -> None:
     """Open what was dropped: meshes and movestates as one face, everything else for itself."""
     paths = [Path(url.toLocalFile()) for url in mime.urls() if url.isLocalFile()]
     talking.open([path for path in paths if talking.opens(path)])

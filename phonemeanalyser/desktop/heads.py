@@ -1,17 +1,17 @@
 """The heads of a window: those of the pages, once they are there, and that of the dock."""
 
-from phonemeanalyser.desktop.talk.model import Talking
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.talk.head_view import HeadView
-from phonemeanalyser.desktop.widgets.pages import LatePage
+from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.page import TalkPage
+from phonemeanalyser.desktop.widgets.pages import LazyPage
 
 
 class Heads:
     """Moves the heads that are seen."""
 
     def __init__(
-        self, talking: Talking, page: LatePage[TalkPage], calibrating: LatePage[CalibrationPage],
+        self, talking: TalkModel, page: LazyPage[TalkPage], calibrating: LazyPage[CalibrationPage],
         docked: HeadView,
     ) -> None:  # fmt: skip
         self._talking = talking

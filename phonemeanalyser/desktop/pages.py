@@ -3,13 +3,13 @@
 from PySide6.QtWidgets import QMainWindow
 
 from phonemeanalyser.desktop.calibrate.dialogs import CalibrationDialogs
-from phonemeanalyser.desktop.dialogs import Dialogs
-from phonemeanalyser.desktop.calibrate.model import Calibration
-from phonemeanalyser.desktop.talk.model import Talking
-from phonemeanalyser.desktop.talk.dialogs import TalkingDialogs
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
+from phonemeanalyser.desktop.dialogs import Dialogs
+from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
+from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.page import TalkPage
+from phonemeanalyser.desktop.theme import Theme
 
 
 class PageMaker:
@@ -23,7 +23,7 @@ class PageMaker:
 
     def __init__(
         self, window: QMainWindow, theme: Theme, dialogs: Dialogs, calibration: CalibrationDialogs,
-        talking: TalkingDialogs,
+        talking: TalkDialogs,
     ) -> None:  # fmt: skip
         self._window = window
         self._theme = theme
@@ -31,7 +31,7 @@ class PageMaker:
         self._calibration_dialogs = calibration
         self._talking_dialogs = talking
 
-    def calibration_page(self, calibration: Calibration, talking: Talking) -> CalibrationPage:
+    def calibration_page(self, calibration: CalibrationModel, talking: TalkModel) -> CalibrationPage:
         """Make the page of the calibration."""
         page, dialogs = CalibrationPage(calibration, talking, self._theme), self._calibration_dialogs
         page.takes.project_asked.connect(dialogs.ask_project)
@@ -43,7 +43,7 @@ class PageMaker:
         self._window.installEventFilter(page.keys)
         return page
 
-    def talk_page(self, talking: Talking) -> TalkPage:
+    def talk_page(self, talking: TalkModel) -> TalkPage:
         """Make the page of the head."""
         page, dialogs = TalkPage(talking, self._theme), self._talking_dialogs
         page.sound_asked.connect(lambda: self._say_another(talking))
@@ -53,7 +53,7 @@ class PageMaker:
         self._window.installEventFilter(page.keys)
         return page
 
-    def _say_another(self, talking: Talking) -> None:
+    def _say_another(self, talking: TalkModel) -> None:
         """Let the user choose a sound file, and have the head say it at once."""
         if self._dialogs.ask_sound():
             talking.session.play()

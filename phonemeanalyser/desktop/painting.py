@@ -17,7 +17,7 @@ def set_size(painter: QPainter, size: int) -> None:
     painter.setFont(font)
 
 
-def write(
+def draw_text(
     painter: QPainter, box: QRectF | QRect, text: str, colour: str | QColor, size: int,
     align: Qt.AlignmentFlag = AT_LEFT,
 ) -> None:  # fmt: skip

@@ -4,16 +4,16 @@ import time
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
-from phonemeanalyser.desktop.heads import Heads
-from phonemeanalyser.desktop.calibrate.model import Calibration
-from phonemeanalyser.desktop.session.session import Session, Source
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
-from phonemeanalyser.desktop.calibrate.page import CalibrationPage
-from phonemeanalyser.desktop.widgets.pages import LatePage, PageStack
 from phonemeanalyser.desktop.analyse.phoneme_view import PhonemeView
-from phonemeanalyser.desktop.session.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.threshold_view import ThresholdView
 from phonemeanalyser.desktop.analyse.transport import Transport
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.calibrate.page import CalibrationPage
+from phonemeanalyser.desktop.heads import Heads
+from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.status_line import StatusLine
+from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack
 
 FRAME_MS = 16
 """Between two pictures: 60 a second."""
@@ -21,7 +21,7 @@ SLOW = 4
 """Numbers and what changes slowly are drawn at every fourth picture."""
 
 
-class Drawing(QObject):
+class RedrawLoop(QObject):
     """Gathers what is new and draws it: fast views each time, slow ones each fourth time.
 
     Attributes
@@ -32,8 +32,8 @@ class Drawing(QObject):
     """
 
     def __init__(
-        self, parent: QObject, session: Session, calibration: Calibration, pages: PageStack,
-        analysis: AnalysisPage, calibrating: LatePage[CalibrationPage], heads: Heads, phoneme: PhonemeView,
+        self, parent: QObject, session: Session, calibration: CalibrationModel, pages: PageStack,
+        analysis: AnalysisPage, calibrating: LazyPage[CalibrationPage], heads: Heads, phoneme: PhonemeView,
         thresholds: ThresholdView, transport: Transport, status: StatusLine,
     ) -> None:  # fmt: skip
         super().__init__(parent)
@@ -93,7 +93,7 @@ class Drawing(QObject):
             self.stale = False
         elif self._phoneme.is_outdated:
             self._phoneme.refresh()
-        if known_at is not None and self._session.source is Source.MICROPHONE:
+        if known_at is not None and self._session.source is SoundSource.MICROPHONE:
             QTimer.singleShot(0, lambda: self._status.note_display(time.monotonic() - known_at))
 
     def _refresh_slow(self) -> None:

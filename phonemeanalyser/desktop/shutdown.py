@@ -39,7 +39,7 @@ class EndingSignals(QObject):
         self.came.emit()
 
 
-class Keeper(QObject):
+class SessionKeeper(QObject):
     """Keeps everything when the system ends program or session.
 
     Parameters

@@ -7,15 +7,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QSettings
-from PySide6.QtWidgets import QAbstractButton, QMainWindow, QSplitter
-
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import SettingsError
 from phonemeengine.settings import Channel
+from PySide6.QtCore import QByteArray, QSettings
+from PySide6.QtWidgets import QAbstractButton, QMainWindow, QSplitter
+
+from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
 from phonemeanalyser.desktop.session.microphone import SUFFIXES, Microphone
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.analyse.scroll_view import TimeView
 
 LAYOUT_VERSION = 1
 
@@ -58,7 +58,7 @@ class WindowState:
         """Give the number of the page that was seen last."""
         return round(self._kept_number("page", 0))
 
-    def save(self, session: Session, view: TimeView) -> None:
+    def save(self, session: Session, view: ScrollView) -> None:
         """Keep everything else for the next start."""
         keep = self._settings.setValue
         for name, save in self._savers.items():
@@ -83,7 +83,7 @@ class WindowState:
         keep("darkest", view.low.value())
         keep("brightest", view.high.value())
 
-    def restore(self, session: Session, view: TimeView) -> None:
+    def restore(self, session: Session, view: ScrollView) -> None:
         """Take up everything of the last start; what was never kept stays as it is."""
         for name, restore in self._restorers.items():
             state = self._settings.value(name)

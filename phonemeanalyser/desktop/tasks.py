@@ -5,17 +5,18 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from phonemeengine.progress import Cancelled, Heed
 from phonemeengine.errors import EngineError
-from phonemeanalyser.desktop.threads import begun
+from phonemeengine.progress import Cancelled, Progress
+
+from phonemeanalyser.desktop.threads import start_thread
 
 Result = TypeVar("Result")
 
 
-class _Piece:
+class Task:
     """A piece of work: what is done, and what becomes of the result."""
 
-    def __init__(self, act: Callable[[Heed], Any], then: Callable[[Any], object]) -> None:
+    def __init__(self, act: Callable[[Progress], Any], then: Callable[[Any], object]) -> None:
         self.share = 0.0
         self.cancelled = False
         self.then = then
@@ -35,7 +36,7 @@ class _Piece:
         return not self.cancelled
 
 
-class Backroom:
+class TaskQueue:
     """Does one piece of work after another in the background; `see` hands over what came of it.
 
     Parameters
@@ -45,7 +46,7 @@ class Backroom:
 
     def __init__(self, failed: Callable[[str], object]) -> None:
         self._failed = failed
-        self._pieces: deque[_Piece] = deque()
+        self._pieces: deque[Task] = deque()
 
     @property
     def busy(self) -> bool:
@@ -57,12 +58,12 @@ class Backroom:
         """How much of the work at hand is done, 0..1."""
         return self._pieces[0].share if self._pieces else 1.0
 
-    def do(self, act: Callable[[Heed], Result], then: Callable[[Result], object]) -> None:
+    def do(self, act: Callable[[Progress], Result], then: Callable[[Result], object]) -> None:
         """Do this when all else is done; `then` is given what came of it, when `see` is called."""
-        self._pieces.append(_Piece(act, then))
+        self._pieces.append(Task(act, then))
         self._go_on()
 
-    def instead(self, act: Callable[[Heed], Result], then: Callable[[Result], object]) -> None:
+    def instead(self, act: Callable[[Progress], Result], then: Callable[[Result], object]) -> None:
         """Do this, and end whatever else was to be done."""
         self.cancel()
         self.do(act, then)
@@ -92,7 +93,7 @@ class Backroom:
                 thread.join()
             self._go_on()
 
-    def _hand_over(self, piece: _Piece) -> None:
+    def _hand_over(self, piece: Task) -> None:
         if piece.cancelled or isinstance(piece.error, Cancelled):
             return
         if isinstance(piece.error, EngineError):
@@ -107,4 +108,4 @@ class Backroom:
             if self._pieces[0].cancelled:
                 self._pieces.popleft()
             else:
-                self._pieces[0].thread = begun(self._pieces[0].run)
+                self._pieces[0].thread = start_thread(self._pieces[0].run)

@@ -4,7 +4,7 @@ import threading
 from collections.abc import Callable
 
 
-def begun(act: Callable[[], object]) -> threading.Thread:
+def start_thread(act: Callable[[], object]) -> threading.Thread:
     """Begin something that may wait for a device or a disk; the program's end does not wait for it."""
     thread = threading.Thread(target=act, daemon=True)
     thread.start()

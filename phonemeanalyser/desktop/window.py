@@ -2,46 +2,46 @@
 
 from functools import partial
 
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QWidget
 
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeanalyser.desktop import commands
-from phonemeanalyser.desktop.calibrate.dialogs import CalibrationDialogs
-from phonemeanalyser.desktop.dialogs import Dialogs
-from phonemeanalyser.desktop.docks import Docks
-from phonemeanalyser.desktop.redraw import Drawing
-from phonemeanalyser.desktop.drops import open_dropped
-from phonemeanalyser.desktop.heads import Heads
-from phonemeanalyser.desktop.menus import Command, Menus
-from phonemeanalyser.desktop.calibrate.model import Calibration
-from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session, Source
-from phonemeanalyser.desktop.talk.model import Talking
-from phonemeanalyser.desktop.pages import PageMaker
-from phonemeanalyser.desktop.recent_menu import RecentMenu
-from phonemeanalyser.desktop.talk.dialogs import TalkingDialogs
-from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.about import show_about
-from phonemeanalyser.desktop.analyse.page import AnalysisPage
-from phonemeanalyser.desktop.widgets.banner import Banner
-from phonemeanalyser.desktop.widgets.bars import add_bar
-from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.analyse.filter_column import FilterColumn
-from phonemeanalyser.desktop.talk.head_view import HeadView
-from phonemeanalyser.desktop.session.empty_hint import invitation_of
-from phonemeanalyser.desktop.widgets.key_filters import KeysOfButtons
-from phonemeanalyser.desktop.widgets.pages import LatePage, PageStack, PageSwitch
+from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.phoneme_view import PhonemeView
 from phonemeanalyser.desktop.analyse.preset_box import PresetBox
 from phonemeanalyser.desktop.analyse.recogniser_choice import RecogniserChoice
-from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
-from phonemeanalyser.desktop.session.status_line import StatusLine
-from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.analyse.threshold_view import ThresholdView
 from phonemeanalyser.desktop.analyse.transport import Transport
+from phonemeanalyser.desktop.calibrate.dialogs import CalibrationDialogs
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.calibrate.page import CalibrationPage
+from phonemeanalyser.desktop.dialogs import Dialogs
+from phonemeanalyser.desktop.docks import Docks
+from phonemeanalyser.desktop.drops import open_dropped
+from phonemeanalyser.desktop.heads import Heads
+from phonemeanalyser.desktop.menus import Command, Menus
+from phonemeanalyser.desktop.pages import PageMaker
+from phonemeanalyser.desktop.recent_menu import RecentMenu
+from phonemeanalyser.desktop.redraw import RedrawLoop
+from phonemeanalyser.desktop.session.empty_hint import empty_hint
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.status_line import StatusLine
+from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
+from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
+from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.page import TalkPage
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.about import show_about
+from phonemeanalyser.desktop.widgets.banner import Banner
+from phonemeanalyser.desktop.widgets.bars import add_bar
+from phonemeanalyser.desktop.widgets.key_filters import ButtonKeys
+from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
 
 FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 280, 310, 230
 USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
@@ -63,15 +63,15 @@ class MainWindow(QMainWindow):
     theme_asked = Signal(str)
 
     def __init__(
-        self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings, calibration: Calibration,
-        talking: Talking,
+        self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings, calibration: CalibrationModel,
+        talking: TalkModel,
     ) -> None:  # fmt: skip
         super().__init__()
         self.theme = theme
         self.dialogs = Dialogs(self, session, preset, settings)
         self.calibration_dialogs = CalibrationDialogs(self, calibration, settings)
         self.menus = Menus(self)
-        self.talking_dialogs = TalkingDialogs(self, talking, settings)
+        self.talking_dialogs = TalkDialogs(self, talking, settings)
         self._docks = Docks(self)
         self._calibration = calibration
         self._talking = talking
@@ -107,12 +107,12 @@ class MainWindow(QMainWindow):
         make = PageMaker(self, theme, self.dialogs, self.calibration_dialogs, self.talking_dialogs)
         self.pages = PageStack()
         self.pages.addWidget(self.analysis)
-        self._late_calibration = LatePage(
+        self._late_calibration = LazyPage(
             self.pages, partial(make.calibration_page, self._calibration, self._talking)
         )
-        self._late_talk = LatePage(self.pages, partial(make.talk_page, self._talking))
+        self._late_talk = LazyPage(self.pages, partial(make.talk_page, self._talking))
         self._heads = Heads(self._talking, self._late_talk, self._late_calibration, self.head)
-        self.drawing = Drawing(
+        self.drawing = RedrawLoop(
             self, session, self._calibration, self.pages, self.analysis, self._late_calibration, self._heads,
             self.phoneme, self.thresholds, self.transport, self.status,
         )  # fmt: skip
@@ -212,7 +212,7 @@ class MainWindow(QMainWindow):
         session.transport_changed.connect(self._show_state)
         preset.changed.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
-        self.installEventFilter(KeysOfButtons(self))
+        self.installEventFilter(ButtonKeys(self))
         self.show_page(ANALYSE)
         self._show_names()
         self._show_state()
@@ -260,13 +260,13 @@ class MainWindow(QMainWindow):
 
     def _measure_latency(self) -> None:
         """Play clicks, with the microphone and the loudspeaker free for that."""
-        self._session.set_source(Source.MICROPHONE)
+        self._session.set_source(SoundSource.MICROPHONE)
         self.banner.tell("Listening for clicks from the loudspeaker, for three seconds …")
         self._session.microphone.measure()
 
     def _show_names(self) -> None:
         session, preset = self._session, self._preset
-        self.analysis.time_view.invite(invitation_of(session))
+        self.analysis.time_view.invite(empty_hint(session))
         self.setWindowTitle(f"{session.name} - {preset.preset.name}[*] - PhonemeAnalyser")
         self.setWindowModified(preset.has_unsaved_changes)
         self.drawing.refresh_status()

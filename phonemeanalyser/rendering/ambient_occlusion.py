@@ -4,10 +4,10 @@ import math
 
 import moderngl
 import numpy as np
-from numpy.typing import NDArray
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
+from phonemeengine.mouth.mesh import Mesh
 
-from phonemeengine.mouth.mesh import Mesh, Vectors
-from phonemeanalyser.rendering.light import Room
+from phonemeanalyser.rendering.light import BoundingSphere
 from phonemeanalyser.rendering.shader_programs import set_uniforms
 
 N_DIRECTIONS = 40
@@ -16,10 +16,8 @@ SIZE = 192
 THICKNESS = 0.012
 """What lies no deeper than this, as a share of the depth of all, is seen."""
 
-Shares = NDArray[np.float32]
 
-
-def openness_of(context: moderngl.Context, array: moderngl.VertexArray, mesh: Mesh) -> Shares:
+def ambient_occlusion(context: moderngl.Context, array: moderngl.VertexArray, mesh: Mesh) -> Float32Array:
     """Look at a mesh from all around, and say how much of what each vertex faces it can see.
 
     Parameters
@@ -31,7 +29,7 @@ def openness_of(context: moderngl.Context, array: moderngl.VertexArray, mesh: Me
     float32, shape (n_vertices,), 0..1.
     """
     depths = context.depth_texture((SIZE, SIZE))
-    dark_room, room = context.framebuffer(depth_attachment=depths), Room.around(mesh)
+    dark_room, room = context.framebuffer(depth_attachment=depths), BoundingSphere.around(mesh)
     seen, faced = np.zeros(len(mesh)), np.full(len(mesh), 1e-6)
     dark_room.use()
     for towards in _directions():
@@ -48,7 +46,7 @@ def openness_of(context: moderngl.Context, array: moderngl.VertexArray, mesh: Me
     return np.asarray(seen / faced, np.float32)
 
 
-def _directions() -> NDArray[np.float64]:
+def _directions() -> Float64Array:
     """Give directions that are spread evenly (a Fibonacci lattice), shape (N_DIRECTIONS, 3)."""
     place = np.arange(N_DIRECTIONS) + 0.5
     height = 1 - 2 * place / N_DIRECTIONS
@@ -57,7 +55,7 @@ def _directions() -> NDArray[np.float64]:
     return np.column_stack((flat * np.cos(turn), height, flat * np.sin(turn)))
 
 
-def _in_front(picture: NDArray[np.float32], positions: Vectors, view: NDArray[np.float32]) -> NDArray[np.bool_]:
+def _in_front(picture: Float32Array, positions: Float32Array, view: Float32Array) -> BoolArray:
     """Tell which points nothing hides in a picture of depths."""
     x, y, depth = (positions @ view[:3, :3].T + view[:3, 3]).T * 0.5 + 0.5
     column, row = (np.clip(at * SIZE, 0, SIZE - 1).astype(np.intp) for at in (x, y))

@@ -2,15 +2,16 @@
 
 from collections.abc import Iterator
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.animation import Animation
-from phonemeengine.mouth.morph_mesh import Figure
 from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.mesh import Vectors
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate_set import MovestateSet
+
 from phonemeanalyser.rendering.errors import RenderingError
 
 
-class Actor:
+class AnimationPlayer:
     """Moves a figure as an animation says; movestates that the figure lacks are left out.
 
     Raises
@@ -18,7 +19,7 @@ class Actor:
     RenderingError : the figure has none of the animation's movestates.
     """
 
-    def __init__(self, figure: Figure, animation: Animation) -> None:
+    def __init__(self, figure: MorphMesh, animation: Animation) -> None:
         self._animation = animation
         self._face = MovestateSet(figure.mesh, figure.states)
         self._columns = [k for k, name in enumerate(animation.movestates) if name in self._face]
@@ -31,7 +32,7 @@ class Actor:
     def __len__(self) -> int:
         return len(self._animation.weights)
 
-    def scenes(self) -> Iterator[tuple[Vectors, HeadPose]]:
+    def scenes(self) -> Iterator[tuple[Float32Array, HeadPose]]:
         """Give the vertices and the pose of each frame; the vertices hold until the next one."""
         names = [self._animation.movestates[k] for k in self._columns]
         percentages = self._animation.weights[:, self._columns] * 100.0

@@ -4,8 +4,7 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.mouth.mesh import Mesh
 
 FIELD_OF_VIEW = math.radians(24)
@@ -19,7 +18,6 @@ MOST_PAN = 0.75
 """How far the centre may be moved, as a share of the radius of what is looked at."""
 MARGIN = 1.06
 
-Matrix = NDArray[np.float32]
 Point = tuple[float, float, float]
 
 
@@ -81,11 +79,11 @@ class Camera:
         return replace(self, distance=min(max(distance, NEAREST * self.whole), FARTHEST * self.whole))
 
     @property
-    def eye(self) -> NDArray[np.float64]:
+    def eye(self) -> Float64Array:
         """Where the camera is, shape (3,)."""
         return np.array(self.centre) + self.distance * self.axes[2]
 
-    def matrix(self, aspect: float) -> Matrix:
+    def matrix(self, aspect: float) -> Float32Array:
         """Give what takes points to a picture that is `aspect` times as wide as high.
 
         Returns
@@ -106,7 +104,7 @@ class Camera:
         return self.distance + 3 * self.radius
 
     @property
-    def axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    def axes(self) -> tuple[Float64Array, Float64Array, Float64Array]:
         """Give the directions to the right, upwards, and towards the viewer."""
         s, c, u, v = (f(a) for a in (self.azimuth, self.elevation) for f in (math.sin, math.cos))
         back = np.array([s * v, u, c * v])
@@ -114,7 +112,7 @@ class Camera:
         return right, np.cross(back, right), back
 
 
-def _perspective(aspect: float, near: float, far: float) -> NDArray[np.float64]:
+def _perspective(aspect: float, near: float, far: float) -> Float64Array:
     scale = 1 / math.tan(FIELD_OF_VIEW / 2)
     tall = min(aspect, 1.0)
     return np.array([

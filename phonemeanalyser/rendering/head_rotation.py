@@ -4,14 +4,15 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.mesh import Mesh
-from phonemeanalyser.rendering.camera import Matrix, Point
+
+from phonemeanalyser.rendering.camera import Point
 
 
 @dataclass(frozen=True)
-class Neck:
+class NeckPivot:
     """Where a head turns: about the origin where that lies inside the mesh, else about the middle of its lower edge.
 
     Attributes
@@ -24,7 +25,7 @@ class Neck:
     stem: tuple[float, float]
 
     @classmethod
-    def of(cls, mesh: Mesh) -> "Neck":
+    def of(cls, mesh: Mesh) -> "NeckPivot":
         """Find the neck of a mesh."""
         low, high = mesh.positions.min(axis=0).astype(float), mesh.positions.max(axis=0).astype(float)
         if np.all((low < 0) & (high > 0)):
@@ -34,7 +35,7 @@ class Neck:
         return cls((x, bottom, z), (bottom - 2.0, bottom - 1.0))
 
 
-def turn_of(pose: HeadPose) -> Matrix:
+def rotation_of(pose: HeadPose) -> Float32Array:
     """Give what turns a head as a pose says, float32, shape (3, 3): it nods, then turns; rolls first of all."""
     (s, c), (u, v), (p, q) = (
         (math.sin(math.radians(angle)), math.cos(math.radians(angle))) for angle in (pose.yaw, pose.pitch, pose.roll)

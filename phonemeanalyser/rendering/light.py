@@ -4,10 +4,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.mouth.mesh import Mesh
-from phonemeanalyser.rendering.camera import Camera, Matrix, Point
+
+from phonemeanalyser.rendering.camera import Camera, Point
 
 MORE = 1.12
 """The key light sees so much more than the mesh at rest."""
@@ -31,7 +31,7 @@ class Light:
 LIGHT = Light()
 
 
-def direction_of(camera: Camera, azimuth: float, elevation: float) -> NDArray[np.float64]:
+def direction_of(camera: Camera, azimuth: float, elevation: float) -> Float64Array:
     """Give the direction towards a light that the viewer sees there, shape (3,), of length 1."""
     flat = math.cos(elevation)
     seen = (math.sin(azimuth) * flat, math.sin(elevation), math.cos(azimuth) * flat)
@@ -39,20 +39,20 @@ def direction_of(camera: Camera, azimuth: float, elevation: float) -> NDArray[np
 
 
 @dataclass(frozen=True)
-class Room:
+class BoundingSphere:
     """What the key light shines on: a ball around a mesh, and room for jaws that open and heads that turn."""
 
     centre: Point
     radius: float
 
     @classmethod
-    def around(cls, mesh: Mesh) -> "Room":
+    def around(cls, mesh: Mesh) -> "BoundingSphere":
         """Give the room that a mesh needs."""
         low, high = mesh.positions.min(axis=0).astype(float), mesh.positions.max(axis=0).astype(float)
         x, y, z = ((low + high) / 2).tolist()
         return cls((x, y, z), MORE * max(float(np.linalg.norm(high - low)) / 2, 1e-6))
 
-    def seen_from(self, towards: NDArray[np.float64]) -> Matrix:
+    def seen_from(self, towards: Float64Array) -> Float32Array:
         """Give what takes points to the picture that a light far away in a direction sees, shape (4, 4)."""
         right = np.cross((0.0, 1.0, 0.0), towards)
         right = right / np.linalg.norm(right) if np.any(right) else np.array((1.0, 0.0, 0.0))

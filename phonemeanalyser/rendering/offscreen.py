@@ -5,11 +5,10 @@ from types import TracebackType
 
 import moderngl
 import numpy as np
-from numpy.typing import NDArray
-
-from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.mesh import Vectors
+from phonemeengine.mouth.morph_mesh import MorphMesh
+
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
@@ -18,11 +17,8 @@ from phonemeanalyser.rendering.renderer import STILL, Colour, HeadRenderer
 
 USUAL_SIZE = (640, 640)
 
-Picture = NDArray[np.uint8]
-"""Shape (height, width, 3): red, green, blue (sRGB), the first row at the top."""
 
-
-class Photographer:
+class OffscreenRenderer:
     """Takes pictures of a figure; give the graphics back with `release`, or use it in a ``with``.
 
     Parameters
@@ -35,7 +31,7 @@ class Photographer:
     RenderingError : there is no OpenGL 3.3 on this machine, or no room for pictures of this size.
     """
 
-    def __init__(self, figure: Figure, size: tuple[int, int] = USUAL_SIZE) -> None:
+    def __init__(self, figure: MorphMesh, size: tuple[int, int] = USUAL_SIZE) -> None:
         self._context = offscreen_context()
         with ExitStack() as unless_ready:
             unless_ready.callback(self._context.release)
@@ -44,7 +40,7 @@ class Photographer:
                 self._renderer = HeadRenderer(self._context, figure)
             unless_ready.pop_all()
 
-    def __enter__(self) -> "Photographer":
+    def __enter__(self) -> "OffscreenRenderer":
         return self
 
     def __exit__(
@@ -67,14 +63,14 @@ class Photographer:
     def picture(
         self,
         camera: Camera,
-        positions: Vectors,
+        positions: Float32Array,
         pose: HeadPose = STILL,
         *,
         background: Colour,
         wireframe: bool = False,
         light: Light = LIGHT,
         fine: bool = True,
-    ) -> Picture:
+    ) -> UInt8Array:
         """Take a picture; the arguments are those of `HeadRenderer.draw`."""
         width, height = self._sheet.size
         with self._context:
@@ -83,7 +79,7 @@ class Photographer:
                 wireframe=wireframe, light=light, fine=fine, target=self._sheet,
             )  # fmt: skip
             rows = np.frombuffer(self._sheet.read(components=3, alignment=1), np.uint8)
-        picture: Picture = rows.reshape(height, width, 3)[::-1]
+        picture: UInt8Array = rows.reshape(height, width, 3)[::-1]
         return picture
 
     def release(self) -> None:

@@ -4,19 +4,19 @@ from dataclasses import dataclass
 
 import moderngl
 import numpy as np
-
-from phonemeengine.mouth.morph_mesh import Figure
+from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.mesh import Vectors
+from phonemeengine.mouth.morph_mesh import MorphMesh
+
+from phonemeanalyser.rendering.ambient_occlusion import ambient_occlusion
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.canvas import Canvas
 from phonemeanalyser.rendering.errors import RenderingError
-from phonemeanalyser.rendering.light import LIGHT, Light, Room, direction_of
-from phonemeanalyser.rendering.ambient_occlusion import openness_of
+from phonemeanalyser.rendering.head_rotation import NeckPivot, rotation_of
+from phonemeanalyser.rendering.light import LIGHT, BoundingSphere, Light, direction_of
 from phonemeanalyser.rendering.shader_programs import fields_of, program_of, set_uniforms
 from phonemeanalyser.rendering.shadow import Shadow, taps_of
-from phonemeanalyser.rendering.surface import Surface, wetness_of
-from phonemeanalyser.rendering.head_rotation import Neck, turn_of
+from phonemeanalyser.rendering.surface import Surface, specular_mask
 
 PROGRAMS = {
     "wire": ("head", "wire"),
@@ -39,7 +39,7 @@ Colour = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
-class Finish:
+class RenderQuality:
     """How much trouble is taken over a picture.
 
     Attributes
@@ -58,7 +58,7 @@ class Finish:
     penumbra: float
 
 
-QUICK, FINE = Finish("quick", 0, 384, 2, 0.0025), Finish("fine", 4, 1024, 8, 0.0055)
+QUICK, FINE = RenderQuality("quick", 0, 384, 2, 0.0025), RenderQuality("fine", 4, 1024, 8, 0.0055)
 
 
 def colour_of(text: str) -> Colour:
@@ -80,14 +80,14 @@ class HeadRenderer:
     RenderingError : the mesh has no triangles, or the graphics driver refuses the shaders.
     """
 
-    def __init__(self, context: moderngl.Context, figure: Figure) -> None:
+    def __init__(self, context: moderngl.Context, figure: MorphMesh) -> None:
         self._context, self._mesh = context, figure.mesh
         if not len(figure.mesh.triangles):
             raise RenderingError("the mesh has no triangles, so there is nothing to be seen; choose another one")
-        self._room = Room.around(figure.mesh)
-        self._surface, self._neck = Surface(figure.mesh), Neck.of(figure.mesh)
+        self._room = BoundingSphere.around(figure.mesh)
+        self._surface, self._neck = Surface(figure.mesh), NeckPivot.of(figure.mesh)
         self._canvases = {finish: Canvas(context, finish.samples) for finish in (QUICK, FINE)}
-        self._shadows: dict[Finish, Shadow] = {}
+        self._shadows: dict[RenderQuality, Shadow] = {}
         self._moving = context.buffer(reserve=len(figure.mesh) * 24, dynamic=True)
         self._looks = context.buffer(reserve=len(figure.mesh) * 20)
         self._corners = context.buffer(figure.mesh.triangles.astype("u4").tobytes())
@@ -100,7 +100,7 @@ class HeadRenderer:
     def draw(
         self,
         camera: Camera,
-        positions: Vectors,
+        positions: Float32Array,
         pose: HeadPose = STILL,
         *,
         size: tuple[int, int],
@@ -167,22 +167,22 @@ class HeadRenderer:
         set_uniforms(
             self._programs["shadow"], {"turn": np.eye(3), "pivot": self._neck.pivot, "stem": self._neck.stem}
         )
-        openness = openness_of(self._context, self._arrays["shadow"], mesh)
-        looks = np.column_stack((np.square(mesh.colours), wetness_of(mesh), openness))
+        openness = ambient_occlusion(self._context, self._arrays["shadow"], mesh)
+        looks = np.column_stack((np.square(mesh.colours), specular_mask(mesh), openness))
         self._looks.write(looks.astype("f4").tobytes())
 
-    def _move(self, positions: Vectors) -> None:
+    def _move(self, positions: Float32Array) -> None:
         moved = np.empty((len(positions), 6), np.float32)
         moved[:, :3], moved[:, 3:] = positions, self._surface.normals(positions)
         self._moving.write(moved)
 
-    def _cast_shadow(self, finish: Finish) -> None:
+    def _cast_shadow(self, finish: RenderQuality) -> None:
         if finish not in self._shadows:
             self._shadows[finish] = Shadow(self._context, finish.shadow)
         self._shadows[finish].cast(self._arrays["shadow"])
         self._shadows[finish].use()
 
-    def _draw_skin(self, finish: Finish) -> None:
+    def _draw_skin(self, finish: RenderQuality) -> None:
         self._arrays[finish.name].render()
         self._context.cull_face = "front"
         self._arrays["plain"].render()
@@ -207,11 +207,17 @@ class HeadRenderer:
         return self._context.vertex_array(program, used, self._corners, index_element_size=4)
 
     def _set_uniforms(
-        self, camera: Camera, pose: HeadPose, size: tuple[int, int], light: Light, background: Colour, finish: Finish
+        self,
+        camera: Camera,
+        pose: HeadPose,
+        size: tuple[int, int],
+        light: Light,
+        background: Colour,
+        finish: RenderQuality,
     ) -> None:
         key = direction_of(camera, light.azimuth, light.elevation)
         key_view, view = self._room.seen_from(key), camera.matrix(size[0] / size[1])
-        turning = {"turn": turn_of(pose).T, "pivot": self._neck.pivot, "stem": self._neck.stem}
+        turning = {"turn": rotation_of(pose).T, "pivot": self._neck.pivot, "stem": self._neck.stem}
         lights = {
             "key": key, "key_view": key_view.T, "fill": direction_of(camera, *FILL), "strength": light.strength,
             "rims": [direction_of(camera, *rim) for rim in RIMS], "eye": camera.eye,

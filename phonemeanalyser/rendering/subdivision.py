@@ -7,13 +7,13 @@ edge, or an end, that stays a smooth curve by itself; colours are kept apart whe
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from phonemeengine.arrays import BoolArray, Float32Array, IndexArray
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
+from phonemeengine.mouth.movestate import Movestate, movestate_of
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
 
-from phonemeengine.mouth.morph_mesh import Figure
-from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.movestate import Movestate, movestate_of
 from phonemeanalyser.rendering.surface import places_of, points_of
 
 MOST_TRIANGLES = 40_000
@@ -21,10 +21,8 @@ MOST_TRIANGLES = 40_000
 SMALLEST = 100
 """A part with fewer vertices keeps its form, which it would lose: a row of teeth."""
 
-Places = NDArray[np.intp]
 
-
-def smoothed(figure: Figure) -> Figure:
+def subdivided(figure: MorphMesh) -> MorphMesh:
     """Give a figure with four times the triangles; a mesh that is fine already stays as it is."""
     mesh = figure.mesh
     if not 0 < len(mesh.triangles) <= MOST_TRIANGLES:
@@ -40,10 +38,10 @@ def smoothed(figure: Figure) -> Figure:
         form @ mesh.positions[first], apart.triangles, name=mesh.name, normals=form @ mesh.normals[first],
         colours=apart.weights @ mesh.colours, materials=mesh.materials, material_of=np.repeat(mesh.material_of, 4),
     )  # fmt: skip
-    return Figure(finer, tuple(_moved(state, form, first, len(mesh)) for state in figure.states))
+    return MorphMesh(finer, tuple(_moved(state, form, first, len(mesh)) for state in figure.states))
 
 
-def _moved(state: Movestate, form: csr_array, first: Places, n: int) -> Movestate:
+def _moved(state: Movestate, form: csr_array, first: IndexArray, n: int) -> Movestate:
     offsets = np.zeros((n, 3), np.float32)
     offsets[state.numbers] = state.offsets
     return movestate_of(state.name, form @ offsets[first], interactable=state.interactable)
@@ -57,11 +55,11 @@ class _Refinement:
     """
 
     weights: csr_array
-    triangles: Places
-    edge_of: Places
+    triangles: IndexArray
+    edge_of: IndexArray
 
 
-def _refinement_of(corners: Places, places: Places) -> _Refinement:
+def _refinement_of(corners: IndexArray, places: IndexArray) -> _Refinement:
     n = len(places)
     sides = np.stack((corners, np.roll(corners, -1, axis=1)), axis=2).reshape(-1, 2)
     edges, edge_of = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True)
@@ -76,7 +74,7 @@ def _refinement_of(corners: Places, places: Places) -> _Refinement:
     return _Refinement(weights, new.reshape(-1, 3), edge_of)
 
 
-def _small_parts(edges: Places, places: Places) -> NDArray[np.bool_]:
+def _small_parts(edges: IndexArray, places: IndexArray) -> BoolArray:
     """Tell which vertices belong to small parts."""
     n = int(places.max()) + 1
     joined = coo_array((np.ones(len(edges), np.int8), places[edges].T), shape=(n, n))
@@ -84,11 +82,11 @@ def _small_parts(edges: Places, places: Places) -> NDArray[np.bool_]:
     return np.asarray((np.bincount(part)[part] < SMALLEST)[places])
 
 
-Entries = tuple[NDArray[np.float32], Places, Places]
+Entries = tuple[Float32Array, IndexArray, IndexArray]
 """Weights, and the new and the old vertices that they are for."""
 
 
-def _kept(edges: Places, inner: NDArray[np.bool_], stiff: NDArray[np.bool_]) -> Entries:
+def _kept(edges: IndexArray, inner: BoolArray, stiff: BoolArray) -> Entries:
     """Move old vertices towards their neighbours; those on an open edge towards the two along it."""
     n, ends, others = len(stiff), edges.ravel(), edges[:, ::-1].ravel()
     open_end = ~np.repeat(inner, 2)
@@ -107,7 +105,7 @@ def _kept(edges: Places, inner: NDArray[np.bool_], stiff: NDArray[np.bool_]) -> 
     )
 
 
-def _halved(edges: Places, edge_of: Places, opposite: Places, inner: NDArray[np.bool_], n: int) -> Entries:
+def _halved(edges: IndexArray, edge_of: IndexArray, opposite: IndexArray, inner: BoolArray, n: int) -> Entries:
     """Put a vertex on each edge, drawn towards the corners opposite to it."""
     used = inner[edge_of]
     values = np.concatenate((np.repeat(np.where(inner, 3 / 8, 1 / 2), 2), np.full(int(used.sum()), 1 / 8)))

@@ -1,11 +1,10 @@
 """The surface of a mesh: which way it faces while it moves, and where it is wet."""
 
 import numpy as np
-from numpy.typing import NDArray
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArray
+from phonemeengine.mouth.mesh import Mesh
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
-
-from phonemeengine.mouth.mesh import Mesh, Vectors
 
 ROUND = 0.03
 """A part is a ball, an eye, where the distances from its centre vary by less than this share of them."""
@@ -22,9 +21,6 @@ LIPS, TEETH, EYES = 0.55, 0.75, 1.0
 ALIKE = 0.5
 """The cosine of the angle between normals of vertices at one place from which on it is an edge."""
 
-Shares = NDArray[np.float32]
-Places = NDArray[np.intp]
-
 
 class Surface:
     """Computes normals anew for every frame: vertices that an exporter split at one place share theirs."""
@@ -38,7 +34,7 @@ class Surface:
         ones = np.ones(len(corners), np.float32)
         self._sum = csr_array(coo_array((ones, (corners, faces)), shape=(n_points, n_triangles)))
 
-    def normals(self, positions: Vectors) -> Vectors:
+    def normals(self, positions: Float32Array) -> Float32Array:
         """Give the normals of a moved mesh, float32, shape (n_vertices, 3), of length 1."""
         a, b, c = (positions.take(corner, axis=0) for corner in self._triangles)
         b -= a
@@ -51,11 +47,11 @@ class Surface:
         lengths = np.sqrt(np.einsum("ij,ij->i", summed, summed))
         summed[:, 2] += lengths == 0
         summed /= np.where(lengths > 0, lengths, 1)[:, np.newaxis]
-        normals: Vectors = summed.take(self._point_of, axis=0)
+        normals: Float32Array = summed.take(self._point_of, axis=0)
         return normals
 
 
-def wetness_of(mesh: Mesh) -> Shares:
+def specular_mask(mesh: Mesh) -> Float32Array:
     """Say where a mesh is wet: eyes by their form, lips, tongue and teeth by their colour.
 
     Returns
@@ -72,13 +68,13 @@ def wetness_of(mesh: Mesh) -> Shares:
     return wet.astype(np.float32)
 
 
-def places_of(mesh: Mesh) -> Places:
+def places_of(mesh: Mesh) -> IndexArray:
     """Number the places where vertices are, and give the number for each vertex."""
     _, numbers = np.unique(mesh.positions, axis=0, return_inverse=True)
     return np.asarray(numbers, np.intp).reshape(-1)
 
 
-def points_of(mesh: Mesh) -> Places:
+def points_of(mesh: Mesh) -> IndexArray:
     """Number the vertices so that those at one place which face nearly alike have one number."""
     places = places_of(mesh)
     point_of = np.arange(len(mesh))
@@ -94,7 +90,7 @@ def points_of(mesh: Mesh) -> Places:
     return np.asarray(np.unique(point_of, return_inverse=True)[1], np.intp).reshape(-1)
 
 
-def _eyes_of(mesh: Mesh) -> NDArray[np.bool_]:
+def _eyes_of(mesh: Mesh) -> BoolArray:
     """Tell which vertices belong to balls, each a part of its own."""
     places = places_of(mesh)
     a, b, c = places[mesh.triangles.astype(np.intp)].T
@@ -109,7 +105,7 @@ def _eyes_of(mesh: Mesh) -> NDArray[np.bool_]:
     return found
 
 
-def _is_ball(points: NDArray[np.float64]) -> bool:
+def _is_ball(points: Float64Array) -> bool:
     """Tell whether points lie on a ball that is about as large as they reach, by least squares."""
     points = points - points.mean(axis=0)
     squares = np.square(points).sum(axis=1)

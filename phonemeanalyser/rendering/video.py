@@ -9,11 +9,10 @@ from types import ModuleType
 from typing import Any, BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
+from phonemeengine.arrays import Float32Array, UInt8Array
 from PIL import Image
 
 from phonemeanalyser.rendering.errors import RenderingError
-from phonemeanalyser.rendering.offscreen import Picture
 
 QUALITY = "18"
 """The constant rate factor of H.264: smaller is better, 18 looks like the original."""
@@ -25,11 +24,11 @@ ROUNDS = 2
 LONGEST_GIF = 1800
 """Frames of a .gif, which is held in memory."""
 
-Blocks = Iterable[NDArray[np.float32]]
+Blocks = Iterable[Float32Array]
 
 
 @dataclass(frozen=True)
-class Sound:
+class SoundTrack:
     """What is heard along with a film.
 
     Attributes
@@ -67,7 +66,9 @@ def why_no_gif(n_frames: int, rate: float) -> str:
     return ""
 
 
-def write_film(file: BinaryIO, pictures: Iterable[Picture], size: tuple[int, int], rate: float, sound: Sound) -> None:
+def write_film(
+    file: BinaryIO, pictures: Iterable[UInt8Array], size: tuple[int, int], rate: float, sound: SoundTrack
+) -> None:
     """Write H.264 and AAC as .mp4.
 
     Raises
@@ -86,7 +87,7 @@ def write_film(file: BinaryIO, pictures: Iterable[Picture], size: tuple[int, int
         raise RenderingError(f"the film cannot be encoded ({error.strerror}); write a folder of pictures") from error
 
 
-def write_gif(file: BinaryIO, pictures: Iterable[Picture], n_frames: int, rate: float) -> None:
+def write_gif(file: BinaryIO, pictures: Iterable[UInt8Array], n_frames: int, rate: float) -> None:
     """Write a .gif that goes on and on; it has no sound."""
     images = (Image.fromarray(picture).quantize(kmeans=ROUNDS, dither=Image.Dither.NONE) for picture in pictures)
     ends = np.round(np.arange(n_frames + 1) / rate * 100).astype(int)
@@ -95,7 +96,7 @@ def write_gif(file: BinaryIO, pictures: Iterable[Picture], n_frames: int, rate: 
     first.save(file, "GIF", save_all=True, append_images=images, duration=durations, loop=0)
 
 
-def write_pictures(folder: Path, pictures: Iterable[Picture]) -> None:
+def write_pictures(folder: Path, pictures: Iterable[UInt8Array]) -> None:
     """Write ``000000.png`` and so on into a folder, which is made if need be.
 
     Raises
@@ -125,7 +126,9 @@ def _picture_stream(film: Any, size: tuple[int, int], rate: float) -> Any:
     return stream
 
 
-def _packets(av: ModuleType, seen: Any, heard: Any, pictures: Iterable[Picture], sound: Sound) -> Iterator[Any]:
+def _packets(
+    av: ModuleType, seen: Any, heard: Any, pictures: Iterable[UInt8Array], sound: SoundTrack
+) -> Iterator[Any]:
     """Encode pictures and sound, always what comes next."""
     blocks = _frames_of_sound(av, sound)
     rate = float(seen.codec_context.framerate)
@@ -141,7 +144,7 @@ def _packets(av: ModuleType, seen: Any, heard: Any, pictures: Iterable[Picture],
     yield from heard.encode()
 
 
-def _frames_of_sound(av: ModuleType, sound: Sound) -> Iterator[Any]:
+def _frames_of_sound(av: ModuleType, sound: SoundTrack) -> Iterator[Any]:
     start = 0
     for block in sound.blocks:
         layout = ("mono", "stereo")[sound.n_channels - 1]

@@ -4,12 +4,12 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
-
-from phonemeengine.calibration.scores.comparison import Comparison
+from phonemeengine.arrays import Float64Array, Int64Array
+from phonemeengine.calibration.scores.comparison import PresetComparison
 from phonemeengine.calibration.scores.evaluation import GroupScores
-from phonemeengine.calibration.scores.scoring import TEN, Counts
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
+
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.markup import element, text
 from phonemeanalyser.reports.report import CLASSES, signed, written
@@ -34,13 +34,13 @@ def short(phoneme: Phoneme) -> str:
 def f1_bars(groups: Sequence[GroupScores]) -> str:
     """Draw the F1 of the ten classes, a bar for each preset."""
     step = BAR * len(groups) + GAP
-    height, width = step * len(TEN) + 20, NAMES + LENGTH + 40
+    height, width = step * len(SCORED_PHONEMES) + 20, NAMES + LENGTH + 40
     grid = [
         element("line", x1=_at(share), x2=_at(share), y1=0, y2=height - 18, class_="grid")
         + element("text", f"{share:g}", x=_at(share), y=height - 4, class_="mid soft")
         for share in (0, 0.25, 0.5, 0.75, 1)
     ]
-    rows = [_bars_of(phoneme, groups, step * k + GAP / 2) for k, phoneme in enumerate(TEN)]
+    rows = [_bars_of(phoneme, groups, step * k + GAP / 2) for k, phoneme in enumerate(SCORED_PHONEMES)]
     return element("svg", *grid, *rows, viewBox=f"0 0 {width} {height}", role="img", aria_label="F1 by phoneme")
 
 
@@ -63,7 +63,7 @@ def _at(share: float) -> float:
     return NAMES + share * LENGTH
 
 
-def heat_map(confusion: Counts, title: str, colour: str) -> str:
+def heat_map(confusion: Int64Array, title: str, colour: str) -> str:
     """Draw what became of each label, in percent of its frames; `colour` is the class of a fill."""
     shares = _shares_of(confusion)
     return _map(
@@ -75,7 +75,7 @@ def heat_map(confusion: Counts, title: str, colour: str) -> str:
     )
 
 
-def difference_map(comparison: Comparison) -> str:
+def difference_map(comparison: PresetComparison) -> str:
     """Draw by how many percent of each label's frames the first preset gives an answer more often than the second."""
     one, other = (_shares_of(scores.overall.confusion) for scores in (comparison.one, comparison.other))
     difference = one - other
@@ -91,13 +91,13 @@ def difference_map(comparison: Comparison) -> str:
     )
 
 
-def _shares_of(confusion: Counts) -> NDArray[np.float64]:
+def _shares_of(confusion: Int64Array) -> Float64Array:
     ordered = confusion[np.ix_(CLASSES, CLASSES)].astype(float)
     return np.asarray(ordered / np.maximum(1, ordered.sum(axis=1, keepdims=True)))
 
 
 def _map(
-    values: NDArray[np.float64],
+    values: Float64Array,
     number: Callable[[int, int], str],
     paint: Callable[[int, int], tuple[str, float]],
     note: Callable[[int, int], str],

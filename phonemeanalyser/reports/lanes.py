@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
-
-from phonemeengine.calibration.scores.evaluation import Answers
+from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
+from phonemeengine.calibration.scores.evaluation import Predictions
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
+
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.charts import short
 from phonemeanalyser.reports.markup import element, text
@@ -29,7 +29,7 @@ PALE = {Phoneme.SILENCE: 0.14, Phoneme.UNIDENTIFIED: 0.85}
 """Opacities of what is not one of the nine sounds."""
 
 
-def time_lines(heard: Sequence[Answers], names: Sequence[str]) -> str:
+def time_lines(heard: Sequence[Predictions], names: Sequence[str]) -> str:
     """Draw one recording as each preset heard it, in rows of six seconds; what is wrong is marked in red."""
     n_frames = len(heard[0].phonemes)
     per_row = round(ROW_SECONDS / FRAME_PERIOD)
@@ -42,7 +42,7 @@ def drawn_seconds() -> float:
     return MOST_ROWS * ROW_SECONDS
 
 
-def _row(heard: Sequence[Answers], names: Sequence[str], first: int, last: int) -> str:
+def _row(heard: Sequence[Predictions], names: Sequence[str], first: int, last: int) -> str:
     frames = slice(first, last)
     labels = heard[0].labels.phonemes[frames]
     parts, y = [_name("labels", 0, LANE, "soft"), *_lane(labels, first, 0)], LANE + 4
@@ -63,7 +63,7 @@ def _name(name: str, y: float, height: float, colour: str) -> str:
     return element("text", text(name), x=NAMES - 8, y=y + height / 2 + 4, class_=f"end {colour}")
 
 
-def _lane(codes: NDArray[np.uint8], first: int, y: float) -> list[str]:
+def _lane(codes: UInt8Array, first: int, y: float) -> list[str]:
     parts = []
     for start, end, code in _runs(codes):
         phoneme, x, width = Phoneme(code), _x(start), (end - start) * FRAME_PERIOD * SCALE
@@ -78,7 +78,7 @@ def _lane(codes: NDArray[np.uint8], first: int, y: float) -> list[str]:
     return parts
 
 
-def _wrong(wrong: NDArray[np.bool_], y: float) -> list[str]:
+def _wrong(wrong: BoolArray, y: float) -> list[str]:
     return [
         element(
             "rect", x=_x(start), y=y, width=(end - start) * FRAME_PERIOD * SCALE, height=STRIP - 1, class_="wrong"
@@ -88,7 +88,7 @@ def _wrong(wrong: NDArray[np.bool_], y: float) -> list[str]:
     ]
 
 
-def _loudness(intensities: NDArray[np.float32], y: float) -> str:
+def _loudness(intensities: Float32Array, y: float) -> str:
     points = [f"{_x(k + 0.5):.1f} {y + LOUD * (1 - float(value)):.1f}" for k, value in enumerate(intensities)]
     ends = f"{_x(len(points)):.1f} {y + LOUD:.1f}"
     return element("path", d=f"M{_x(0):.1f} {y + LOUD:.1f}L{'L'.join(points)}L{ends}Z", class_="loud")
@@ -105,7 +105,7 @@ def _ticks(first: int, last: int, y: float) -> list[str]:
     return ticks
 
 
-def _runs(codes: NDArray[np.uint8]) -> list[tuple[int, int, int]]:
+def _runs(codes: UInt8Array) -> list[tuple[int, int, int]]:
     """Give start, end and value of each run of equal values."""
     borders = [0, *(np.flatnonzero(np.diff(codes)) + 1).tolist(), len(codes)]
     return [(a, b, int(codes[a])) for a, b in pairwise(borders)]

@@ -5,11 +5,13 @@ import math
 from dataclasses import asdict
 from typing import Any
 
-from phonemeengine.calibration.scores.comparison import Comparison, Difference, Stretch
-from phonemeengine.calibration.scores.evaluation import Answers, GroupScores
-from phonemeengine.calibration.scores.scoring import Counts, scores_of
+from phonemeengine.arrays import Int64Array
+from phonemeengine.calibration.scores.comparison import Difference, DifferingSegment, PresetComparison
+from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions
+from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
+
 from phonemeanalyser.reports.report import Report, ScoredPreset
 
 
@@ -54,13 +56,13 @@ def _group(group: GroupScores) -> dict[str, Any]:
     }
 
 
-def _recording(heard: Answers, report: Report) -> dict[str, Any]:
+def _recording(heard: Predictions, report: Report) -> dict[str, Any]:
     utterance = heard.utterance
     names = {"file": report.name_of(utterance), "corpus": utterance.corpus, "speaker": utterance.speaker}
     return {**names, **asdict(scores_of([heard.pair]))}
 
 
-def _comparison(comparison: Comparison, report: Report) -> dict[str, Any]:
+def _comparison(comparison: PresetComparison, report: Report) -> dict[str, Any]:
     return {
         "both_right": _by_phoneme(comparison.both),
         "only_first": _by_phoneme(comparison.only_one),
@@ -72,7 +74,7 @@ def _comparison(comparison: Comparison, report: Report) -> dict[str, Any]:
     }
 
 
-def _by_phoneme(counts: Counts) -> dict[str, int]:
+def _by_phoneme(counts: Int64Array) -> dict[str, int]:
     return {p.label: int(counts[p]) for p in Phoneme}
 
 
@@ -81,7 +83,7 @@ def _difference(d: Difference, report: Report) -> dict[str, Any]:
     return {"file": report.name_of(d.utterance), **counts}
 
 
-def _stretch(s: Stretch, report: Report) -> dict[str, Any]:
+def _stretch(s: DifferingSegment, report: Report) -> dict[str, Any]:
     times = {"start_s": round(s.start, 6), "end_s": round(s.end, 6)}
     return {"file": report.name_of(s.utterance), **times, "label": s.label.label, "wrong": s.wrong.label}
 

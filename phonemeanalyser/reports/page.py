@@ -4,12 +4,12 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
-
-from phonemeengine.calibration.scores.comparison import Comparison
-from phonemeengine.calibration.scores.evaluation import Answers, GroupScores
-from phonemeengine.calibration.scores.scoring import TEN
+from phonemeengine.calibration.scores.comparison import PresetComparison
+from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
+
 from phonemeanalyser.reports.charts import difference_map, f1_bars, heat_map
 from phonemeanalyser.reports.lanes import drawn_seconds, time_lines
 from phonemeanalyser.reports.markup import element, text
@@ -31,7 +31,7 @@ HEADLINES = ("ten_f1", "mouth_acc", "vowel5", "silence_recall", "false_silence")
 """The figures that the page begins with; the changes follow."""
 
 
-NINE = tuple(p for p in TEN if p is not Phoneme.SILENCE)
+NINE = tuple(p for p in SCORED_PHONEMES if p is not Phoneme.SILENCE)
 
 
 def page_of(report: Report) -> str:
@@ -129,7 +129,7 @@ def _maps(report: Report) -> str:
     return element("div", *figures, class_="pair")
 
 
-def _compared(report: Report, comparison: Comparison) -> Iterator[str]:
+def _compared(report: Report, comparison: PresetComparison) -> Iterator[str]:
     one, other = (preset.title for preset in report.presets)
     tables = element("div", gains_table(comparison), differences_table(report, comparison), class_="pair")
     yield _section(
@@ -190,12 +190,12 @@ def _chosen(report: Report) -> Iterable[tuple[str, int]]:
     return ((name, k) for k, name in found.items())
 
 
-def _right(heard: Answers) -> float:
-    counts = np.isin(heard.labels.phonemes, TEN)
+def _right(heard: Predictions) -> float:
+    counts = np.isin(heard.labels.phonemes, SCORED_PHONEMES)
     return float(heard.right[counts].mean()) if counts.any() else math.nan
 
 
-def _changes(heard: Answers) -> float:
+def _changes(heard: Predictions) -> float:
     return float(np.count_nonzero(np.diff(heard.phonemes)) / max(1, len(heard.phonemes)) / FRAME_PERIOD)
 
 

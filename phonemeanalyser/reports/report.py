@@ -4,15 +4,15 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
-from phonemeengine.calibration.scores.added_noise import Noise
-from phonemeengine.calibration.scores.comparison import Comparison
+from phonemeengine.calibration.scores.added_noise import AddedNoise
+from phonemeengine.calibration.scores.comparison import PresetComparison
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
-from phonemeengine.calibration.scores.scoring import TEN
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
-CLASSES = (*TEN, Phoneme.UNIDENTIFIED)
+CLASSES = (*SCORED_PHONEMES, Phoneme.UNIDENTIFIED)
 """The order in which phonemes are listed."""
 
 
@@ -39,8 +39,8 @@ class Report:
 
     folder: Path
     presets: tuple[ScoredPreset, ...]
-    comparison: Comparison | None = None
-    noise: Noise | None = None
+    comparison: PresetComparison | None = None
+    noise: AddedNoise | None = None
     left_out: tuple[str, ...] = ()
 
     @property
@@ -71,7 +71,7 @@ class Report:
 
 
 @dataclass(frozen=True)
-class Figure:
+class ReportedFigure:
     """A figure of agreement: its field in `Scores`, and what people call it and read in it."""
 
     field: str
@@ -80,13 +80,13 @@ class Figure:
 
 
 FIGURES = (
-    Figure("ten_f1", "Macro F1", "mean F1 of the ten classes"),
-    Figure("ten_acc", "Right", "share of frames right, of those labelled as one of the ten classes"),
-    Figure("vowel5", "Clear vowels", "share right of the frames labelled as a clear a, e, i, o or u"),
-    Figure("mouth_acc", "Mouth shapes", "share of all frames with the right one of six mouth shapes"),
-    Figure("mouth_f1", "Mouth F1", "mean F1 of the six mouth shapes"),
-    Figure("silence_recall", "Silence found", "share of silent frames called silence"),
-    Figure("false_silence", "False silence", "share of spoken frames called silence: less is better"),
+    ReportedFigure("ten_f1", "Macro F1", "mean F1 of the ten classes"),
+    ReportedFigure("ten_acc", "Right", "share of frames right, of those labelled as one of the ten classes"),
+    ReportedFigure("vowel5", "Clear vowels", "share right of the frames labelled as a clear a, e, i, o or u"),
+    ReportedFigure("mouth_acc", "Mouth shapes", "share of all frames with the right one of six mouth shapes"),
+    ReportedFigure("mouth_f1", "Mouth F1", "mean F1 of the six mouth shapes"),
+    ReportedFigure("silence_recall", "Silence found", "share of silent frames called silence"),
+    ReportedFigure("false_silence", "False silence", "share of spoken frames called silence: less is better"),
 )
 """The shares, all 0..1."""
 

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-
-from phonemeengine.calibration.scores.comparison import Comparison, Stretch
+from phonemeengine.calibration.scores.comparison import DifferingSegment, PresetComparison
 from phonemeengine.calibration.scores.evaluation import GroupScores
-from phonemeengine.calibration.scores.scoring import TEN
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
+
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.markup import element, text
 from phonemeanalyser.reports.report import CLASSES, FIGURES, Report, clock, flicker_of, signed, written
@@ -71,7 +71,7 @@ def _group_row(name: str, groups: Sequence[GroupScores], kind: str | None = None
 def phoneme_table(groups: Sequence[GroupScores]) -> str:
     """Give what becomes of each class: frames, F1, precision, recall, and what it is taken for most often."""
     rows = []
-    for phoneme in TEN:
+    for phoneme in SCORED_PHONEMES:
         confusions = [group.confusion for group in groups]
         n_frames = int(confusions[0][phoneme].sum())
         precision = [_share(c[phoneme, phoneme], c[:, phoneme].sum()) for c in confusions]
@@ -126,7 +126,7 @@ def _named(phoneme: Phoneme) -> Iterator[str]:
     yield element("td", dot(phoneme), text(phoneme.label), class_="words")
 
 
-def gains_table(comparison: Comparison) -> str:
+def gains_table(comparison: PresetComparison) -> str:
     """Give for each class how many frames both presets get right, one alone, and none."""
     rows = []
     for phoneme in CLASSES:
@@ -143,7 +143,7 @@ def gains_table(comparison: Comparison) -> str:
     return _table(("", "Both right", "Only A", "Only B", "Neither", "A − B"), element("tbody", *rows))
 
 
-def differences_table(report: Report, comparison: Comparison) -> str:
+def differences_table(report: Report, comparison: PresetComparison) -> str:
     """List the recordings in which the presets differ the most."""
     rows = [
         element(
@@ -159,7 +159,7 @@ def differences_table(report: Report, comparison: Comparison) -> str:
     return _table(("Recording", "Frames", "Only A", "Only B"), element("tbody", *rows))
 
 
-def stretches_table(report: Report, stretches: Iterable[Stretch], wrong: str) -> str:
+def stretches_table(report: Report, stretches: Iterable[DifferingSegment], wrong: str) -> str:
     """List stretches that one preset gets right, with what the other, named by its letter, calls them."""
     rows = [
         element(

@@ -3,9 +3,10 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, fields
 
-from phonemeengine.calibration.scores.comparison import Comparison, Stretch
+from phonemeengine.calibration.scores.comparison import DifferingSegment, PresetComparison
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import Scores
+
 from phonemeanalyser.reports.report import (
     CLASSES,
     Report,
@@ -61,7 +62,7 @@ def _confusion_lines(scores: CorpusScores) -> Iterator[str]:
         yield name.ljust(FIRST) + "".join(share.rjust(width) for share in shares) + f"{row.sum():8d}"
 
 
-def _comparison_lines(report: Report, comparison: Comparison) -> Iterator[str]:
+def _comparison_lines(report: Report, comparison: PresetComparison) -> Iterator[str]:
     one, other = (preset.title for preset in report.presets)
     yield f"What {one} (A) gets right that {other} (B) misses, in frames of 10 ms"
     yield "label".ljust(FIRST) + "".join(w.rjust(COLUMN) for w in ("both", "only A", "only B", "neither", "A - B"))
@@ -79,7 +80,7 @@ def _comparison_lines(report: Report, comparison: Comparison) -> Iterator[str]:
         yield from _stretch_lines(report, against, stretches[:MOST_SHOWN])
 
 
-def _stretch_lines(report: Report, wrong: str, stretches: Iterable[Stretch]) -> Iterator[str]:
+def _stretch_lines(report: Report, wrong: str, stretches: Iterable[DifferingSegment]) -> Iterator[str]:
     for s in stretches:
         words = f"{s.label.label}, which {wrong} calls {s.wrong.label}"
         yield f"  {clock(s.start)} to {clock(s.end)}  {words:40} {report.name_of(s.utterance)}"

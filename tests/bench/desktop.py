@@ -3,10 +3,10 @@
 from pathlib import Path
 
 import soundfile
-from PySide6.QtCore import QEventLoop, QSettings, QTimer
-
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.settings import SAMPLE_RATE
+from PySide6.QtCore import QEventLoop, QSettings, QTimer
+
 from phonemeanalyser.desktop.app import Desktop, make_application
 from tests.bench.figures import speech
 

@@ -8,14 +8,14 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
-
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.calibration.workbench.labelled_features import Workbench
-from phonemeengine.labels.files import read_labels
 from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.labels.files import read_labels
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.bench.figures import ROOT, Absolute, Figure, shown
 
 SECONDS = 3600
@@ -46,13 +46,13 @@ def figures() -> list[Figure]:
     return found
 
 
-def _workbench(preset: Preset) -> Workbench:
+def _workbench(preset: Preset) -> LabelledFeatures:
     """Measure noisy copies of labelled speech, and lay them end to end for an hour."""
     with tempfile.TemporaryDirectory() as folder:
         copies = list(_noisy_copies(Path(folder)))
-        measured = Workbench(copies, preset)
+        measured = LabelledFeatures(copies, preset)
         n = -(-SECONDS * 100 * len(copies) // int(measured.edges[-1]))
-        return Workbench([copies[k % len(copies)] for k in range(n)], preset, known=measured)
+        return LabelledFeatures([copies[k % len(copies)] for k in range(n)], preset, known=measured)
 
 
 def _noisy_copies(folder: Path) -> Iterator[Utterance]:
@@ -66,7 +66,7 @@ def _noisy_copies(folder: Path) -> Iterator[Utterance]:
         yield Utterance(folder / f"{k}.wav", labels, f"noise {k}", "bench")
 
 
-def _dragged(workbench: Workbench, preset: Preset) -> tuple[list[float], list[float]]:
+def _dragged(workbench: LabelledFeatures, preset: Preset) -> tuple[list[float], list[float]]:
     """Give the seconds of each step, by the clock and of this process alone."""
     wall, process = [], []
     workbench.confusion(preset)

@@ -8,8 +8,8 @@ import sys
 
 from PySide6.QtCore import QEvent, QObject, QSettings, QTimer
 
-from phonemeanalyser.desktop.app import make_application
 from phonemeanalyser.cli.main import main
+from phonemeanalyser.desktop.app import make_application
 
 
 class Watch(QObject):

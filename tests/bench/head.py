@@ -6,16 +6,16 @@ from collections.abc import Callable
 
 import moderngl
 import numpy as np
-
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
+
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.contexts import offscreen_context
-from phonemeanalyser.rendering.offscreen import Photographer
+from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import HeadRenderer
-from phonemeanalyser.rendering.subdivision import smoothed
+from phonemeanalyser.rendering.subdivision import subdivided
 from tests.bench.figures import Absolute, Figure
 
 GREY = (0.5, 0.5, 0.5)
@@ -51,9 +51,9 @@ def _window(context: moderngl.Context, size: int, renderer: str) -> Figure:
 
 
 def _preview(renderer: str) -> Figure:
-    head = smoothed(load_head())
+    head = subdivided(load_head())
     talking, camera = _Talking(MovestateSet(head.mesh, head.states)), Camera.facing(head.mesh)
-    with Photographer(head, (640, 640)) as photographer:
+    with OffscreenRenderer(head, (640, 640)) as photographer:
         seconds = _processor_time(lambda: photographer.picture(camera, talking.positions(), background=GREY))
     return Figure(f"preview 640x640 by {renderer}", f"{seconds * 1e3:.1f} ms", "16.7 ms", seconds / FRAME)
 

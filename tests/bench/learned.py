@@ -3,16 +3,16 @@
 import time
 
 import numpy as np
-
 from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.calibrate import calibrate
-from phonemeengine.labels.files import read_labels
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.features.measure import Features
+from phonemeengine.labels.files import read_labels
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.settings import HOP, WINDOW
+
 from tests.bench.dragging import CARDS
 from tests.bench.figures import Absolute, Figure, interleaved, shown, speech
 

@@ -6,17 +6,17 @@ import time
 from pathlib import Path
 
 import numpy as np
-
-from phonemeengine.analyser import analyses_of
+from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.mouth.exports.exporter import Exporter, Wishes
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.morpher import Morpher
-from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.utterance import Speech, speech_of
 from phonemeengine.mouth.table import load_table
+from phonemeengine.mouth.utterance import Utterance, utterance_of
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import FRAME_PERIOD
+
 from tests.bench.figures import DEMO, Absolute, Figure, interleaved, shown
 from tests.glb_faces import face_with_targets
 
@@ -53,9 +53,9 @@ def _hours() -> list[Figure]:
         mesh = Path(folder) / "face.glb"
         mesh.write_bytes(face_with_targets(ARKIT))
         for name, form in FORMATS.items():
-            exporter = Exporter(name, Wishes(mesh=mesh if form.moves_mesh else None))
+            exporter = Exporter(name, ExportOptions(mesh=mesh if form.moves_mesh else None))
             began = time.perf_counter()
-            size = sum(len(part) for part in exporter.parts_of(speech))
+            size = sum(len(part) for part in exporter.chunks_of(speech))
             seconds = time.perf_counter() - began
             words = f"{seconds:.2f} s, {size / 1e6:.1f} MB"
             ratio = seconds / HOUR_LIMIT
@@ -63,11 +63,11 @@ def _hours() -> list[Figure]:
     return found
 
 
-def _one_hour() -> Speech:
+def _one_hour() -> Utterance:
     """Give what is said in the demo, again and again."""
     with SoundReader(DEMO) as reader:
-        said = speech_of(
-            analyses_of(reader.blocks(44_100), load_preset(DEFAULT_PRESET), pitch=True), "", reader.duration
+        said = utterance_of(
+            analyse_blocks(reader.blocks(44_100), load_preset(DEFAULT_PRESET), pitch=True), "", reader.duration
         )
     n = len(said.intensities)
     length, times = n * FRAME_PERIOD, round(HOUR / (n * FRAME_PERIOD))
@@ -76,6 +76,6 @@ def _one_hour() -> Speech:
         for k in range(times)
         for run in said.runs
     ]
-    return Speech(
+    return Utterance(
         "hour.wav", times * length, tuple(runs), np.tile(said.intensities, times), np.tile(said.pitches, times)
     )

@@ -1,12 +1,12 @@
 """Movestates: morphing a face on the processor, and loading a large .3dm file."""
 
 import numpy as np
-
-from phonemeengine.mouth.morph_mesh import face_of
 from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.morph_mesh import morph_targets_of
 from phonemeengine.mouth.movestate import Movestate, movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
+
 from tests.bench.figures import Absolute, Figure, interleaved, shown
 
 N_VERTICES, N_ACTIVE, N_STATES = 5000, 12, 100
@@ -49,7 +49,7 @@ def _morphing(what: str, mesh: Mesh, states: list[Movestate]) -> Figure:
 
 
 def _loading(mesh: Mesh, states: list[Movestate]) -> Figure:
-    content = format_3dm(face_of(mesh, states))
+    content = format_3dm(morph_targets_of(mesh, states))
     (seconds,) = interleaved(N_ROUNDS, lambda: parse_3dm(content))
     ratio = float(np.median(seconds)) / LOADED_WITHIN
     return Figure(f".3dm of {N_STATES} x {N_VERTICES}", shown(seconds), "50 ms", ratio, 1.0, absolute=Absolute.TIME)

@@ -6,11 +6,11 @@ import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject
-
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.live.player import STEP
 from phonemeengine.settings import FRAME_PERIOD
+from PySide6.QtCore import QEvent, QObject
+
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.session import Session
 from tests.bench.desktop import live_for, shown_desktop, written_speech

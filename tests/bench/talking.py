@@ -11,12 +11,12 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from phonemeengine.settings import FRAME_PERIOD
 from PySide6.QtWidgets import QDockWidget
 
-from phonemeengine.settings import FRAME_PERIOD
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.window import ANALYSE, TALK
 from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.window import ANALYSE, TALK
 from tests.bench.desktop import live_for, shown_desktop, written_speech
 from tests.bench.figures import Absolute, Figure, answer_of
 

@@ -3,10 +3,10 @@
 import librosa
 import numpy as np
 import scipy.fft
-
-from phonemeengine.analyser import BLOCK, analyses_of
+from phonemeengine.analyser import BLOCK, analyse_blocks
 from phonemeengine.presets.files import THESIS_PRESET, load_preset
 from phonemeengine.settings import HOP, WINDOW
+
 from tests.bench.figures import Figure, interleaved, ratio_of, shown, speech
 from tests.sounds import Sound
 
@@ -38,7 +38,7 @@ def _analyse(sound: Sound, *, pitch: bool) -> None:
     preset = load_preset(THESIS_PRESET)
     step = BLOCK * HOP
     blocks = (sound[k : k + step] for k in range(0, len(sound), step))
-    for _ in analyses_of(blocks, preset, pitch=pitch):
+    for _ in analyse_blocks(blocks, preset, pitch=pitch):
         pass
 
 

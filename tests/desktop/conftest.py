@@ -8,21 +8,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.sounds import noise, silence, vowel
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-
-from PySide6.QtCore import QEvent, QSettings
-from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
 
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.features.variables import Variable
 from phonemeengine.live import listener
 from phonemeengine.presets.files import THESIS_PRESET, save_preset
 from phonemeengine.presets.preset import Preset
+from PySide6.QtCore import QEvent, QSettings
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.garbage import WindowThreadCollector
 from phonemeanalyser.desktop.session.microphone import Microphone
@@ -165,7 +165,7 @@ def desktop(qapp: QApplication, settings: QSettings, no_microphone: Microphone) 
 @pytest.fixture
 def retry(monkeypatch: pytest.MonkeyPatch) -> None:
     """Try again sooner."""
-    monkeypatch.setattr(listener, "RETRY", 0.05)
+    monkeypatch.setattr(listener, "RETRY_PERIOD", 0.05)
 
 
 @pytest.fixture

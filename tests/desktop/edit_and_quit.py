@@ -14,8 +14,8 @@ from pathlib import Path
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QDockWidget, QMessageBox
 
-from phonemeanalyser.desktop.app import make_application
 from phonemeanalyser.cli.main import main
+from phonemeanalyser.desktop.app import make_application
 from phonemeanalyser.desktop.window import MainWindow
 
 DIALOG = 9

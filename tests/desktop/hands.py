@@ -7,6 +7,7 @@ import numpy as np
 import pyqtgraph as pg
 import soundfile
 from numpy.typing import NDArray
+from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
@@ -21,10 +22,9 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
+from phonemeanalyser.desktop.window import MainWindow
 from tests.conftest import ROOT
 
 CARDS = ROOT / "tests" / "data" / "cards.flac"

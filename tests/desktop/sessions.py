@@ -1,8 +1,8 @@
 """What is seen and waited for in a session."""
 
+from phonemeengine.settings import HOP, SAMPLE_RATE
 from pytestqt.qtbot import QtBot
 
-from phonemeengine.settings import HOP, SAMPLE_RATE
 from phonemeanalyser.desktop.session.history import NOWHERE
 from phonemeanalyser.desktop.session.session import Session
 from tests.desktop.conftest import SPEECH

@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
-from pytestqt.qtbot import QtBot
-
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
+from pytestqt.qtbot import QtBot
+
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.talk.model import TalkModel
 from tests.desktop.conftest import AHEAD, STEP, ended
 from tests.outputs import Outputs
 from tests.sounds import silence, vowel
@@ -29,7 +29,7 @@ class Stage:
         self.session, self.outputs, self.qtbot = session, outputs, qtbot
         self.now = 100.0
         self.failed: list[str] = []
-        self.talking = Talking(session, lambda: self.now)
+        self.talking = TalkModel(session, lambda: self.now)
         self.talking.failed.connect(self.failed.append)
 
     def look(self) -> None:

@@ -7,21 +7,21 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QSettings, Qt
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox
-from pytestqt.qtbot import QtBot
-
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.live.listener import Listener
 from phonemeengine.presets.files import THESIS_PRESET
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox
+from pytestqt.qtbot import QtBot
+
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.desktop.session.history import NOWHERE
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.window import MainWindow
 from tests.desktop.hands import press
 from tests.microphones import HandDrivenMicrophone, Microphones, frames_in
 from tests.players import wait_for

@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.features.variables import BUILT_IN_NAMES, SCORES, Kind, Variable
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import HOP, SAMPLE_RATE
+
 from tests.bad_files import ODD_FILES
 from tests.sounds import silence, tone
 from tests.tables import HEADER, analysed, gapless, refused, rows_of

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 import soundfile
-
 from phonemeengine.settings import SAMPLE_RATE
+
 from phonemeanalyser.cli.main import main
 from tests.bad_files import BAD_FILES, HOSTILE
 from tests.sounds import vowel

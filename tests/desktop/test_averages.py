@@ -5,14 +5,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
-
-from phonemeengine.analyser import Analyser, Analysis, analyses_of
-from phonemeengine.averaged_spectrum import load_curve
+from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
+from phonemeengine.averaged_spectrum import load_averaged_spectrum
 from phonemeengine.errors import CurveError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import AnalysisSettings, Filter
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
 from phonemeanalyser.desktop.session.averages import AveragesModel
 from tests.sounds import Sound, noise, tone, vowel
 
@@ -21,7 +21,7 @@ VOWEL = vowel((700, 1200, 2500), 0.3)
 
 
 def found(sound: Sound, settings: AnalysisSettings = SETTINGS) -> list[Analysis]:
-    return list(analyses_of([sound], Preset(settings=settings)))
+    return list(analyse_blocks([sound], Preset(settings=settings)))
 
 
 @pytest.fixture
@@ -53,7 +53,7 @@ def test_what_is_saved_is_kept_and_can_be_loaded(averages: AveragesModel, tmp_pa
     with qtbot.waitSignal(averages.curves_changed):
         averages.save(tmp_path / "speaker a.csv")
     (kept,) = averages.curves
-    read = load_curve(tmp_path / "speaker a.csv")
+    read = load_averaged_spectrum(tmp_path / "speaker a.csv")
     assert (read.name, read.front_end, read.n_frames) == ("speaker a", "quantise 4 plain", 30)
     np.testing.assert_allclose(read.amplitudes, kept.amplitudes, rtol=1e-8)
     with qtbot.waitSignal(averages.curves_changed):
@@ -77,7 +77,7 @@ def test_a_change_of_the_filters_begins_a_new_mean_and_the_header_says_so(
     analyser.use(Preset(settings=louder))
     averages.add(analyser.finish())
     averages.save(tmp_path / "a.csv")
-    read = load_curve(tmp_path / "a.csv")
+    read = load_averaged_spectrum(tmp_path / "a.csv")
     assert read.front_end == "quantise 4 plain, high_pass 100-300 Hz"
     assert read.since.startswith("change of the filters at 0.3")
     assert read.since.endswith(" s of voice.wav")

@@ -6,16 +6,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt, QTimer
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
-
-from phonemeengine.calibration.workbench.labelled_features import Workbench
 from phonemeengine.calibration.scores.corpus import read_recordings
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.features.variables import Kind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.rules import Condition, Rule
+from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
 from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.calibrate.bench_view import BenchView
 from phonemeanalyser.desktop.calibrate.confusion_view import SAID, TAKEN
@@ -72,7 +72,7 @@ def drag_line(calibrator: Calibrator, name: str, to: float, *, release: bool = T
 
 def test_recordings_are_measured_and_counted_as_the_engine_counts_them(loaded: Calibrator, tmp_path: Path):
     preset = loaded.booth.desktop.preset.preset
-    expected = Workbench(read_recordings(tmp_path / "corpus"), preset).confusion(preset)
+    expected = LabelledFeatures(read_recordings(tmp_path / "corpus"), preset).confusion(preset)
     bench = bench_of(loaded)
     np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
     assert f"{expected.macro_f1:.1%}" in bench.figures.text()
@@ -132,7 +132,7 @@ def test_the_matrix_follows_a_threshold_while_it_is_dragged(loaded: Calibrator, 
     during = preset.preset
     assert during.thresholds.szsch_szsch1 == pytest.approx(highest, rel=0.02)
     assert not np.array_equal(bench.confusion.counts, counts)
-    expected = Workbench(read_recordings(tmp_path / "corpus"), during).confusion(during)
+    expected = LabelledFeatures(read_recordings(tmp_path / "corpus"), during).confusion(during)
     np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
     np.testing.assert_array_equal(bench.lanes.lanes.confusion.answers, expected.answers)
     QTest.mouseRelease(bench.spread, LEFT)
@@ -349,7 +349,7 @@ def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(load
     loaded.until(lambda: loaded.model.rival.comparison is not None)
     loaded.settle()
     other = load_preset(FACTORY / "thesis-anti-aliased.toml")
-    expected = Workbench(loaded.model.bench.utterances, other).confusion(other)
+    expected = LabelledFeatures(loaded.model.bench.utterances, other).confusion(other)
     np.testing.assert_array_equal(loaded.model.rival.confusion.counts, expected.counts)
     assert rival.figures.item(0, 1).text() == f"{expected.macro_f1:.1%}"
     own = loaded.model.bench.confusion

@@ -5,17 +5,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.calibrate import calibrate
-from phonemeengine.calibration.guard import price_of
+from phonemeengine.calibration.guard import loss_of
 from phonemeengine.calibration.scores.corpus import read_labels, read_recordings
 from phonemeengine.calibration.sentences import SENTENCES
 from phonemeengine.calibration.takes.onset import onset_in
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import SAMPLE_RATE
+from PySide6.QtCore import Qt
+
 from phonemeanalyser.desktop.calibrate.guide_model import READING, STEPS, Phase
 from tests.desktop.calibrating import Calibrator, in_room, said
 from tests.desktop.hands import click, press
@@ -124,7 +124,7 @@ def test_a_sentence_that_is_read_teaches_nothing_and_tells_what_was_gained(
     assert "Measured on one sentence that was held back, " in view.hint.text()
     assert " s, labels aligned by the known text." in view.hint.text()
     assert len(guided.takes) == len(STEPS)  # the sentence is no take
-    assert price_of(outcome.before, outcome.after) == ""
+    assert loss_of(outcome.before, outcome.after) == ""
     again = calibrate(before, read_recordings(folder), held_back=read_recordings(spoken.path))
     assert again.preset == outcome.preset  # as the command line does it
     assert (again.before, again.after) == (outcome.before, outcome.after)

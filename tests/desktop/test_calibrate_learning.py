@@ -7,23 +7,23 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.calibration.calibrate import calibrate
-from phonemeengine.calibration.guard import MOST_LOSS, price_of
-from phonemeengine.labels.label import CORE, Label
-from phonemeengine.labels.table import format_table
+from phonemeengine.calibration.guard import MOST_LOSS, loss_of
 from phonemeengine.calibration.learners import LEARNERS
 from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.calibration.scores.evaluation import answers_to
+from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
-from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.room_noise import measure_room
 from phonemeengine.errors import CorpusError, PresetError
+from phonemeengine.labels.label import CORE, Label
+from phonemeengine.labels.table import format_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
+
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.calibrate.guide_model import STEPS
 from tests.desktop.calibrating import ROOM, in_room, said
@@ -63,7 +63,7 @@ def sentence(tmp_path_factory: pytest.TempPathFactory) -> Utterance:
 
 
 def scores(preset: Preset, utterance: Utterance) -> Scores:
-    return scores_of([answers_to(utterance, preset).pair])
+    return scores_of([predict(utterance, preset).pair])
 
 
 @pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])
@@ -76,7 +76,7 @@ def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
     assert outcome.before == scores(preset, sentence)  # the figures are of the sentence alone
     assert outcome.after == scores(outcome.preset, sentence)
     assert outcome.after.ten_f1 > outcome.before.ten_f1 + 0.02
-    assert price_of(outcome.before, outcome.after) == ""
+    assert loss_of(outcome.before, outcome.after) == ""
     assert outcome.preset.recogniser == preset.recogniser
     assert outcome.seconds == pytest.approx(sentence.labels[-1].end)
     assert outcome.sure is not None
@@ -133,13 +133,13 @@ def test_where_only_what_costs_gains_the_preset_stays_as_it_was(
 
 def test_what_gets_worse_is_said_with_both_figures():
     figures = Scores(0.5, 0.5, 0.5, 0.8, 0.5, 0.999, 0.02, 10, 10, 1)
-    assert price_of(figures, replace(figures, mouth_acc=0.7901, false_silence=0.0299)) == ""
+    assert loss_of(figures, replace(figures, mouth_acc=0.7901, false_silence=0.0299)) == ""
     worse = replace(figures, silence_recall=0.397, false_silence=0.05)
-    assert price_of(figures, worse) == (
+    assert loss_of(figures, worse) == (
         "silence found falls from 99.9 % to 39.7 % and speech called silence rises from 2.0 % to 5.0 %"
     )
     unknown = replace(figures, silence_recall=float("nan"))
-    assert price_of(unknown, figures) == price_of(figures, unknown) == ""
+    assert loss_of(unknown, figures) == loss_of(figures, unknown) == ""
 
 
 def test_the_pauses_of_a_p_are_silence(takes: tuple[Utterance, ...]):

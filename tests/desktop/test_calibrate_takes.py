@@ -5,16 +5,16 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 import soundfile
+from phonemeengine.calibration.scores.corpus import read_corpus
+from phonemeengine.labels.label import CORE
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget
 
-from phonemeengine.labels.label import CORE
-from phonemeengine.calibration.scores.corpus import read_corpus
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import SAMPLE_RATE
 from phonemeanalyser.desktop.calibrate.takes_model import AROUND
-from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from tests.desktop.calibrating import CONTROL, Calibrator, in_room, said
 from tests.desktop.hands import DEMO, LEFT, click, drag, press
@@ -114,9 +114,9 @@ def test_a_button_held_with_the_mouse_records_too(listening: Calibrator):
 
 
 def test_a_key_begins_to_listen_where_nobody_did(calibrator: Calibrator):
-    assert calibrator.booth.desktop.session.source is Source.FILE
+    assert calibrator.booth.desktop.session.source is SoundSource.FILE
     calibrator.say(Qt.Key.Key_A, A)
-    assert calibrator.booth.desktop.session.source is Source.MICROPHONE
+    assert calibrator.booth.desktop.session.source is SoundSource.MICROPHONE
     assert len(calibrator.takes) == 1
 
 

@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 import soundfile
-
 from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
+
 from phonemeanalyser.cli.main import main
 from tests.bad_files import CUT_OFF
 from tests.desktop.hands import shown

@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-from pygltflib import GLTF2
-
+from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.table import TABLES
 from phonemeengine.settings import SAMPLE_RATE
+from pygltflib import GLTF2
+
 from phonemeanalyser.cli.main import DEMO, main
 from tests.bad_files import ODD_FILES
 from tests.glb_faces import face_with_targets

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
-from phonemeengine.analyser import Analyser, analyses_of
+from phonemeengine.analyser import Analyser, analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.model import load_model
 from phonemeengine.settings import SAMPLE_RATE
+
 from phonemeanalyser.cli.main import main
 from tests.corpora import put
 from tests.sounds import noise, vowel
@@ -119,9 +119,9 @@ def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, c
     assert len(model.heads) == 6
     preset, sound = load_preset(tmp_path / "mine.toml"), next(corpus.glob("*.wav"))
     assert (preset.name, preset.model) == ("mine", model)
-    found = np.concatenate([a.recognised for a in analyses_of([samples_of(sound)], preset)])
+    found = np.concatenate([a.recognised for a in analyse_blocks([samples_of(sound)], preset)])
     shipped = replace(load_preset(DEFAULT_PRESET), model=model)
-    assert np.array_equal(found, np.concatenate([a.recognised for a in analyses_of([samples_of(sound)], shipped)]))
+    assert np.array_equal(found, np.concatenate([a.recognised for a in analyse_blocks([samples_of(sound)], shipped)]))
     assert (
         main(["analyse", str(sound), "-o", str(tmp_path / "told.csv"), "--preset", str(tmp_path / "mine.toml")]) == 0
     )

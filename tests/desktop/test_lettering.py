@@ -9,7 +9,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.painting import AT_LEFT, AT_RIGHT, CENTRED, size_that_fills, write
+from phonemeanalyser.desktop.painting import AT_LEFT, AT_RIGHT, CENTRED, draw_text, size_that_fills
 
 WIDTH, HEIGHT = 200, 40
 BOX = QRectF(40, 0, 120, HEIGHT)
@@ -40,7 +40,7 @@ def inked(paper: QImage) -> NDArray[np.intp]:
     ("align", "place"), [(AT_LEFT, BOX.left()), (AT_RIGHT, BOX.right()), (CENTRED, BOX.center().x())]
 )
 def test_words_stand_where_they_shall(paper: QImage, painter: QPainter, align: object, place: float) -> None:
-    write(painter, BOX, "mama", "#000000", 12, align)  # type: ignore[arg-type]
+    draw_text(painter, BOX, "mama", "#000000", 12, align)  # type: ignore[arg-type]
     columns = inked(paper)
     ends = {AT_LEFT: columns[0], AT_RIGHT: columns[-1] + 1, CENTRED: (columns[0] + columns[-1] + 1) / 2}
     assert abs(ends[align] - place) <= 2  # type: ignore[index]
@@ -48,7 +48,7 @@ def test_words_stand_where_they_shall(paper: QImage, painter: QPainter, align: o
 
 @pytest.mark.parametrize("align", [AT_LEFT, AT_RIGHT, CENTRED])
 def test_words_that_have_no_room_stay_in_their_box(paper: QImage, painter: QPainter, align: object) -> None:
-    write(painter, BOX, "mama " * 20, "#000000", 12, align)  # type: ignore[arg-type]
+    draw_text(painter, BOX, "mama " * 20, "#000000", 12, align)  # type: ignore[arg-type]
     columns = inked(paper)
     assert columns[0] >= BOX.left() - 1
     assert columns[-1] <= BOX.right() + 1
@@ -58,7 +58,7 @@ def test_words_that_have_no_room_stay_in_their_box(paper: QImage, painter: QPain
 @pytest.mark.parametrize("width", [60.0, 120.0])
 def test_a_word_fills_its_place(painter: QPainter, width: float) -> None:
     size = size_that_fills(painter, "mmmm", width, 4, 100)
-    write(painter, QRectF(0, 0, WIDTH, HEIGHT), "mmmm", "#000000", size)
+    draw_text(painter, QRectF(0, 0, WIDTH, HEIGHT), "mmmm", "#000000", size)
     assert 0.85 * width < painter.fontMetrics().horizontalAdvance("mmmm") <= 1.05 * width
 
 

@@ -5,13 +5,13 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from phonemeengine.audio.level import Level
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from phonemeengine.audio.level import Level
+from phonemeanalyser.desktop.session.level_meter import LIGHT_WIDTH, LOWEST_DB, LevelMeterView, words_of
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme
-from phonemeanalyser.desktop.session.level_meter import LIGHT_WIDTH, LOWEST_DB, LevelMeter, words_of
 
 WIDTH = 500
 TRACK = WIDTH - LIGHT_WIDTH - 8
@@ -28,7 +28,7 @@ def theme(request: pytest.FixtureRequest) -> Theme:
 @pytest.fixture
 def picture(qapp: QApplication, qtbot: QtBot, theme: Theme) -> Callable[[Level], QImage]:
     def paint(level: Level) -> QImage:
-        meter = LevelMeter(SimpleNamespace(level=level), theme)
+        meter = LevelMeterView(SimpleNamespace(level=level), theme)
         qtbot.addWidget(meter)
         meter.resize(WIDTH, 28)
         return meter.grab().toImage()
@@ -83,7 +83,7 @@ def test_the_light_tells_how_long_ago_it_clipped() -> None:
 
 
 def test_the_words_of_the_light_fit_into_it(qapp: QApplication, qtbot: QtBot) -> None:
-    meter = LevelMeter(SimpleNamespace(level=Level()), DARK)
+    meter = LevelMeterView(SimpleNamespace(level=Level()), DARK)
     qtbot.addWidget(meter)
     font = meter.font()
     font.setPixelSize(10)

@@ -12,19 +12,19 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import RecordingError
-from phonemeengine.live.microphone_analyser import live
-from phonemeengine.live.recorder import Tape
+from phonemeengine.live.microphone_analyser import for_live_use
+from phonemeengine.live.recorder import Recorder
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
+
 from phonemeanalyser.cli import listen as listening
-from phonemeanalyser.cli.main import main
 from phonemeanalyser.cli.listen import _as_json, _as_text, _Changes
+from phonemeanalyser.cli.main import main
 from tests.microphones import Clock, HandDrivenMicrophone, Microphones, frames_in, offline
 from tests.players import SPEECH
 from tests.portaudio import FakePortAudio
@@ -70,12 +70,12 @@ def microphone(
     def listener(*arguments: object, **options: object) -> listening.Listener:
         return real_listener(*arguments, open_input=openers, **options)
 
-    def tape(*arguments: object, **options: object) -> Tape:
-        return Tape(*arguments, journal=tmp_path / "journal", rescue=tmp_path / "rescue", **options)
+    def tape(*arguments: object, **options: object) -> Recorder:
+        return Recorder(*arguments, journal=tmp_path / "journal", rescue=tmp_path / "rescue", **options)
 
     real_listener = listening.Listener
     monkeypatch.setattr(listening, "Listener", listener)
-    monkeypatch.setattr(listening, "Tape", tape)
+    monkeypatch.setattr(listening, "Recorder", tape)
     monkeypatch.setattr(listening, "PATIENCE", 60.0)
     return microphone
 
@@ -222,7 +222,7 @@ def test_listening_prints_the_changes_and_says_elsewhere_what_it_listens_to(
     listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json")
     said = capsys.readouterr()
     lines = [json.loads(line) for line in said.out.splitlines()]
-    expected = expected_changes(frames_in(len(SPEECH)), live(PRESET))
+    expected = expected_changes(frames_in(len(SPEECH)), for_live_use(PRESET))
     assert [(line["time_s"], line["phoneme"]) for line in lines] == [change[:2] for change in expected]
     assert microphone.closed.is_set()
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.errors import DeviceError
 from phonemeengine.settings import HOP
+
 from tests.desktop.studio import DESK, HEADSET, Studio
 from tests.microphones import HandDrivenMicrophone, offline
 from tests.players import PRESET, SPEECH, joined

@@ -5,11 +5,11 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live.loopback import Loopback
 from phonemeengine.settings import HOP, SAMPLE_RATE
+
 from phonemeanalyser.desktop.session import latency_test as click_test
 from tests.desktop.studio import DESK, Studio
 from tests.microphones import REFUSAL, HandDrivenMicrophone

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pygltflib import GLTF2
-
-from phonemeengine.mouth.morph_mesh import Figure, face_of
 from phonemeengine.mouth.files.gltf_writing import format_glb
+from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.files.obj import format_obj
-from phonemeengine.mouth.files.io import load_face, load_figure, save_face
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh, morph_targets_of
+from pygltflib import GLTF2
+
 from phonemeanalyser.cli.main import main
 from tests.meshes import CORNERS, GLTF_TEXT, TRIANGLES, figure_of_cube, moved_by
 
@@ -39,7 +39,7 @@ def test_targets_become_movestates_of_their_files_names(folder: Path, capsys: py
     code, out, _ = run(folder, "export", "base.obj", "smile.obj", "open.obj", "-o", "face.3dm", capsys=capsys)
     assert code == 0
     assert out.startswith("face.3dm: 2 movestates, 3 vertices move, ")
-    smile, opened = load_face(folder / "face.3dm").states
+    smile, opened = load_morph_targets(folder / "face.3dm").states
     assert (smile.name, smile.numbers.tolist()) == ("smile", [1, 3])
     np.testing.assert_allclose(smile.offsets, SMILE[[1, 3]])
     assert (opened.name, opened.numbers.tolist()) == ("open", [2])
@@ -48,10 +48,15 @@ def test_targets_become_movestates_of_their_files_names(folder: Path, capsys: py
 def test_the_morph_targets_of_a_gltf_count_as_targets(folder: Path, capsys: pytest.CaptureFixture[str]):
     (folder / "cube.gltf").write_bytes(GLTF_TEXT)
     assert run(folder, "export", "cube.gltf", "-o", "face.3dma", capsys=capsys)[0] == 0
-    assert [state.name for state in load_face(folder / "face.3dma").states] == ["lid up", "wide"]
+    assert [state.name for state in load_morph_targets(folder / "face.3dma").states] == ["lid up", "wide"]
     (folder / "more.glb").write_bytes(format_glb(figure_of_cube()))
     assert run(folder, "export", "base.obj", "open.obj", "more.glb", "-o", "all.3dm", capsys=capsys)[0] == 0
-    assert [state.name for state in load_face(folder / "all.3dm").states] == ["open", "lid up", "größer", "still"]
+    assert [state.name for state in load_morph_targets(folder / "all.3dm").states] == [
+        "open",
+        "lid up",
+        "größer",
+        "still",
+    ]
 
 
 def test_the_programs_own_head_becomes_a_glb_that_others_read(folder: Path, capsys: pytest.CaptureFixture[str]):
@@ -84,7 +89,7 @@ def test_movestates_of_the_programs_own_head_go_through_the_thesis_format(
     code, out, _ = run(folder, "convert", "face.3dm", "again.glb", "--mesh", "head", capsys=capsys)
     assert code == 0
     assert "renumbered" not in out
-    assert [s.name for s in load_face(folder / "again.glb").states] == [s.name for s in load_head().states]
+    assert [s.name for s in load_morph_targets(folder / "again.glb").states] == [s.name for s in load_head().states]
 
 
 def test_info_tells_what_a_file_holds(folder: Path, capsys: pytest.CaptureFixture[str]):
@@ -109,7 +114,7 @@ def test_converting_round_and_back_keeps_every_byte(folder: Path, capsys: pytest
 def test_converting_to_glb_with_the_mesh_shows_the_mesh(folder: Path, capsys: pytest.CaptureFixture[str]):
     run(folder, "export", "base.obj", "smile.obj", "-o", "face.3dm", capsys=capsys)
     assert run(folder, "convert", "face.3dm", "face.glb", "--mesh", "base.obj", capsys=capsys)[0] == 0
-    figure = load_figure(folder / "face.glb")
+    figure = load_morph_mesh(folder / "face.glb")
     np.testing.assert_array_equal(figure.mesh.positions, CORNERS)
     assert len(figure.mesh.triangles) == 12
 
@@ -120,7 +125,7 @@ def test_a_mesh_in_another_order_gets_its_own_numbers(folder: Path, capsys: pyte
     code, out, _ = run(folder, "convert", "face.3dm", "new.3dm", "--mesh", "turned.obj", capsys=capsys)
     assert code == 0
     assert "face.3dm: the vertices are renumbered as turned.obj has them" in out
-    assert load_face(folder / "new.3dm").states[0].numbers.tolist() == [4, 6]
+    assert load_morph_targets(folder / "new.3dm").states[0].numbers.tolist() == [4, 6]
 
 
 REFUSED = {
@@ -145,9 +150,9 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
     (folder / "far.obj").write_bytes(format_obj(mesh_of(CORNERS + 9)))
     (folder / "same.obj").write_bytes((folder / "base.obj").read_bytes())
     (folder / "garbage.3dm").write_bytes(bytes(range(256)))
-    smile = load_figure(folder / "smile.obj").mesh.positions - CORNERS
+    smile = load_morph_mesh(folder / "smile.obj").mesh.positions - CORNERS
     figure = figure_of_cube()
-    save_face(face_of(figure.mesh, figure.states[1:2]), folder / "good.3dm")
+    save_morph_targets(morph_targets_of(figure.mesh, figure.states[1:2]), folder / "good.3dm")
     assert smile.any()
     code, out, err = run(folder, *words, capsys=capsys)
     assert (code, out) == (1, "")
@@ -158,7 +163,9 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
 
 
 def test_the_command_needs_no_qt(folder: Path):
-    program = "import sys; from phonemeanalyser.cli.main import main; main(sys.argv[1:]); print('PySide6' in sys.modules)"
+    program = (
+        "import sys; from phonemeanalyser.cli.main import main; main(sys.argv[1:]); print('PySide6' in sys.modules)"
+    )
     words = ["movestates", "info", str(folder / "base.obj")]
     done = subprocess.run([sys.executable, "-c", program, *words], capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "False"
@@ -166,6 +173,6 @@ def test_the_command_needs_no_qt(folder: Path):
 
 def test_the_whole_figure_survives_a_figure_of_our_own(folder: Path, capsys: pytest.CaptureFixture[str]):
     figure = figure_of_cube()
-    (folder / "in.glb").write_bytes(format_glb(Figure(figure.mesh, figure.states)))
+    (folder / "in.glb").write_bytes(format_glb(MorphMesh(figure.mesh, figure.states)))
     assert run(folder, "convert", "in.glb", "out.glb", capsys=capsys)[0] == 0
-    assert len(load_figure(folder / "out.glb").mesh.triangles) == 12
+    assert len(load_morph_mesh(folder / "out.glb").mesh.triangles) == 12

@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractSpinBox
 
-from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.widgets.number_field import NumberField
 from tests.desktop.hands import followed, type_number
 
 

@@ -5,13 +5,13 @@ from pathlib import Path
 import parselmouth
 import pytest
 import soundfile
-
+from phonemeengine.analysis_tables import TABLES
+from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.analysis_tables import TABLES
+
 from phonemeanalyser.cli.main import main
 from tests.desktop.conftest import SPEECH
 from tests.tables import analysed, refused

@@ -3,13 +3,13 @@
 from pathlib import Path
 
 import pytest
-from pytestqt.qtbot import QtBot
-
 from phonemeengine.errors import EngineError, PresetError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.files import FACTORY, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, Filter
+from pytestqt.qtbot import QtBot
+
 from phonemeanalyser.desktop.session.preset import PresetModel
 
 

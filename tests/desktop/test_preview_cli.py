@@ -7,13 +7,13 @@ import av
 import numpy as np
 import pytest
 import soundfile
-from PIL import Image
-
-from phonemeengine.mouth.morph_mesh import Figure, face_of
-from phonemeengine.mouth.files.io import save_face
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.files.io import save_morph_targets
+from phonemeengine.mouth.morph_mesh import MorphMesh, morph_targets_of
 from phonemeengine.mouth.table import TABLES
 from phonemeengine.settings import SAMPLE_RATE
+from PIL import Image
+
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.rendering import video as films
 from tests.glb_faces import face_with_targets
@@ -134,7 +134,7 @@ def test_a_face_of_ones_own_is_moved_by_its_own_movestates(sound: Path, tmp_path
 def test_a_mesh_is_moved_by_a_file_of_movestates(sound: Path, tmp_path: Path):
     cube = figure_of_cube()
     (tmp_path / "cube.obj").write_bytes(CUBE_OBJ)
-    save_face(face_of(cube.mesh, cube.states), tmp_path / "cube.3dm")
+    save_morph_targets(morph_targets_of(cube.mesh, cube.states), tmp_path / "cube.3dm")
     table = (TABLES / "vrm.toml").read_text(encoding="utf-8")
     table = table.replace('movestates = "vrm"', 'movestates = ["lid up", "A", "I", "U", "E", "O"]')
     (tmp_path / "lid.toml").write_text(table.replace("A =", '"lid up" ='), encoding="utf-8")
@@ -176,8 +176,8 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
     (tmp_path / "full").mkdir()
     (tmp_path / "full" / "mine").write_text("mine")
     (tmp_path / "cube.obj").write_bytes(CUBE_OBJ)
-    cube: Figure = figure_of_cube()
-    save_face(face_of(cube.mesh, cube.states), tmp_path / "cube.3dm")
+    cube: MorphMesh = figure_of_cube()
+    save_morph_targets(morph_targets_of(cube.mesh, cube.states), tmp_path / "cube.3dm")
     assert refused(capsys, "preview", sound, *words, *(() if "--fps" in words else ("--fps", "5"))).startswith(
         sentence
     )

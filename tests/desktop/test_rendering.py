@@ -7,37 +7,38 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from scipy.ndimage import binary_fill_holes
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError
-from phonemeengine.mouth.morph_mesh import Figure
 from phonemeengine.mouth.head import HEAD, load_head
 from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.mesh import Vectors, mesh_of
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
+from scipy.ndimage import binary_fill_holes
+
 from phonemeanalyser.rendering import contexts
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
-from phonemeanalyser.rendering.offscreen import Photographer
+from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import HeadRenderer, colour_of
-from phonemeanalyser.rendering.subdivision import smoothed
+from phonemeanalyser.rendering.subdivision import subdivided
 from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined, photographer, seen
 from tests.meshes import cube, figure_of_cube
 
 __all__ = ["context", "photographer"]  # fixtures
-Hire = Callable[..., Photographer]
+Hire = Callable[..., OffscreenRenderer]
 
 
 @pytest.fixture(scope="module")
-def head() -> Figure:
+def head() -> MorphMesh:
     return load_head()
 
 
-def saying(head: Figure, phoneme: Phoneme) -> Vectors:
+def saying(head: MorphMesh, phoneme: Phoneme) -> Float32Array:
     table, face = load_table("arkit"), MovestateSet(head.mesh, head.states)
     shape = table.weights()[phoneme] * 100
     face.set_percentages(dict(zip(table.movestates, shape.tolist(), strict=True)))
@@ -54,7 +55,7 @@ def irises(picture: Picture) -> NDArray[np.int_]:
     return np.argwhere((blue > red + 12) & seen(picture))
 
 
-def test_closed_lips_hide_the_dark_of_the_mouth_and_open_ones_show_it(head: Figure, photographer: Hire):
+def test_closed_lips_hide_the_dark_of_the_mouth_and_open_ones_show_it(head: MorphMesh, photographer: Hire):
     camera = Camera.facing(head.mesh)
     shown = {
         phoneme: photographer(head).picture(camera, saying(head, phoneme), background=LIGHT)
@@ -68,7 +69,7 @@ def test_closed_lips_hide_the_dark_of_the_mouth_and_open_ones_show_it(head: Figu
     assert np.array_equal(shown[Phoneme.M][forehead], shown[Phoneme.SILENCE][forehead])
 
 
-def test_from_the_other_side_the_head_is_its_mirror_image(head: Figure, photographer: Hire):
+def test_from_the_other_side_the_head_is_its_mirror_image(head: MorphMesh, photographer: Hire):
     camera, shown = Camera.facing(head.mesh), []
     for side in (1, -1):
         picture = photographer(head).picture(camera.orbit(side * 0.7, 0.1), head.mesh.positions, background=DARK)
@@ -78,7 +79,7 @@ def test_from_the_other_side_the_head_is_its_mirror_image(head: Figure, photogra
     assert (right & left[:, ::-1]).sum() < 0.9 * (right | left[:, ::-1]).sum()
 
 
-def test_nobody_looks_through_an_open_mouth(head: Figure, photographer: Hire):
+def test_nobody_looks_through_an_open_mouth(head: MorphMesh, photographer: Hire):
     positions, camera = saying(head, Phoneme.A), Camera.facing(head.mesh).zoom(6)
     hired = photographer(head, (320, 320))
     for azimuth in (-1.2, -0.6, 0.0, 0.6, 1.2):
@@ -89,7 +90,7 @@ def test_nobody_looks_through_an_open_mouth(head: Figure, photographer: Hire):
             assert np.array_equal(binary_fill_holes(head_alone)[face], head_alone[face])
 
 
-def test_wires_let_the_background_through_and_reach_no_farther_than_the_skin(head: Figure, photographer: Hire):
+def test_wires_let_the_background_through_and_reach_no_farther_than_the_skin(head: MorphMesh, photographer: Hire):
     hired, camera = photographer(head, (640, 640)), Camera.facing(head.mesh)
     skin, wires = (
         seen(hired.picture(camera, head.mesh.positions, background=LIGHT, wireframe=wireframe))
@@ -101,7 +102,7 @@ def test_wires_let_the_background_through_and_reach_no_farther_than_the_skin(hea
 
 @pytest.mark.parametrize("size", [(16, 16), (101, 57), (57, 101), (640, 480)])
 def test_a_picture_has_the_size_that_was_asked_for_and_all_of_the_head(
-    size: tuple[int, int], head: Figure, photographer: Hire
+    size: tuple[int, int], head: MorphMesh, photographer: Hire
 ):
     picture = photographer(head, size).picture(Camera.facing(head.mesh), head.mesh.positions, background=DARK)
     assert picture.shape == (size[1], size[0], 3)
@@ -112,7 +113,7 @@ def test_a_picture_has_the_size_that_was_asked_for_and_all_of_the_head(
     assert max(np.ptp(rows) / size[1], np.ptp(columns) / size[0]) > 0.45
 
 
-def test_pictures_may_change_their_size(head: Figure, photographer: Hire):
+def test_pictures_may_change_their_size(head: MorphMesh, photographer: Hire):
     camera, positions = Camera.facing(head.mesh), head.mesh.positions
     hired = photographer(head, (64, 48))
     for size in ((80, 101), (64, 48)):
@@ -121,14 +122,14 @@ def test_pictures_may_change_their_size(head: Figure, photographer: Hire):
         assert np.array_equal(hired.picture(camera, positions, background=DARK), wanted)
 
 
-def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: Figure, photographer: Hire):
+def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: MorphMesh, photographer: Hire):
     """Teeth, which are the whitest of all but the eyes, are painted magenta."""
     with np.load(HEAD, allow_pickle=False) as file:
         teeth = np.isin(file["part"], (2, 5))
     colours = head.mesh.colours.copy()
     colours[teeth] = MAGENTA
     painted = replace(head, mesh=replace(head.mesh, colours=colours))
-    for figure in (painted, smoothed(painted)):
+    for figure in (painted, subdivided(painted)):
         hired, camera = photographer(figure, (300, 300)), Camera.facing(figure.mesh).zoom(10).pan(0.0, -0.16)
         n_seen = {
             phoneme: max(
@@ -148,14 +149,14 @@ def _n_magenta(picture: Picture) -> int:
 
 
 @pytest.mark.parametrize("colour", ["#1f2228", "#f3f4f6", "#000000", "#ffffff"])
-def test_the_background_has_exactly_the_colour_of_the_theme(colour: str, head: Figure, photographer: Hire):
+def test_the_background_has_exactly_the_colour_of_the_theme(colour: str, head: MorphMesh, photographer: Hire):
     picture = photographer(head, (64, 64)).picture(
         Camera.facing(head.mesh), head.mesh.positions, background=colour_of(colour)
     )
     assert bytes(picture[0, 0]).hex() == bytes(picture[-1, -1]).hex() == colour[1:]
 
 
-def test_the_same_head_looks_the_same_in_every_picture(head: Figure, photographer: Hire):
+def test_the_same_head_looks_the_same_in_every_picture(head: MorphMesh, photographer: Hire):
     camera, positions = Camera.facing(head.mesh).orbit(0.3, 0.1), saying(head, Phoneme.O)
     hired = photographer(head)
     first = hired.picture(camera, positions, background=DARK)
@@ -171,7 +172,7 @@ def test_the_same_head_looks_the_same_in_every_picture(head: Figure, photographe
     [(HeadPose(yaw=15), 1, 1), (HeadPose(yaw=-15), 1, -1), (HeadPose(pitch=12), 0, -1), (HeadPose(pitch=-12), 0, 1)],
 )
 def test_a_head_that_turns_takes_its_eyes_along(
-    pose: HeadPose, axis: int, sign: int, head: Figure, photographer: Hire
+    pose: HeadPose, axis: int, sign: int, head: MorphMesh, photographer: Hire
 ):
     hired, camera = photographer(head), Camera.facing(head.mesh)
     ahead, turned = (
@@ -181,7 +182,7 @@ def test_a_head_that_turns_takes_its_eyes_along(
     assert sign * (turned - ahead)[axis] > 5
 
 
-def test_a_head_that_rolls_to_its_left_shoulder_lowers_its_left_eye(head: Figure, photographer: Hire):
+def test_a_head_that_rolls_to_its_left_shoulder_lowers_its_left_eye(head: MorphMesh, photographer: Hire):
     camera = Camera.facing(head.mesh)
     picture = photographer(head).picture(camera, head.mesh.positions, HeadPose(roll=12), background=LIGHT)
     rows, columns = irises(picture).T
@@ -189,7 +190,7 @@ def test_a_head_that_rolls_to_its_left_shoulder_lowers_its_left_eye(head: Figure
     assert rows[left_eye].mean() > rows[~left_eye].mean() + 5
 
 
-def test_the_neck_stays_where_it_is_when_the_head_turns(head: Figure, photographer: Hire):
+def test_the_neck_stays_where_it_is_when_the_head_turns(head: MorphMesh, photographer: Hire):
     hired, camera = photographer(head), Camera.facing(head.mesh)
     ahead, turned = (
         seen(hired.picture(camera, head.mesh.positions, how, background=LIGHT))
@@ -202,7 +203,7 @@ def test_the_neck_stays_where_it_is_when_the_head_turns(head: Figure, photograph
 
 @pytest.mark.parametrize("azimuth", [-1.2, 1.2])
 def test_the_side_that_the_light_comes_from_is_the_bright_one(azimuth: float, photographer: Hire):
-    hired = photographer(Figure(ball()))
+    hired = photographer(MorphMesh(ball()))
     camera = Camera.facing(ball())
     picture = hired.picture(camera, ball().positions, background=DARK, light=Light(azimuth, 0.0)).astype(float)
     left, right = picture[60:180, 60:120].mean(), picture[60:180, 120:180].mean()
@@ -210,7 +211,7 @@ def test_the_side_that_the_light_comes_from_is_the_bright_one(azimuth: float, ph
 
 
 def test_without_light_everything_is_black_but_the_background(photographer: Hire):
-    picture = photographer(Figure(ball())).picture(
+    picture = photographer(MorphMesh(ball())).picture(
         Camera.facing(ball()), ball().positions, background=LIGHT, light=Light(strength=0.0)
     )
     assert picture[120, 120].max() == 0
@@ -226,12 +227,12 @@ def darkened(photographer: Hire, *, fine: bool) -> NDArray[np.int_]:
     scene = joined(LARGE, replace(SMALL, positions=SMALL.positions + np.float32((0.0, 0.0, 1.6))))
     aside = scene.positions.copy()
     aside[len(LARGE) :] -= np.float32((0.0, 0.0, 3.4))
-    hired, light = photographer(Figure(scene)), Light(azimuth=-0.9, elevation=0.0)
+    hired, light = photographer(MorphMesh(scene)), Light(azimuth=-0.9, elevation=0.0)
     shadowed, plain = (
         hired.picture(ASKANCE, positions, background=DARK, light=light, fine=fine).astype(int).sum(axis=2)
         for positions in (scene.positions, aside)
     )
-    alone = seen(photographer(Figure(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
+    alone = seen(photographer(MorphMesh(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
     return np.where(alone, plain - shadowed, 0)
 
 
@@ -248,7 +249,7 @@ def test_the_edge_of_a_shadow_is_soft_in_a_fine_picture(photographer: Hire):
 @pytest.mark.parametrize("fine", [False, True])
 def test_what_stands_in_the_light_casts_a_shadow(photographer: Hire, fine: bool):
     dark = darkened(photographer, fine=fine)
-    alone = seen(photographer(Figure(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
+    alone = seen(photographer(MorphMesh(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
     rows, columns = np.argwhere(dark > 60).T
     middle, radius = 119.5, np.ptp(np.argwhere(alone)[:, 0]) / 2
     assert len(rows) > 100
@@ -260,9 +261,9 @@ def test_what_is_seen_from_its_back_is_dark(photographer: Hire):
     """A box without its front: its inside is seen, and it is neither the background nor in the light."""
     whole = cube()
     box = mesh_of(whole.positions, whole.triangles[2:])
-    picture = photographer(Figure(box), (120, 120)).picture(Camera.facing(box), box.positions, background=MAGENTA)
+    picture = photographer(MorphMesh(box), (120, 120)).picture(Camera.facing(box), box.positions, background=MAGENTA)
     assert picture[60, 60].max() < 50
-    closed = photographer(Figure(whole), (120, 120)).picture(
+    closed = photographer(MorphMesh(whole), (120, 120)).picture(
         Camera.facing(whole), whole.positions, background=MAGENTA
     )
     assert closed[60, 60].min() > 120
@@ -280,7 +281,7 @@ def test_any_mesh_can_be_drawn_from_any_side(photographer: Hire):
     assert min(areas) > 0.5 * max(areas) > 1000
 
 
-def test_a_renderer_leaves_its_framebuffer_bound_and_can_be_made_again(context, head: Figure):
+def test_a_renderer_leaves_its_framebuffer_bound_and_can_be_made_again(context, head: MorphMesh):
     camera = Camera.facing(head.mesh)
     for size in ((50, 40), (80, 80)):
         target = context.framebuffer(context.renderbuffer(size, 4))
@@ -296,21 +297,21 @@ def test_a_renderer_leaves_its_framebuffer_bound_and_can_be_made_again(context, 
 
 def test_a_mesh_without_triangles_is_refused(photographer: Hire):
     with pytest.raises(RenderingError, match="the mesh has no triangles, so there is nothing to be seen"):
-        photographer(Figure(mesh_of([(0, 0, 0), (1, 1, 1)])))
+        photographer(MorphMesh(mesh_of([(0, 0, 0), (1, 1, 1)])))
 
 
 @pytest.mark.parametrize("scale", [1e-4, 1e5])
-def test_the_unit_of_a_mesh_does_not_matter(scale: float, head: Figure, photographer: Hire):
+def test_the_unit_of_a_mesh_does_not_matter(scale: float, head: MorphMesh, photographer: Hire):
     mesh = head.mesh
     other = mesh_of(mesh.positions * np.float32(scale), mesh.triangles, colours=mesh.colours)
     shown = [
-        photographer(Figure(one)).picture(Camera.facing(one).orbit(0.4, 0.0), one.positions, background=DARK)
+        photographer(MorphMesh(one)).picture(Camera.facing(one).orbit(0.4, 0.0), one.positions, background=DARK)
         for one in (mesh, other)
     ]
     assert np.mean(np.abs(shown[0].astype(int) - shown[1]) > 8) < 0.01
 
 
-def test_a_picture_too_large_for_the_driver_is_refused_in_one_sentence(head: Figure, photographer: Hire):
+def test_a_picture_too_large_for_the_driver_is_refused_in_one_sentence(head: MorphMesh, photographer: Hire):
     with pytest.raises(RenderingError, match=r"make them smaller$"):
         photographer(head, (200_000, 200_000))
 

@@ -12,12 +12,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
-from phonemeengine.labels.label import Label
 from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset, save_preset
 from phonemeengine.settings import SAMPLE_RATE
+
 from phonemeanalyser.cli.main import main
 from tests.conftest import CORPUS
 from tests.corpora import put, speech, write_corpus, write_manifest

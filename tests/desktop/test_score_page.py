@@ -6,13 +6,13 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-
-from phonemeengine.labels.label import Label
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import score_corpus
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
+
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.page import page_of

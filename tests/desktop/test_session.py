@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-from pytestqt.qtbot import QtBot
-
 from phonemeengine.features.variables import Variable
 from phonemeengine.settings import SAMPLE_RATE, Filter
+from pytestqt.qtbot import QtBot
+
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from tests.bad_files import BAD_FILES, HOSTILE

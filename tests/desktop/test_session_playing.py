@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pytestqt.qtbot import QtBot
-
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
+from pytestqt.qtbot import QtBot
+
 from phonemeanalyser.desktop.session.history import GAP
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session

@@ -3,15 +3,15 @@
 import moderngl
 import numpy as np
 import pytest
-
-from phonemeengine.mouth.morph_mesh import Figure
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
+
 from phonemeanalyser.rendering.renderer import HeadRenderer
-from phonemeanalyser.rendering.subdivision import MOST_TRIANGLES, smoothed
-from phonemeanalyser.rendering.surface import Surface, wetness_of
+from phonemeanalyser.rendering.subdivision import MOST_TRIANGLES, subdivided
+from phonemeanalyser.rendering.surface import Surface, specular_mask
 from tests.graphics import ball, context, joined
 from tests.meshes import cube, figure_of_cube, volume
 
@@ -21,7 +21,7 @@ NO_POLES = slice(25, -25)
 
 
 @pytest.fixture(scope="module")
-def head() -> Figure:
+def head() -> MorphMesh:
     return load_head()
 
 
@@ -51,7 +51,7 @@ def test_vertices_that_were_split_at_one_place_face_alike():
     assert seam == pytest.approx(first, abs=1e-6)
 
 
-def test_the_surface_says_of_a_mesh_at_rest_what_the_mesh_says(head: Figure):
+def test_the_surface_says_of_a_mesh_at_rest_what_the_mesh_says(head: MorphMesh):
     normals = Surface(head.mesh).normals(head.mesh.positions)
     assert np.einsum("ij,ij->i", normals, head.mesh.normals).min() > 0.99
 
@@ -64,13 +64,13 @@ def test_a_vertex_without_an_area_faces_the_viewer():
 def test_eyes_are_wet_because_they_are_round():
     beside = cube()
     far = mesh_of(beside.positions + np.float32((5, 0, 0)), beside.triangles)
-    wet = wetness_of(joined(far, ball()))
+    wet = specular_mask(joined(far, ball()))
     assert wet[:8].tolist() == [0] * 8
     assert wet[8:].min() == 1
 
 
-def test_of_the_head_eyes_teeth_and_lips_are_wet_and_skin_and_brows_dry(head: Figure):
-    wet, points = wetness_of(head.mesh), head.mesh.positions
+def test_of_the_head_eyes_teeth_and_lips_are_wet_and_skin_and_brows_dry(head: MorphMesh):
+    wet, points = specular_mask(head.mesh), head.mesh.positions
     assert (wet == 1).sum() == 2 * 416
     crown = points[:, 1] > 0.9
     assert wet[crown].max() == 0
@@ -80,14 +80,14 @@ def test_of_the_head_eyes_teeth_and_lips_are_wet_and_skin_and_brows_dry(head: Fi
 
 def test_a_ball_in_a_ball_is_dark_and_one_alone_is_open(context: moderngl.Context):
     inner, outer = ball(0.4), ball(1.0)
-    renderer = HeadRenderer(context, Figure(joined(inner, outer)))
+    renderer = HeadRenderer(context, MorphMesh(joined(inner, outer)))
     openness = np.frombuffer(renderer._looks.read(), np.float32).reshape(-1, 5)[:, 4]
     assert openness[: len(inner)].max() < 0.02
     assert openness[len(inner) :][NO_POLES].min() > 0.9
     renderer.release()
 
 
-def test_the_closed_mouth_and_the_nostrils_are_darker_than_the_forehead(context: moderngl.Context, head: Figure):
+def test_the_closed_mouth_and_the_nostrils_are_darker_than_the_forehead(context: moderngl.Context, head: MorphMesh):
     renderer = HeadRenderer(context, head)
     openness = np.frombuffer(renderer._looks.read(), np.float32).reshape(-1, 5)[:, 4]
     x, y, z = head.mesh.positions.T
@@ -99,8 +99,8 @@ def test_the_closed_mouth_and_the_nostrils_are_darker_than_the_forehead(context:
     renderer.release()
 
 
-def test_a_smoothed_figure_has_four_triangles_for_each_and_stays_closed(head: Figure):
-    finer = smoothed(head)
+def test_a_smoothed_figure_has_four_triangles_for_each_and_stays_closed(head: MorphMesh):
+    finer = subdivided(head)
     assert len(finer.mesh.triangles) == 4 * len(head.mesh.triangles)
     assert (
         edges_of(finer.mesh.triangles, finer.mesh.positions).max()
@@ -115,7 +115,7 @@ def test_a_smoothed_figure_has_four_triangles_for_each_and_stays_closed(head: Fi
 
 def test_smoothing_rounds_a_large_mesh_and_nothing_leaves_its_hull():
     mesh = ball(n=16)
-    finer = smoothed(Figure(mesh)).mesh
+    finer = subdivided(MorphMesh(mesh)).mesh
     radii = np.linalg.norm(finer.positions, axis=1)
     assert radii.max() <= 1.0001
     assert 0.9 * volume(mesh) < volume(finer) < volume(mesh)
@@ -127,7 +127,7 @@ def test_a_plane_stays_a_plane_and_keeps_its_corners_edges():
     a, b, c, d = (part.ravel() for part in (k[:-1, :-1], k[:-1, 1:], k[1:, 1:], k[1:, :-1]))
     triangles = np.concatenate((np.stack((a, b, c), 1), np.stack((a, c, d), 1)))
     plane = mesh_of(np.column_stack((x.ravel(), y.ravel(), 0.3 * x.ravel())), triangles)
-    points = smoothed(Figure(plane)).mesh.positions
+    points = subdivided(MorphMesh(plane)).mesh.positions
     assert points[:, 2] == pytest.approx(0.3 * points[:, 0], abs=1e-5)
     on_edge = np.isclose(points[:144], plane.positions, atol=1e-5).all(axis=1).reshape(12, 12)
     assert on_edge[0, 2:-2].all()
@@ -135,23 +135,23 @@ def test_a_plane_stays_a_plane_and_keeps_its_corners_edges():
 
 
 def test_a_small_part_keeps_its_form():
-    finer = smoothed(figure_of_cube())
+    finer = subdivided(figure_of_cube())
     assert volume(finer.mesh) == pytest.approx(8, rel=1e-5)
     assert len(finer.mesh.triangles) == 48
 
 
-def test_moving_a_smoothed_figure_is_smoothing_a_moved_one(head: Figure):
-    finer, moved = smoothed(head), MovestateSet(head.mesh, head.states)
+def test_moving_a_smoothed_figure_is_smoothing_a_moved_one(head: MorphMesh):
+    finer, moved = subdivided(head), MovestateSet(head.mesh, head.states)
     percentages = {"jawOpen": 60.0, "mouthSmileLeft": 40.0, "eyeBlinkRight": 100.0}
     moved.set_percentages(percentages)
     other = MovestateSet(finer.mesh, finer.states)
     other.set_percentages(percentages)
     mesh = head.mesh
-    wanted = smoothed(Figure(mesh_of(moved.morphed(), mesh.triangles, normals=mesh.normals))).mesh.positions
+    wanted = subdivided(MorphMesh(mesh_of(moved.morphed(), mesh.triangles, normals=mesh.normals))).mesh.positions
     assert np.abs(other.morphed() - wanted).max() < 3e-4  # offsets below 0.0001 are left out
 
 
 def test_a_mesh_that_is_fine_already_is_left_as_it_is():
-    fine = Figure(ball(n=2 * int(np.sqrt(MOST_TRIANGLES / 2)) + 4), (movestate_of("none", np.zeros((1, 3))),))
+    fine = MorphMesh(ball(n=2 * int(np.sqrt(MOST_TRIANGLES / 2)) + 4), (movestate_of("none", np.zeros((1, 3))),))
     assert len(fine.mesh.triangles) > MOST_TRIANGLES
-    assert smoothed(fine) is fine
+    assert subdivided(fine) is fine

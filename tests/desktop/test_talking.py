@@ -6,22 +6,22 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pytestqt.qtbot import QtBot
-
 from phonemeengine.analyser import Analysis
-from phonemeengine.mouth.morph_mesh import Face
-from phonemeengine.mouth.files.io import save_face
+from phonemeengine.audio.tone.settings import Tone, ToneKind
+from phonemeengine.mouth.files.io import save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.morph_mesh import MorphTargets
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.movestate import movestate_of
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.audio.tone.settings import Tone, ToneKind
+from pytestqt.qtbot import QtBot
+
+from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.talk import osc_model as talking_osc
-from phonemeanalyser.desktop.session.session import Session, Source
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from tests.desktop.sessions import settled
 from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
@@ -71,7 +71,7 @@ def test_a_vowel_of_a_file_moves_the_mouth_before_it_is_heard(stage: Stage) -> N
 
 def test_what_is_live_moves_the_mouth_when_it_is_heard(stage: Stage) -> None:
     stage.session.set_tone(Tone(kind=ToneKind.VOWEL))
-    stage.session.set_source(Source.TONE)
+    stage.session.set_source(SoundSource.TONE)
     before: list[float] = []
     stage.play(0.6, lambda: before.append(stage.jaw) if not stage.said_an_a else None)
     assert stage.said_an_a
@@ -81,7 +81,7 @@ def test_what_is_live_moves_the_mouth_when_it_is_heard(stage: Stage) -> None:
 
 def test_the_mouth_closes_when_nothing_live_comes_any_more(stage: Stage) -> None:
     stage.session.set_tone(Tone(kind=ToneKind.VOWEL))
-    stage.session.set_source(Source.TONE)
+    stage.session.set_source(SoundSource.TONE)
     stage.play(0.6)
     stage.session.pause()
     stage.wait(1.0)
@@ -356,7 +356,7 @@ def test_movestates_may_lie_in_a_file_of_their_own(stage: Stage, tmp_path: Path)
     (tmp_path / "own.glb").write_bytes(face_with_targets(("smile",)))
     mesh = stage_mesh(tmp_path / "own.glb")
     state = movestate_of("jawOpen", [[0, 1, 0]] * len(mesh))
-    save_face(Face((state,), state.numbers, mesh[state.numbers]), tmp_path / "own.3dm")
+    save_morph_targets(MorphTargets((state,), state.numbers, mesh[state.numbers]), tmp_path / "own.3dm")
     stage.talking.face.load(FaceFiles(tmp_path / "own.glb", tmp_path / "own.3dm"))
     stage.settle()
     assert list(stage.talking.percentages) == ["jawOpen"]
@@ -364,9 +364,9 @@ def test_movestates_may_lie_in_a_file_of_their_own(stage: Stage, tmp_path: Path)
 
 
 def stage_mesh(path: Path):
-    from phonemeengine.mouth.files.io import load_figure
+    from phonemeengine.mouth.files.io import load_morph_mesh
 
-    return load_figure(path).mesh.positions
+    return load_morph_mesh(path).mesh.positions
 
 
 def test_a_bad_mesh_is_refused_in_one_sentence_and_the_face_stays(stage: Stage, tmp_path: Path) -> None:

@@ -1,12 +1,13 @@
 """Which lines of a decision the window tells: all of a few rules, the nearest of many."""
 
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.trace import Comparison, Trace
+from phonemeengine.recognition.trace import RuleComparison, Trace
+
 from phonemeanalyser.desktop.analyse.phoneme_view import N_ROWS, rows_of
 
 
-def compared(rule: str, margin: float, limit: float = 1.0, variable: str = "energy") -> Comparison:
-    return Comparison(rule, variable, limit + margin, ">", "", limit, margin)
+def compared(rule: str, margin: float, limit: float = 1.0, variable: str = "energy") -> RuleComparison:
+    return RuleComparison(rule, variable, limit + margin, ">", "", limit, margin)
 
 
 def test_of_few_rules_each_one_is_told_by_the_first_comparison_that_failed() -> None:

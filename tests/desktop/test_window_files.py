@@ -3,11 +3,11 @@
 from pathlib import Path
 
 import pytest
+from phonemeengine.presets.files import FACTORY, THESIS_PRESET, save_preset
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-from phonemeengine.presets.files import FACTORY, THESIS_PRESET, save_preset
 from tests.bad_files import BAD_FILES, DAMAGED, ODD_FILES
 from tests.desktop.hands import CARDS, DEMO, click, followed, press, shown, wav
 from tests.sounds import tone

@@ -5,6 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import soundfile
+from phonemeengine.analyser import Analysis, analyse_blocks
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import AnalysisSettings, Filter
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -19,12 +22,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeengine.analyser import Analysis, analyses_of
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import AnalysisSettings, Filter
-from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS
 from phonemeanalyser.desktop.analyse.filter_column import FIELDS
 from phonemeanalyser.desktop.analyse.threshold_view import ThresholdSlider
+from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS
 from tests.desktop.hands import CARDS, click, press, shown, type_number
 from tests.sounds import noise
 
@@ -74,7 +74,7 @@ def window(desktop, qtbot):
 
 
 def analysed(speech: np.ndarray, preset: Preset) -> Analysis:
-    return next(iter(analyses_of([speech], preset)))
+    return next(iter(analyse_blocks([speech], preset)))
 
 
 def seen(analysis: Analysis) -> dict[str, np.ndarray]:

@@ -10,29 +10,29 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.mouth.files.io import save_morph_targets
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import morph_targets_of
+from phonemeengine.mouth.movestate import movestate_of
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.table import TABLES, load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import THESIS_PRESET
 from PySide6.QtCore import QPoint, QPointF, QSettings, Qt
 from PySide6.QtGui import QImage, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QFileDialog, QSlider
 from pytestqt.qtbot import QtBot
 
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.mouth.morph_mesh import face_of
-from phonemeengine.mouth.files.io import save_face
-from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.movestate import movestate_of
-from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.table import TABLES, load_table
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import THESIS_PRESET
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.rendering import offscreen as pictures
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.errors import RenderingError
-from phonemeanalyser.desktop.talk.head_view import HeadView
 from tests.conftest import ROOT
 from tests.desktop.hands import LEFT, button, click, press, shown, wav
 from tests.desktop.stage import AN_A
@@ -137,7 +137,7 @@ def test_without_opengl_a_sentence_stands_where_the_head_would_be(desktop, qtbot
     def refuse(_figure):
         raise RenderingError("pictures need OpenGL 3.3, and there is none")
 
-    monkeypatch.setattr(pictures, "Photographer", refuse)
+    monkeypatch.setattr(pictures, "OffscreenRenderer", refuse)
     window = shown(desktop, qtbot, wav(tmp_path, AN_A))
     press(window, Qt.Key.Key_3, CONTROL)
     qtbot.waitUntil(lambda: bool(window.talk.head.trouble))
@@ -427,7 +427,7 @@ def test_a_mesh_that_is_dropped_is_shown(window, desktop, qtbot, tmp_path):
 
 def test_a_mesh_that_cannot_be_seen_is_told_and_another_one_is_shown(window, desktop, qtbot, tmp_path):
     points = mesh_of([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
-    save_face(face_of(points, [movestate_of("jawOpen", [[0, 1, 0]] * 3)]), tmp_path / "points.glb")
+    save_morph_targets(morph_targets_of(points, [movestate_of("jawOpen", [[0, 1, 0]] * 3)]), tmp_path / "points.glb")
     head = window.talk.head
     window.talking_dialogs.open([tmp_path / "points.glb"])
     qtbot.waitUntil(lambda: head.trouble.startswith("The head cannot be shown: the mesh has no triangles"))

@@ -4,17 +4,17 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import Channel
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QImage
 from PySide6.QtWidgets import QApplication, QComboBox, QDockWidget, QMessageBox
 
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import Channel
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
+from phonemeanalyser.desktop.window import MainWindow
 from tests.desktop.hands import click, followed, press, shown, type_number
 
 

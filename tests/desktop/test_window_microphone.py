@@ -4,15 +4,15 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox
-
 from phonemeengine.audio.devices import Device
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox
+
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.session.session import Source
 from phonemeanalyser.desktop.session.level_meter import words_of
+from phonemeanalyser.desktop.session.session import SoundSource
 from tests.desktop.hands import CARDS, DEMO, ON_BIN, TimeEyes, click, drag, press
 from tests.desktop.studio import DESK, HEADSET, Booth, Studio, choose
 from tests.microphones import HandDrivenMicrophone, offline
@@ -41,7 +41,7 @@ def test_choosing_the_microphone_listens_and_lets_the_files_device_go(open_booth
     assert not player._thread.is_alive()
     assert booth.desktop.session._player is None
     booth.hear(mic, HEARD)
-    assert booth.desktop.session.source is Source.MICROPHONE
+    assert booth.desktop.session.source is SoundSource.MICROPHONE
     assert booth.window.windowTitle().startswith("microphone - ")
     booth.until(lambda: booth.status.strip().startswith("microphone: Desk · ALSA, 44 100 Hz"), mic)
     transport = booth.window.transport
@@ -133,9 +133,11 @@ def test_opening_a_file_while_it_listens_lets_the_microphone_go(
     booth: Booth, mic: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
 ):
     booth.hear(mic, A)
-    monkeypatch.setattr("phonemeanalyser.desktop.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(DEMO), ""))
+    monkeypatch.setattr(
+        "phonemeanalyser.desktop.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(DEMO), "")
+    )
     press(booth.window, Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
-    assert booth.desktop.session.source is Source.FILE
+    assert booth.desktop.session.source is SoundSource.FILE
     assert booth.window.transport.source.currentText() == "file"
     booth.until(mic.closed.is_set)
     assert booth.desktop.session.path == DEMO
@@ -247,7 +249,7 @@ def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth:
     again.window.show()
     qtbot.wait(100)
     assert studio.openers.asked == []
-    assert again.session.source is Source.FILE
+    assert again.session.source is SoundSource.FILE
     assert studio.model.choice == booth.studio.model.choice
     assert studio.model.choice.latency == 0.2
     assert (studio.model.suffix, studio.model.with_phonemes, studio.model.fill_gaps) == (".flac", True, True)

@@ -4,17 +4,17 @@ import threading
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
-
 from phonemeengine.labels.files import read_labels
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
 from phonemeengine.settings import Channel
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
+
 from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.session import phoneme_writer
-from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.session.session import SoundSource
 from tests.desktop.hands import CARDS, press, shown
 from tests.tables import analysed
 
@@ -136,7 +136,7 @@ def test_without_a_file_it_says_what_to_do(desktop, qtbot):
 
 
 def test_at_another_source_it_says_what_to_do(desktop, window, qtbot):
-    desktop.session.set_source(Source.TONE)
+    desktop.session.set_source(SoundSource.TONE)
     save(window, qtbot)
     assert said(window).startswith("There is no sound file in hand")
 

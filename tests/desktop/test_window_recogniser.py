@@ -8,15 +8,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
-
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
 from phonemeengine.recognition.recogniser import RECOGNISERS
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number

@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+from phonemeengine.settings import HOP
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QColor, QDropEvent
 from PySide6.QtTest import QTest
 
-from phonemeengine.settings import HOP
-from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.session.session import SoundSource
 from tests.desktop.hands import CARDS, DEMO, click, press
 from tests.desktop.studio import DESK, Booth
 from tests.desktop.test_microphone import CUT_OFF
@@ -76,7 +76,7 @@ def test_r_makes_room_for_the_microphone_whatever_was_in_use(open_booth: Open, m
     press(booth.window, Qt.Key.Key_Space)
     booth.record()
     booth.hear(mic, known(0, 40))
-    assert booth.desktop.session.source is Source.MICROPHONE
+    assert booth.desktop.session.source is SoundSource.MICROPHONE
     booth.record()
     booth.until(lambda: booth.banner.startswith("Recorded 0.4 s"))
     assert booth.desktop.session.playing  # it goes on listening
@@ -124,7 +124,7 @@ def test_the_offer_opens_the_recording(booth: Booth, mic: HandDrivenMicrophone):
     assert (action.text(), action.isVisible()) == ("Open It", True)
     click(action)
     assert booth.desktop.session.path == take
-    assert booth.desktop.session.source is Source.FILE
+    assert booth.desktop.session.source is SoundSource.FILE
     assert booth.desktop.session.duration == pytest.approx(0.5)
     assert booth.banner == ""
     assert booth.window.dialogs.recent_sounds()[0] == str(take.resolve())
@@ -174,7 +174,7 @@ def test_a_dropped_file_ends_the_recording_and_its_offer_still_comes(booth: Boot
     mime.setUrls([QUrl.fromLocalFile(str(DEMO))])
     copy, left, no_key = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
     booth.window.dropEvent(QDropEvent(QPointF(300, 300), copy, mime, left, no_key))
-    assert (booth.desktop.session.path, booth.desktop.session.source) == (DEMO, Source.FILE)
+    assert (booth.desktop.session.path, booth.desktop.session.source) == (DEMO, SoundSource.FILE)
     booth.until(lambda: booth.banner.startswith("Recorded 0.5 s into "))
     np.testing.assert_array_equal(samples_in(booth.studio.take)[:, 0], known(0, 50))
     assert not booth.window.transport.record.isChecked()

@@ -1,6 +1,8 @@
 """Nothing is clipped: every text has room at the sizes that people use."""
 
 import pytest
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.audio.tone.settings import Tone, ToneKind
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -16,11 +18,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.audio.tone.settings import Tone, ToneKind
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.guide_model import Phase
-from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.session.session import SoundSource
 from tests.desktop.hands import click, followed, shown
 
 SMALLEST = (1016, 660)
@@ -115,7 +115,7 @@ def fits(window) -> bool:
 def test_every_page_fits_on_a_small_screen_whatever_is_heard(desktop, qtbot, page, kind):
     window = shown(desktop, qtbot, None)
     if kind is not None:
-        desktop.session.set_source(Source.TONE)
+        desktop.session.set_source(SoundSource.TONE)
         desktop.session.set_tone(Tone(kind=kind))
         window.transport.tone.show_tone(desktop.session.tone)
     window.show_page(page)

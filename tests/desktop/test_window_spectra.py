@@ -5,13 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from phonemeengine.averaged_spectrum import load_averaged_spectrum
+from phonemeengine.settings import BIN_WIDTH, Filter
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
-from phonemeengine.averaged_spectrum import load_curve
-from phonemeengine.settings import BIN_WIDTH, Filter
 from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
 from tests.desktop.hands import LEFT, ON_BIN, button, choose, click, copied, followed, hover, press, shown, wav
@@ -286,12 +286,12 @@ def test_a_curve_whose_ending_nobody_typed_replaces_nothing(window, monkeypatch,
     (tmp_path / "tone.csv").write_text("mine")
     choose_save(window, monkeypatch, tmp_path / "tone")
     assert (tmp_path / "tone.csv").read_text() == "mine"
-    assert load_curve(tmp_path / "tone (2).csv").n_frames == 80
+    assert load_averaged_spectrum(tmp_path / "tone (2).csv").n_frames == 80
 
 
 def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, monkeypatch, tmp_path):
     choose_save(window, monkeypatch, tmp_path / "tone")
-    saved = load_curve(tmp_path / "tone.csv")
+    saved = load_averaged_spectrum(tmp_path / "tone.csv")
     assert saved.n_frames == 80
     assert "quantise 4 plain" in saved.front_end
     window.drawing.refresh_all()

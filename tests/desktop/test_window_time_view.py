@@ -5,20 +5,20 @@ import re
 import numpy as np
 import pyqtgraph as pg
 import pytest
+from phonemeengine.analyser import analyse_blocks
+from phonemeengine.features.variables import BUILT_IN_NAMES
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.rules import CONDITIONS
+from phonemeengine.settings import FRAME_PERIOD
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from phonemeengine.analyser import analyses_of
-from phonemeengine.features.variables import BUILT_IN_NAMES
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.rules import CONDITIONS
-from phonemeengine.settings import FRAME_PERIOD
+from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, colours_of
 from phonemeanalyser.desktop.session.history import CAPACITY
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeanalyser.desktop.widgets.colour_bar import ColourBar
-from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, colours_of
 from tests.desktop.hands import (
     ON_BIN,
     TimeEyes,
@@ -125,7 +125,7 @@ def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbo
     window = shown(desktop, qtbot, None)
     window.analysis.time_view.colours.setCurrentText(GREY)
     sound = np.concatenate((tone(ON_BIN, 62.0), tone(3 * ON_BIN, 2.0)))
-    for analysis in analyses_of(np.array_split(sound, 30), desktop.preset.preset):
+    for analysis in analyse_blocks(np.array_split(sound, 30), desktop.preset.preset):
         desktop.session.findings.gather(analysis)
         window.analysis.time_view.refresh()
     assert desktop.session.history.n > CAPACITY + 300

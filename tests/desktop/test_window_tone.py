@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-
+from phonemeengine.audio.tone.settings import VOWELS, ToneKind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH
-from phonemeengine.audio.tone.settings import VOWELS, ToneKind
+from PySide6.QtCore import Qt
+
+from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.window import MainWindow
-from phonemeanalyser.desktop.session.session import Source
 from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, type_number
 from tests.desktop.studio import choose
 
@@ -49,7 +49,7 @@ def settled(desktop, window, qtbot, frequency: float) -> None:
 def test_choosing_the_tone_plays_a_sine_that_is_seen_at_its_frequency(desktop, window, heard, qtbot):
     heard()
     assert desktop.session.playing
-    assert desktop.session.source is Source.TONE
+    assert desktop.session.source is SoundSource.TONE
     assert peak(window) == pytest.approx(1000, abs=BIN_WIDTH)
     assert TimeEyes(window).brightest(-0.1) == pytest.approx(1000, abs=2 * BIN_WIDTH)
     assert window.windowTitle().startswith("tone - ")

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from phonemeengine.settings import Channel
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from phonemeengine.settings import Channel
 from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, wav
 from tests.sounds import silence, tone
 
@@ -216,6 +216,8 @@ def test_clear_empties_the_views(desktop, window):
 
 
 def test_the_window_opens_the_sound_that_is_asked_for(desktop, window, monkeypatch):
-    monkeypatch.setattr("phonemeanalyser.desktop.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(CARDS), ""))
+    monkeypatch.setattr(
+        "phonemeanalyser.desktop.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(CARDS), "")
+    )
     click(window.transport.open)
     assert desktop.session.path == CARDS

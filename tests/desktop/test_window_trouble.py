@@ -3,13 +3,13 @@
 from collections.abc import Callable
 
 import pytest
-from PySide6.QtCore import Qt
-
 from phonemeengine.audio import stream
 from phonemeengine.errors import EngineError
-from phonemeengine.live.microphone_analyser import Ear
+from phonemeengine.live.microphone_analyser import MicrophoneAnalyser
+from PySide6.QtCore import Qt
+
 from phonemeanalyser.desktop.session import latency_test as click_test
-from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.session.session import SoundSource
 from tests.desktop.hands import press
 from tests.desktop.studio import DESK, Booth, choose
 from tests.desktop.test_microphone_trouble import MEASURED
@@ -74,7 +74,7 @@ def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_cho
     booth.until(lambda: booth.banner == "Opening the microphone.")
     booth.until(lambda: booth.window.drawing.n_ticks > ticks + 30)
     choose(booth.window.transport.source, "file")
-    assert booth.desktop.session.source is Source.FILE
+    assert booth.desktop.session.source is SoundSource.FILE
     press(booth.window, Qt.Key.Key_Space)
     booth.until(lambda: booth.desktop.session.history.n > 10)
     assert booth.window.close()
@@ -89,10 +89,10 @@ def test_a_recogniser_that_fails_while_it_listens_lets_the_microphone_go_with_a_
 ):
     booth.hear(mic, noise(0.2))
 
-    def refuse(_ear: Ear, _block: object) -> None:
+    def refuse(_ear: MicrophoneAnalyser, _block: object) -> None:
         raise EngineError("it cannot be recognised; choose another recogniser")
 
-    monkeypatch.setattr(Ear, "follow", refuse)
+    monkeypatch.setattr(MicrophoneAnalyser, "follow", refuse)
     booth.give(mic, noise(0.1))
     booth.until(lambda: booth.banner == "it cannot be recognised; choose another recogniser")
     assert not booth.desktop.session.playing

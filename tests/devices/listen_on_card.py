@@ -8,12 +8,12 @@ from pathlib import Path
 
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live.listener import Listener
-from phonemeengine.live.recorder import Tape
+from phonemeengine.live.recorder import Recorder
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 ending: list[int] = []
 signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))
-tape = Tape(lambda: Path(sys.argv[1]))
+tape = Recorder(lambda: Path(sys.argv[1]))
 listener = Listener(load_preset(DEFAULT_PRESET), InputChoice(rate=int(sys.argv[2])), tape=tape)
 frames: list[tuple[int, list[int]]] = []
 while not ending:

@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 import soundfile
 import soxr
-
-from phonemeengine.analyser import analyses_of
+from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.live.microphone_analyser import live
+from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import HOP, SAMPLE_RATE
+
 from phonemeanalyser.cli.main import DEMO
 from tests.conftest import CORPUS
 from tests.devices.programs import PATIENCE, SETTLED, Program, counted_in, listener
@@ -55,7 +55,7 @@ def sound_of(path: Path) -> np.ndarray:
 def codes_of(sound: np.ndarray, offset: int = 0, silent: int = 0) -> np.ndarray:
     """The phonemes of a file that begins so many samples after a frame does, after so many frames of silence."""
     padded = np.concatenate([np.zeros(silent * HOP + offset, np.float32), sound])
-    blocks = analyses_of([padded], live(load_preset(DEFAULT_PRESET)))
+    blocks = analyse_blocks([padded], for_live_use(load_preset(DEFAULT_PRESET)))
     return np.concatenate([block.phonemes for block in blocks])[silent:]
 
 

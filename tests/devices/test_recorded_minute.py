@@ -4,8 +4,8 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
+from phonemeengine.audio.journal import interrupted_recordings
 
-from phonemeengine.audio.journal import unfinished
 from tests.devices.conftest import Minute
 from tests.devices.programs import (
     PATIENCE,
@@ -39,7 +39,7 @@ def test_a_killed_program_leaves_all_that_was_on_the_disk(card: VirtualSound, ta
     on_disk = [kill(*each) for each in zip(programs, paths, lengths, strict=True)]
     player.kill()
     player.wait(PATIENCE)
-    offered = {recording.path: recording.seconds for recording in unfinished(card.journal)}
+    offered = {recording.path: recording.seconds for recording in interrupted_recordings(card.journal)}
     assert set(offered) == set(paths)
     for path, seconds in zip(paths, on_disk, strict=True):
         assert seconds_of(path) == offered[path] >= seconds

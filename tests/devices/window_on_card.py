@@ -10,7 +10,7 @@ from PySide6.QtCore import QSettings
 
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.session.session import SoundSource
 
 ending: list[int] = []
 signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))
@@ -52,7 +52,7 @@ def live(seconds: float) -> None:
 while not ending:
     live(0.05)
     say()
-window.transport.source.activated.emit(window.transport.source.findData(Source.FILE))
+window.transport.source.activated.emit(window.transport.source.findData(SoundSource.FILE))
 until = time.monotonic() + 60
 while not say().startswith("Recorded") and time.monotonic() < until:
     live(0.05)

@@ -4,11 +4,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.alignment import aligned
-from phonemeengine.labels.label import Label
-from phonemeengine.labels.table import format_table
 from phonemeengine.calibration.scores.corpus import frame_labels_of, read_labels, read_recordings
 from phonemeengine.calibration.sentences import SENTENCES, Sentence
 from phonemeengine.calibration.takes.onset import quiet_at_end
@@ -16,8 +13,11 @@ from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.spoken import keep_sentence
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError, TakeError
+from phonemeengine.labels.label import Label
+from phonemeengine.labels.table import format_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.sounds import Sound, noise, silence, tone
 
 DEMO = Path(__file__).parents[2] / "phonemeanalyser" / "demo" / "demo.flac"

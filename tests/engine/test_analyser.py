@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-
-from phonemeengine.analyser import Analyser, Analysis, analyses_of
+from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
+
 from tests.sounds import Sound, noise, silence, tone, vowel
 
 EVERYTHING = AnalysisSettings(
@@ -89,12 +89,12 @@ def test_live_blocks_of_ten_milliseconds_give_what_the_whole_file_gives(preset: 
 @settings(max_examples=20)
 @given(n=st.integers(0, 6000))
 def test_a_sound_has_one_frame_for_every_ten_milliseconds_begun(preset: Preset, n: int):
-    assert sum(len(a) for a in analyses_of([SPEECH[:n]], preset)) == -(-n // 441)
+    assert sum(len(a) for a in analyse_blocks([SPEECH[:n]], preset)) == -(-n // 441)
 
 
 def test_an_empty_sound_has_no_frames():
-    assert list(analyses_of([], THESIS)) == []
-    assert list(analyses_of([silence(0)] * 3, THESIS)) == []
+    assert list(analyse_blocks([], THESIS)) == []
+    assert list(analyse_blocks([silence(0)] * 3, THESIS)) == []
     nothing = Analyser(FULL).push(silence(0))
     assert len(nothing) == 0
     assert nothing.spectra.shape == (0, 256)
@@ -104,7 +104,7 @@ def test_an_empty_sound_has_no_frames():
 
 
 def test_a_sound_of_one_sample_has_one_frame():
-    (analysis,) = analyses_of([np.array([0.5], np.float32)], THESIS)
+    (analysis,) = analyse_blocks([np.array([0.5], np.float32)], THESIS)
     assert len(analysis) == 1
     assert analysis.features["volume"][0] == 0.5
     assert analysis.times.tolist() == pytest.approx([0.005])

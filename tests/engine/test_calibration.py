@@ -11,11 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
-from phonemeengine.analyser import Analyser, analyses_of
+from phonemeengine.analyser import Analyser, analyse_blocks
 from phonemeengine.calibration.fits import fit_thesis
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
-from phonemeengine.calibration.scores.scoring import TEN, Scores, confusion_of, scores_of
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Scores, confusion_of, scores_of
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
@@ -25,6 +24,7 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.settings import SAMPLE_RATE, Decimation
+
 from tests.conftest import ROOT
 from tests.sounds import noise, silence, vowel
 
@@ -145,7 +145,7 @@ def test_figures_are_those_of_the_corpus_scorer(corpus, tmp_path):
 
 def _recognise(utterance, preset, corpus, folder):
     sound, _ = soundfile.read(utterance.path, dtype="float32")
-    found = np.concatenate([a.phonemes for a in analyses_of([sound], preset)])
+    found = np.concatenate([a.phonemes for a in analyse_blocks([sound], preset)])
     path = (folder / utterance.path.relative_to(corpus)).with_suffix(".csv")
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", newline="") as file:
@@ -168,7 +168,7 @@ def test_a_fit_to_a_small_corpus_recognises_it_and_writes_presets(tmp_path, monk
     pairs = []
     for utterance in read_corpus(tmp_path):
         sound, _ = soundfile.read(utterance.path, dtype="float32")
-        found = np.concatenate([a.phonemes for a in analyses_of([sound], preset)])
+        found = np.concatenate([a.phonemes for a in analyse_blocks([sound], preset)])
         pairs.append((frame_labels_of(utterance.labels), found))
     assert scores_of(pairs).ten_f1 > 0.8
     assert (tmp_path / "out" / "thesis.phonemedata").exists()
@@ -205,7 +205,7 @@ def test_the_twins_hear_the_same_in_the_demo():
     presets = [load_preset(FACTORY / name) for name in ("thesis.toml", "thesis.phonemedata")]
     found = [
         np.concatenate(
-            [a.phonemes for a in analyses_of([sound], replace(p, settings=replace(p.settings, hysteresis=0.0)))]
+            [a.phonemes for a in analyse_blocks([sound], replace(p, settings=replace(p.settings, hysteresis=0.0)))]
         )
         for p in presets  # a PhonemeData file knows no hysteresis
     ]
@@ -226,7 +226,7 @@ def test_each_rule_and_each_threshold_of_the_factory_presets_bears_on_speech_in_
     features, truth = _measured_on(corpus, preset)
     answers = ThesisRules(thresholds).recognise(features).phonemes
     hits = confusion_of(truth, answers).diagonal()
-    assert min(hits[list(TEN)]) > 50
+    assert min(hits[list(SCORED_PHONEMES)]) > 50
     for c in CONDITIONS:
         never_in_the_way = replace(thresholds, **{c.threshold: -1e9 if c.sign == ">" else 1e9})
         assert np.any(ThesisRules(never_in_the_way).recognise(features).phonemes != answers), c.threshold
@@ -239,7 +239,7 @@ def _measured_on(corpus: Path, preset: Preset) -> tuple[Features, np.ndarray]:
         sound, _ = soundfile.read(utterance.path, dtype="float32")
         room = np.random.default_rng(seed).normal(0, 10 ** (-65 / 20), len(sound)).astype(np.float32)
         for heard in (sound, sound + room):
-            found = np.concatenate([a.features.values for a in analyses_of([heard], preset)])
+            found = np.concatenate([a.features.values for a in analyse_blocks([heard], preset)])
             labels = frame_labels_of(utterance.labels).phonemes[: len(found)]
             values.append(found[: len(labels)])
             truth.append(labels)
@@ -250,7 +250,7 @@ def _scores_on(corpus: Path, preset: Preset) -> Scores:
     pairs = []
     for utterance in read_corpus(corpus):
         sound, _ = soundfile.read(utterance.path, dtype="float32")
-        found = np.concatenate([a.phonemes for a in analyses_of([sound], preset)])
+        found = np.concatenate([a.phonemes for a in analyse_blocks([sound], preset)])
         pairs.append((frame_labels_of(utterance.labels), found))
     return scores_of(pairs)
 
@@ -258,7 +258,7 @@ def _scores_on(corpus: Path, preset: Preset) -> Scores:
 def test_the_demo_holds_all_ten_sounds_to_its_end():
     labels = read_labels(DEMO / "demo.csv")
     info = soundfile.info(DEMO / "demo.flac")
-    assert {label.phoneme for label in labels} >= set(TEN)
+    assert {label.phoneme for label in labels} >= set(SCORED_PHONEMES)
     assert (info.samplerate, info.channels, info.subtype) == (SAMPLE_RATE, 1, "PCM_16")
     assert labels[-1].end == pytest.approx(info.duration, abs=0.001)
     assert all(a.end == pytest.approx(b.start, abs=1e-4) for a, b in itertools.pairwise(labels))
@@ -272,7 +272,7 @@ def test_the_demo_has_no_digital_silence():
 
 def test_speech_opens_the_mouth_nearly_fully():
     sound, _ = soundfile.read(DEMO / "demo.flac", dtype="float32")
-    analyses = list(analyses_of([sound], load_preset(FACTORY / "thesis.toml")))
+    analyses = list(analyse_blocks([sound], load_preset(FACTORY / "thesis.toml")))
     intensities = np.concatenate([a.intensities for a in analyses])
     labels = frame_labels_of(read_labels(DEMO / "demo.csv")).phonemes
     assert np.quantile(intensities[: len(labels)][labels == Phoneme.A], 0.9) > 0.75

@@ -8,12 +8,18 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
-from phonemeengine.analyser import analyses_of
-from phonemeengine.averaged_spectrum import Curve, SpectrumAverage, distance_of, load_curve, save_curve
+from phonemeengine.analyser import analyse_blocks
+from phonemeengine.averaged_spectrum import (
+    AveragedSpectrum,
+    SpectrumAverage,
+    distance_of,
+    load_averaged_spectrum,
+    save_averaged_spectrum,
+)
 from phonemeengine.errors import CurveError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
+
 from tests.sounds import Sound, noise, tone, vowel
 
 COARSE = AnalysisSettings(filters=frozenset({Filter.QUANTISE}), quantise=4, decimation=Decimation.ANTI_ALIASED)
@@ -25,16 +31,16 @@ def spectra(*rows: list[float]) -> np.ndarray:
     return np.array(rows, np.float32)
 
 
-def curve_of(sound: Sound, settings: AnalysisSettings, name: str = "sound") -> Curve:
+def curve_of(sound: Sound, settings: AnalysisSettings, name: str = "sound") -> AveragedSpectrum:
     average = SpectrumAverage()
-    for analysis in analyses_of([sound], Preset(settings=settings)):
+    for analysis in analyse_blocks([sound], Preset(settings=settings)):
         average.add(analysis.spectra)
     return average.curve(name, settings.front_end())
 
 
 def refusal_of(path: Path) -> str:
     with pytest.raises(CurveError) as refusal:
-        load_curve(path)
+        load_averaged_spectrum(path)
     message = str(refusal.value)
     assert message.startswith(f"{path.name}: ")
     assert message.isprintable()
@@ -116,7 +122,7 @@ def test_a_curve_says_nothing_beyond_its_end() -> None:
 
 
 def test_a_curve_is_linear_between_its_bins() -> None:
-    curve = Curve("", np.array([0.0, 10, 20]), np.array([1.0, 3, 0]), 1, "")
+    curve = AveragedSpectrum("", np.array([0.0, 10, 20]), np.array([1.0, 3, 0]), 1, "")
     assert curve.at(np.array([5.0, 12.5])).tolist() == [2.0, 2.25]
 
 
@@ -133,14 +139,14 @@ def test_a_distance_is_the_same_both_ways() -> None:
 
 
 def test_a_known_difference_in_shape_is_its_distance() -> None:
-    flat = Curve("", np.arange(4.0), np.full(4, 0.1), 1, "")
+    flat = AveragedSpectrum("", np.arange(4.0), np.full(4, 0.1), 1, "")
     stepped = replace(flat, amplitudes=np.array([0.1, 0.1, 0.01, 0.01]))  # 0 dB and -20 dB: ±10 dB about the mean
     assert distance_of(flat, stepped) == pytest.approx(10)
 
 
 def test_curves_without_a_common_frequency_have_no_distance() -> None:
-    low = Curve("", np.array([0.0, 10]), np.ones(2), 1, "")
-    high = Curve("", np.array([20.0, 30, 40]), np.ones(3), 1, "")
+    low = AveragedSpectrum("", np.array([0.0, 10]), np.ones(2), 1, "")
+    high = AveragedSpectrum("", np.array([20.0, 30, 40]), np.ones(3), 1, "")
     assert np.isnan(distance_of(low, high))
 
 
@@ -150,8 +156,8 @@ def test_curves_without_a_common_frequency_have_no_distance() -> None:
 @pytest.mark.parametrize("settings", [COARSE, FINE])
 def test_a_saved_curve_comes_back(settings: AnalysisSettings, tmp_path: Path) -> None:
     curve = curve_of(SPEECH, settings, "Frau Müller, a: laut")
-    save_curve(curve, tmp_path / "curve.csv")
-    back = load_curve(tmp_path / "curve.csv")
+    save_averaged_spectrum(curve, tmp_path / "curve.csv")
+    back = load_averaged_spectrum(tmp_path / "curve.csv")
     assert (back.name, back.front_end, back.n_frames) == (curve.name, curve.front_end, curve.n_frames)
     np.testing.assert_allclose(back.frequencies, curve.frequencies, rtol=1e-8)
     np.testing.assert_allclose(back.amplitudes, curve.amplitudes, rtol=1e-8)
@@ -159,7 +165,7 @@ def test_a_saved_curve_comes_back(settings: AnalysisSettings, tmp_path: Path) ->
 
 
 def test_a_saved_curve_describes_itself(tmp_path: Path) -> None:
-    save_curve(curve_of(SPEECH, COARSE, "two\nlines"), tmp_path / "curve.csv")
+    save_averaged_spectrum(curve_of(SPEECH, COARSE, "two\nlines"), tmp_path / "curve.csv")
     lines = (tmp_path / "curve.csv").read_text(encoding="utf-8").splitlines()
     assert lines[:6] == [
         "# phonemeanalyser curve 1",
@@ -176,17 +182,17 @@ def test_a_saved_curve_describes_itself(tmp_path: Path) -> None:
 def test_any_name_survives_its_file(name: str, tmp_path_factory: pytest.TempPathFactory) -> None:
     name = name.encode("utf-8", "replace").decode()
     path = tmp_path_factory.getbasetemp() / "named.csv"
-    save_curve(Curve(name, np.array([0.0, 1]), np.ones(2), 1, "bare"), path)
-    back = load_curve(path)
+    save_averaged_spectrum(AveragedSpectrum(name, np.array([0.0, 1]), np.ones(2), 1, "bare"), path)
+    back = load_averaged_spectrum(path)
     assert back.name == " ".join(name.split())
     assert back.front_end == "bare"
 
 
 def test_a_file_from_an_editor_on_windows_is_read(tmp_path: Path) -> None:
     path = tmp_path / "curve.csv"
-    save_curve(curve_of(SPEECH, COARSE), path)
+    save_averaged_spectrum(curve_of(SPEECH, COARSE), path)
     path.write_bytes(b"\xef\xbb\xbf" + path.read_bytes().replace(b"\n", b"\r\n"))
-    assert load_curve(path).n_frames == 130
+    assert load_averaged_spectrum(path).n_frames == 130
 
 
 GOOD = """# phonemeanalyser curve 1
@@ -228,7 +234,7 @@ CHANGES = {
 
 def test_the_good_file_is_good(tmp_path: Path) -> None:
     (tmp_path / "good.csv").write_text(GOOD)
-    assert load_curve(tmp_path / "good.csv").amplitudes.tolist() == [1, 2, 0.5]
+    assert load_averaged_spectrum(tmp_path / "good.csv").amplitudes.tolist() == [1, 2, 0.5]
 
 
 @pytest.mark.parametrize(("old", "new", "said"), CHANGES.values(), ids=CHANGES)
@@ -237,7 +243,7 @@ def test_a_wrong_curve_is_refused_with_what_is_wrong(old: str, new: str, said: s
     path = tmp_path / "wrong.csv"
     path.write_text(GOOD.replace(old, new, 1))
     with pytest.raises(CurveError, match=said):
-        load_curve(path)
+        load_averaged_spectrum(path)
     refusal_of(path)
 
 
@@ -266,36 +272,36 @@ def test_a_damaged_curve_is_read_or_refused(
     path = tmp_path_factory.getbasetemp() / "damaged.csv"
     path.write_text(GOOD[:where] + new + GOOD[where + length :])
     with suppress(CurveError):
-        curve = load_curve(path)
+        curve = load_averaged_spectrum(path)
         assert len(curve.frequencies) == len(curve.amplitudes) >= 1
 
 
 def test_a_place_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
     with pytest.raises(CurveError, match=r"^curve\.csv: cannot be written \(.*\); choose another folder$"):
-        save_curve(curve_of(SPEECH, COARSE), tmp_path / "nowhere" / "curve.csv")
+        save_averaged_spectrum(curve_of(SPEECH, COARSE), tmp_path / "nowhere" / "curve.csv")
 
 
 def test_an_old_curve_stays_until_the_new_one_is_complete(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "curve.csv"
-    save_curve(curve_of(SPEECH, COARSE, "old"), path)
+    save_averaged_spectrum(curve_of(SPEECH, COARSE, "old"), path)
 
     def refuse(*_: object) -> None:
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(Path, "replace", refuse)
     with pytest.raises(CurveError, match="No space left on device"):
-        save_curve(curve_of(SPEECH, COARSE, "new"), path)
-    assert load_curve(path).name == "old"
+        save_averaged_spectrum(curve_of(SPEECH, COARSE, "new"), path)
+    assert load_averaged_spectrum(path).name == "old"
     assert list(tmp_path.iterdir()) == [path]
 
 
 def test_a_curve_says_since_when_it_was_averaged(tmp_path: Path) -> None:
     average = SpectrumAverage()
     average.add(spectra([1, 2]))
-    save_curve(average.curve("a", "bare", "Record at 0.00 s of microphone"), tmp_path / "a.csv")
-    assert load_curve(tmp_path / "a.csv").since == "Record at 0.00 s of microphone"
-    save_curve(average.curve("a", "bare"), tmp_path / "old.csv")
-    assert load_curve(tmp_path / "old.csv").since == ""
+    save_averaged_spectrum(average.curve("a", "bare", "Record at 0.00 s of microphone"), tmp_path / "a.csv")
+    assert load_averaged_spectrum(tmp_path / "a.csv").since == "Record at 0.00 s of microphone"
+    save_averaged_spectrum(average.curve("a", "bare"), tmp_path / "old.csv")
+    assert load_averaged_spectrum(tmp_path / "old.csv").since == ""
 
 
 @pytest.mark.parametrize(

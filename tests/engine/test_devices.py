@@ -4,11 +4,11 @@ import sys
 from pathlib import Path
 
 import pytest
-
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import Device, InputChoice, chosen_input, inputs_of
-from phonemeengine.audio.stream import CardStream, devices, devices_to_open
+from phonemeengine.audio.stream import CardStream, devices, openable_devices
 from phonemeengine.errors import DeviceError, SettingsError
+
 from tests.portaudio import FakePortAudio
 
 
@@ -125,14 +125,14 @@ def test_the_list_is_made_anew_only_while_no_stream_is_open(portaudio: FakePortA
     running = open_stream()
     before = portaudio.n_initialised
     portaudio.plug("Built-in")
-    assert [d.name for d in devices_to_open()] == ["Yeti"]
+    assert [d.name for d in openable_devices()] == ["Yeti"]
     second = open_stream()
     running.close()
     running.close()
-    assert [d.name for d in devices_to_open()] == ["Yeti"]
+    assert [d.name for d in openable_devices()] == ["Yeti"]
     assert portaudio.n_initialised == before
     second.close()
-    assert [d.name for d in devices_to_open()] == ["Yeti", "Built-in"]
+    assert [d.name for d in openable_devices()] == ["Yeti", "Built-in"]
 
 
 def test_a_device_is_opened_by_the_number_that_it_has_now(portaudio: FakePortAudio) -> None:

@@ -4,15 +4,20 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from phonemeengine.calibration.workbench.distributions import N_BINS, distribution_of, ranked_variables
-from phonemeengine.calibration.workbench.separability import best_threshold, mean_separation, separation_of, separations_of
-from phonemeengine.calibration.workbench.labelled_features import Workbench
-from phonemeengine.progress import Cancelled
-from phonemeengine.labels.label import Label
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.calibration.workbench.separability import (
+    best_threshold,
+    mean_separability,
+    separabilities,
+    separability,
+)
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.progress import Cancelled
+
 from tests.labelled import recording, recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")
@@ -27,34 +32,34 @@ def floats(*values: float) -> np.ndarray:
 
 
 @pytest.fixture(scope="module")
-def bench(tmp_path_factory: pytest.TempPathFactory) -> Workbench:
-    return Workbench(recordings(tmp_path_factory.mktemp("recordings")), THESIS)
+def bench(tmp_path_factory: pytest.TempPathFactory) -> LabelledFeatures:
+    return LabelledFeatures(recordings(tmp_path_factory.mktemp("recordings")), THESIS)
 
 
 @given(values=numbers, others=numbers)
 def test_separation_is_the_chance_that_one_frame_has_more_than_the_other(values, others):
     pairs = [(v, o) for v in values for o in others]
     larger = sum(1.0 if v > o else 0.5 if v == o else 0.0 for v, o in pairs) / len(pairs)
-    found = separation_of(floats(*values), floats(*others))
+    found = separability(floats(*values), floats(*others))
     assert found == pytest.approx(max(larger, 1 - larger))
     phonemes = np.array([A] * len(values) + [E] * len(others), np.uint8)
-    table = separations_of(floats(*values, *others), phonemes)
+    table = separabilities(floats(*values, *others), phonemes)
     assert table[A, E] == table[E, A] == pytest.approx(found)
     assert np.isnan(table[A, M])
 
 
 def test_what_a_threshold_parts_wholly_is_separated_by_one_and_what_is_equal_by_a_half():
-    assert separation_of(floats(1, 2), floats(3, 4, 5)) == 1
-    assert separation_of(floats(7, 7), floats(7)) == 0.5
-    assert np.isnan(separation_of(floats(), floats(1)))
+    assert separability(floats(1, 2), floats(3, 4, 5)) == 1
+    assert separability(floats(7, 7), floats(7)) == 0.5
+    assert np.isnan(separability(floats(), floats(1)))
 
 
 def test_the_separation_of_several_phonemes_is_the_mean_over_their_pairs():
     phonemes = np.array([A, A, E, E, U, U], np.uint8)
-    table = separations_of(floats(1, 2, 3, 4, 1, 2), phonemes)
-    assert mean_separation(table, (A, E, U)) == pytest.approx((1 + 1 + 0.5) / 3)
-    assert mean_separation(table, (A, E, M)) == 1
-    assert np.isnan(mean_separation(table, (A, M)))
+    table = separabilities(floats(1, 2, 3, 4, 1, 2), phonemes)
+    assert mean_separability(table, (A, E, U)) == pytest.approx((1 + 1 + 0.5) / 3)
+    assert mean_separability(table, (A, E, M)) == 1
+    assert np.isnan(mean_separability(table, (A, M)))
 
 
 @pytest.mark.parametrize(
@@ -76,7 +81,7 @@ def test_a_distribution_tells_what_numpy_counts_in_the_frames_of_each_phoneme(be
         assert told == pytest.approx(tuple(np.quantile(own, (0, 0.25, 0.5, 0.75, 1))))
         inside = (own > found.edges[0]) & (own < found.edges[-1])
         assert (spread.counts[1:-1] == np.histogram(own[inside], found.edges)[0][1:-1]).all()
-    assert found.separation_of(A, I) == separation_of(values[phonemes == A], values[phonemes == I])
+    assert found.separation_of(A, I) == separability(values[phonemes == A], values[phonemes == I])
 
 
 def test_loudness_is_shown_on_a_logarithmic_scale_and_a_count_on_a_linear_one(bench):
@@ -98,7 +103,7 @@ def test_only_certain_frames_count(tmp_path):
     heard = recording(tmp_path / "a.wav", [SILENCE, A, SZ], 0.5)
     doubtful = Label(0.5, 1.0, "a", A, "ambiguous")
     labels = (heard.labels[0], doubtful, heard.labels[2])
-    bench = Workbench([type(heard)(heard.path, labels, "ada", "made")], THESIS)
+    bench = LabelledFeatures([type(heard)(heard.path, labels, "ada", "made")], THESIS)
     assert set(distribution_of(bench, "volume").spreads) == {SILENCE, SZ}
 
 
@@ -128,7 +133,7 @@ def test_a_variable_that_was_not_measured_has_no_distribution(bench):
 
 
 def test_without_frames_nothing_is_separated():
-    empty = Workbench((), THESIS)
+    empty = LabelledFeatures((), THESIS)
     found = distribution_of(empty, "volume")
     assert (found.spreads, len(found.edges)) == ({}, N_BINS + 1)
     assert np.isnan(found.separation)

@@ -10,7 +10,6 @@ import pytest
 import soundfile
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-
 from phonemeengine.audio.files import SUFFIXES, SoundReader, mono_of
 from phonemeengine.settings import SAMPLE_RATE, Channel
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from phonemeengine.dsp.filters import (
     FrequencyShaper,
     TimeSmoother,
@@ -16,9 +15,10 @@ from phonemeengine.dsp.filters import (
     normalise,
     pre_emphasis,
 )
-from phonemeengine.dsp.spectrum import Transform
+from phonemeengine.dsp.spectrum import SpectrumAnalyser
 from phonemeengine.errors import SettingsError
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings
+
 from tests.sounds import Sound, tone
 
 
@@ -30,7 +30,7 @@ def some_spectra(n_frames: int, n_bins: int = 16, seed: int = 0) -> Sound:
 @pytest.mark.parametrize("k", [20, 200, 900])
 def test_pre_emphasis_has_the_gain_of_its_formula(a: float, k: int):
     wave = tone(k * BIN_WIDTH, WINDOW / 44_100)[None]
-    transform = Transform(AnalysisSettings(filters=frozenset()))
+    transform = SpectrumAnalyser(AnalysisSettings(filters=frozenset()))
     gain = (transform.magnitudes_of(pre_emphasis(wave, a)) * transform.scale)[0, k]
     assert gain == pytest.approx(abs(1 - a * np.exp(-2j * np.pi * k / WINDOW)), abs=1e-3)
 

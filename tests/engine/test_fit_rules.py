@@ -6,19 +6,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
-from phonemeengine.analyser import analyses_of
+from phonemeengine.analyser import analyse_blocks
 from phonemeengine.calibration.fits import fit_rules
 from phonemeengine.calibration.fits import fit_templates as templates_of
 from phonemeengine.calibration.fits.rule_features import candidates, voice_of
 from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS
-from phonemeengine.labels.label import CORE
 from phonemeengine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.features.variables import check_user_variables
+from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
+
 from tests.corpora import put, speech, write_manifest
 
 TIMES = (0.0, 0.2, 0.5, 0.7, 1.0, 1.3, 1.5)
@@ -39,7 +39,7 @@ def scores_on(folder: Path, preset: Preset) -> Scores:
     pairs = []
     for utterance in read_corpus(folder):
         sound, _ = soundfile.read(utterance.path, dtype="float32")
-        found = np.concatenate([a.phonemes for a in analyses_of([sound], preset)])
+        found = np.concatenate([a.phonemes for a in analyse_blocks([sound], preset)])
         pairs.append((frame_labels_of(utterance.labels), found))
     return scores_of(pairs)
 

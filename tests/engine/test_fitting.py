@@ -4,20 +4,20 @@ from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
-
-from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
 from phonemeengine.calibration.fits.fitting import fit_preset
-from phonemeengine.calibration.fits.cross_validation import groups_of, held_out
 from phonemeengine.calibration.fits.limit_search import LimitSearch
-from phonemeengine.progress import Cancelled
 from phonemeengine.calibration.scores.confusion import Confusion
-from phonemeengine.calibration.scores.scoring import TEN, confusion_of, macro_f1_of
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.progress import Cancelled
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
+
 from tests.labelled import recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")
@@ -34,8 +34,8 @@ OWN = replace(THESIS, recogniser="rules", rules=RULES)
 
 
 @pytest.fixture(scope="module")
-def bench(tmp_path_factory: pytest.TempPathFactory) -> Workbench:
-    return Workbench(recordings(tmp_path_factory.mktemp("recordings")), THESIS)
+def bench(tmp_path_factory: pytest.TempPathFactory) -> LabelledFeatures:
+    return LabelledFeatures(recordings(tmp_path_factory.mktemp("recordings")), THESIS)
 
 
 def tree(low: float, high: float) -> tuple[Rule, ...]:
@@ -53,7 +53,7 @@ def search_of(features: Features, truth: np.ndarray) -> LimitSearch:
 
 def f1_of(rules: tuple[Rule, ...], features: Features, truth: np.ndarray) -> float:
     codes = RuleRecogniser(rules, Thresholds()).recognise(features).phonemes
-    return float(macro_f1_of(confusion_of(truth, codes), TEN))
+    return float(macro_f1_of(confusion_of(truth, codes), SCORED_PHONEMES))
 
 
 def test_a_search_finds_the_limits_that_made_the_labels():
@@ -138,14 +138,14 @@ def test_a_fit_is_never_worse_than_what_was_there(bench, preset, hold):
 
 def test_without_a_second_speaker_takes_are_left_out_and_with_one_take_nothing_is(bench):
     alone = [u for u in bench.utterances if u.speaker == "ada"]
-    assert fit_preset(Workbench(alone, THESIS), OWN).left_out == "take"
-    single = fit_preset(Workbench(alone[:1], THESIS), OWN)
+    assert fit_preset(LabelledFeatures(alone, THESIS), OWN).left_out == "take"
+    single = fit_preset(LabelledFeatures(alone[:1], THESIS), OWN)
     assert (single.left_out, single.held_out) == ("", None)
 
 
 def test_what_is_left_out_is_answered_by_a_fit_that_has_not_seen_it():
     names = ["ada", "bob", "ada", "cyd"]
-    fits = held_out(names, [["ada"], ["bob", "cyd"]], lambda chosen: tuple(np.flatnonzero(chosen).tolist()))
+    fits = cross_validate(names, [["ada"], ["bob", "cyd"]], lambda chosen: tuple(np.flatnonzero(chosen).tolist()))
     assert fits == [(1, 3), (0, 2), (1, 3), (0, 2)]
     assert groups_of([*"abcabd"], 8) == [["a"], ["b"], ["c"], ["d"]]
     assert groups_of([*"abcd"], 3) == [["a", "d"], ["b"], ["c"]]
@@ -178,6 +178,6 @@ def test_a_recogniser_without_thresholds_is_not_fitted(bench, loudness):
 def test_recordings_without_labels_are_nothing_to_fit_to(bench):
     unlabelled = [replace(u, labels=tuple(replace(s, phoneme=UNKNOWN) for s in u.labels)) for u in bench.utterances]
     with pytest.raises(CorpusError, match="nothing to fit to"):
-        fit_preset(Workbench(unlabelled, THESIS), THESIS)
+        fit_preset(LabelledFeatures(unlabelled, THESIS), THESIS)
     with pytest.raises(CorpusError, match="nothing to fit to"):
-        fit_preset(Workbench((), THESIS), THESIS)
+        fit_preset(LabelledFeatures((), THESIS), THESIS)

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from phonemeengine.dsp.framing import LEAD, Framer, frame_count
 from phonemeengine.settings import HOP, WINDOW
+
 from tests.sounds import Sound, noise
 
 

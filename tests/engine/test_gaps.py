@@ -11,16 +11,16 @@ import av
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.audio.chapters import ROOM
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.gaps import MOST_MARKED, Gap, gaps_in_words
-from phonemeengine.audio.journal import unfinished
+from phonemeengine.audio.journal import interrupted_recordings
 from phonemeengine.audio.recording import MOST_WAITING
 from phonemeengine.audio.wav import HEADER, WavEncoder
 from phonemeengine.live import listener as live
-from phonemeengine.live.recorder import Tape
+from phonemeengine.live.recorder import Recorder
 from phonemeengine.settings import HOP, SAMPLE_RATE
+
 from tests.engine.test_tape import record, rows_beside, rows_of, same, tape_to
 from tests.microphones import Clock, HandDrivenMicrophone, Hear, frames_in, offline
 from tests.players import SPEECH, wait_for
@@ -166,7 +166,7 @@ def test_more_gaps_than_there_is_room_for_spoil_nothing(suffix: str, tmp_path: P
 def test_a_killed_process_leaves_the_mark_with_the_sound(suffix: str, tmp_path: Path) -> None:
     path = tmp_path / f"take{suffix}"
     assert subprocess.run([sys.executable, "-c", KILLED, str(path)], check=False).returncode == 9
-    (found,) = unfinished(tmp_path / "journal")
+    (found,) = interrupted_recordings(tmp_path / "journal")
     assert found.seconds >= 1.5
     check_kept(path, round(found.seconds * 16_000))
     assert marks_in(path) == [(16_000, "gap of 4.20 s")]
@@ -220,7 +220,7 @@ def test_the_takes_of_a_calibration_have_no_room_for_marks(tmp_path: Path) -> No
 
 
 @pytest.fixture
-def tape(request: pytest.FixtureRequest, tmp_path: Path) -> Tape:
+def tape(request: pytest.FixtureRequest, tmp_path: Path) -> Recorder:
     """Records speech, 6.5 s of nothing, and the speech again."""
     tape = tape_to(lambda: tmp_path / "take.wav", tmp_path, with_phonemes=True, **getattr(request, "param", {}))
     record(tape, SPEECH[: 50 * HOP])
@@ -233,7 +233,7 @@ BEFORE = rows_of(offline(SPEECH[: 50 * HOP]).part(slice(frames_in(50 * HOP))), 0
 AFTER = rows_of(offline(SPEECH).part(slice(frames_in(len(SPEECH)))), len(SPEECH) / SAMPLE_RATE)
 
 
-def test_the_phonemes_have_a_row_for_the_gap_and_stay_in_step_with_the_file(tape: Tape) -> None:
+def test_the_phonemes_have_a_row_for_the_gap_and_stay_in_step_with_the_file(tape: Recorder) -> None:
     gap = (0.5, 0.5, "gap of 6.50 s", 0.0)
     same(rows_beside(tape.paths[0]), [*BEFORE, gap, *((a + 0.5, b + 0.5, *rest) for a, b, *rest in AFTER)])
     assert len(samples_in(tape.paths[0])) == 50 * HOP + len(SPEECH)
@@ -242,7 +242,7 @@ def test_the_phonemes_have_a_row_for_the_gap_and_stay_in_step_with_the_file(tape
 
 
 @pytest.mark.parametrize("tape", [{"fill_gaps": True}], indirect=True)
-def test_silence_of_the_gaps_length_takes_its_place_where_that_is_chosen(tape: Tape) -> None:
+def test_silence_of_the_gaps_length_takes_its_place_where_that_is_chosen(tape: Recorder) -> None:
     gap = (0.5, 7.0, "gap of 6.50 s", 0.0)
     same(rows_beside(tape.paths[0]), [*BEFORE, gap, *((a + 7, b + 7, *rest) for a, b, *rest in AFTER)])
     found = samples_in(tape.paths[0])[:, 0]
@@ -254,14 +254,14 @@ def test_silence_of_the_gaps_length_takes_its_place_where_that_is_chosen(tape: T
 
 
 @pytest.mark.parametrize("tape", [{"fill_gaps": True, "seconds": 3.0}], indirect=True)
-def test_silence_does_not_exceed_the_length_that_was_asked_for(tape: Tape) -> None:
+def test_silence_does_not_exceed_the_length_that_was_asked_for(tape: Recorder) -> None:
     assert len(samples_in(tape.paths[0])) == 3 * SAMPLE_RATE
     assert rows_beside(tape.paths[0])[-1] == (0.5, 3.0, "gap of 6.50 s", 0.0)
     assert tape.gap_words == "with 1 gap of 6.50 s marked in it: 0.50 s of sound, 2.50 s of silence"
 
 
 @pytest.mark.parametrize("tape", [{"seconds": 0.5}], indirect=True)
-def test_a_gap_after_the_length_that_was_asked_for_is_none(tape: Tape) -> None:
+def test_a_gap_after_the_length_that_was_asked_for_is_none(tape: Recorder) -> None:
     assert (tape.gaps, tape.gap_words, marks_in(tape.paths[0])) == ([], "", [])
 
 
@@ -279,7 +279,7 @@ def test_several_gaps_are_counted_and_so_is_what_could_not_be_marked() -> None:
 def test_a_microphone_that_was_away_is_recorded_with_a_gap_of_that_length(
     hear: Hear, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, fill_gaps: bool
 ) -> None:
-    monkeypatch.setattr(live, "RETRY", 0.01)
+    monkeypatch.setattr(live, "RETRY_PERIOD", 0.01)
     clock = Clock(monkeypatch)
     first, second = HandDrivenMicrophone(), HandDrivenMicrophone(name="the same again")
     tape = tape_to(lambda: tmp_path / "take.flac", tmp_path, fill_gaps=fill_gaps)

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-
 from phonemeengine.audio import input as inputs
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput
 from phonemeengine.errors import DeviceError
+
 from tests.portaudio import FakePortAudio, FakeStream, PortAudioError
 
 
@@ -108,7 +108,7 @@ def test_the_callback_takes_no_lock_and_says_nothing(
         raise AssertionError("not in a callback")
 
     bringing = threading.Thread(target=lambda: source.bring(numbered(0, 441)), daemon=True)
-    with stream._door:  # another thread lists devices at this very time
+    with stream._portaudio_lock:  # another thread lists devices at this very time
         monkeypatch.setattr(logging.Logger, "_log", refuse)
         bringing.start()
         bringing.join(60)

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
-from phonemeengine.audio.journal import Note, unfinished
-from phonemeengine.paths import journal_folder, new_take, recordings_folder
+from phonemeengine.audio.journal import RecordingMarker, interrupted_recordings
 from phonemeengine.errors import RecordingError
+from phonemeengine.paths import journal_folder, new_recording_path, recordings_folder
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.recorders import begun, samples_of_16_bits
 
 
@@ -22,11 +22,11 @@ def test_a_running_recording_is_noted_but_not_offered(tmp_path: Path) -> None:
     (note,) = (tmp_path / "journal").glob("*.json")
     assert json.loads(note.read_text())["path"] == str(tmp_path / "take.wav")
     for _ in range(3):
-        assert unfinished(tmp_path / "journal") == []
+        assert interrupted_recordings(tmp_path / "journal") == []
     assert note.exists()
     recording.close()
     assert list((tmp_path / "journal").iterdir()) == []
-    assert unfinished(tmp_path / "journal") == []
+    assert interrupted_recordings(tmp_path / "journal") == []
 
 
 def left_behind(folder: Path, path: Path, begun_at: str = "2026-11-21T10:31:05+01:00") -> Path:
@@ -43,13 +43,13 @@ def test_what_a_dead_process_left_is_offered_until_it_is_forgotten(tmp_path: Pat
     for name, begun_at in (("new", "2026-11-21T10:31:05+01:00"), ("old", "2026-11-20T10:31:05+01:00")):
         soundfile.write(tmp_path / f"{name}.wav", np.zeros(16_000), 16_000)
         left_behind(journal, tmp_path / f"{name}.wav", begun_at)
-    old, new = unfinished(journal)
-    assert unfinished(journal) == [old, new]
+    old, new = interrupted_recordings(journal)
+    assert interrupted_recordings(journal) == [old, new]
     assert (old.path, old.seconds) == (tmp_path / "old.wav", 1.0)
     assert new.begun == datetime.fromisoformat("2026-11-21T09:31:05+00:00")
     old.forget()
     old.forget()
-    assert unfinished(journal) == [new]
+    assert interrupted_recordings(journal) == [new]
     new.forget()
     assert (tmp_path / "new.wav").exists()
     assert list(journal.iterdir()) == []
@@ -60,14 +60,14 @@ def test_a_recording_that_begins_or_ends_right_now_does_not_look_dead(tmp_path: 
 
     def begin_and_end() -> None:
         for _ in range(300):
-            Note(tmp_path / "journal", tmp_path / "take.wav").remove()
+            RecordingMarker(tmp_path / "journal", tmp_path / "take.wav").remove()
 
     others = [threading.Thread(target=begin_and_end) for _ in range(2)]
     for other in others:
         other.start()
     n_looks = 0
     while any(other.is_alive() for other in others):
-        assert unfinished(tmp_path / "journal") == []
+        assert interrupted_recordings(tmp_path / "journal") == []
         n_looks += 1
     assert n_looks > 3
     assert list((tmp_path / "journal").iterdir()) == []
@@ -80,9 +80,9 @@ def test_what_has_gone_or_is_empty_is_forgotten_in_silence(tmp_path: Path) -> No
     left_behind(journal, tmp_path / "empty.wav")
     left_behind(journal, tmp_path / "torn.wav").write_text('{"path": "/x')
     left_behind(journal, tmp_path / "other.wav").write_text("[1]")
-    assert unfinished(journal) == []
+    assert interrupted_recordings(journal) == []
     assert list(journal.iterdir()) == []
-    assert unfinished(tmp_path / "nowhere") == []
+    assert interrupted_recordings(tmp_path / "nowhere") == []
 
 
 def test_a_recording_that_cannot_be_noted_is_made_all_the_same(tmp_path: Path) -> None:
@@ -96,11 +96,11 @@ def test_a_recording_that_cannot_be_noted_is_made_all_the_same(tmp_path: Path) -
 
 
 def test_a_take_is_named_after_its_time_and_never_like_another(tmp_path: Path) -> None:
-    first = new_take(tmp_path / "new" / "folder", ".wav")
+    first = new_recording_path(tmp_path / "new" / "folder", ".wav")
     assert datetime.strptime(first.stem, "%Y-%m-%d %H-%M-%S").astimezone() <= datetime.now().astimezone()
     names = set()
     for _ in range(5):
-        path = new_take(tmp_path, ".flac")
+        path = new_recording_path(tmp_path, ".flac")
         path.touch()
         names.add(path.name)
     assert len(names) == 5
@@ -110,7 +110,7 @@ def test_a_take_is_named_after_its_time_and_never_like_another(tmp_path: Path) -
 def test_a_folder_that_cannot_be_made_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     with pytest.raises(RecordingError, match=r"^takes: this folder for recordings cannot be made \(.+\); choose"):
-        new_take(tmp_path / "file" / "takes", ".wav")
+        new_recording_path(tmp_path / "file" / "takes", ".wav")
 
 
 def test_recordings_and_their_journal_have_folders_of_the_user() -> None:

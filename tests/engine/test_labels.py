@@ -8,12 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from parselmouth.praat import call, run
-
-from phonemeengine.labels.files import read_labels, write_labels
-from phonemeengine.labels.label import Label, labels_of
-from phonemeengine.labels.phoneme_map import Mapping
 from phonemeengine.calibration.scores.corpus import frame_labels_of
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.files import read_labels, write_labels
+from phonemeengine.labels.label import Label, labels_of
+from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.phonemes import Phoneme
 
 ENCODINGS = ("utf-8", "utf-8-sig", "utf-16", "utf-16-be", "utf-16-le")
@@ -103,7 +102,7 @@ def test_what_praat_writes_is_read(tmp_path, encoding, command):
         call(grid, command, str(path))
     finally:
         run('Text writing preferences: "UTF-8"')
-    labels = read_labels(path, Mapping({'the "a"': Phoneme.A}))
+    labels = read_labels(path, PhonemeMap({'the "a"': Phoneme.A}))
     assert heard(labels) == [(0, 0.5, Phoneme.SCH), (0.75, 1.5, Phoneme.A)]
     assert labels[1].phone == 'the "a"'
 

@@ -5,11 +5,10 @@ import contextlib
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
+from phonemeengine.errors import CorpusError
 from phonemeengine.labels import text_io as textfile
 from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.label import Label
-from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
 
 HEAD = 'File type = "ooTextFile"\nObject class = "TextGrid"\n\n'

@@ -3,16 +3,15 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
+from phonemeengine.errors import CorpusError, UnknownPhonemeError
 from phonemeengine.labels.files import read_labels
-from phonemeengine.labels.phoneme_map import Mapping, load_mapping, save_mapping
-from phonemeengine.errors import CorpusError, UnknownPhonemes
+from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map, save_phoneme_map
 from phonemeengine.phonemes import Phoneme
 
 
 def meanings(names, mapping=None):
     """Give phoneme and certainty of each name, where the names stand together in a file."""
-    senses = (mapping or Mapping()).senses_of(dict.fromkeys(names.split(), 1), "x.txt")
+    senses = (mapping or PhonemeMap()).senses_of(dict.fromkeys(names.split(), 1), "x.txt")
     return {name: (senses[name].phoneme.label, senses[name].certainty) for name in names.split()}
 
 
@@ -47,11 +46,11 @@ def test_ipa_is_known_with_its_marks():
 def test_the_company_of_s_tells_which_alphabet_it_is_of():
     assert meanings("S AA1 Z T")["S"] == ("sz", "core")
     assert meanings("S a: Z 2: @ t")["S"] == ("sch", "core")
-    assert meanings("S ɐ ʃ Z", Mapping({"S": Phoneme.SZ, "Z": Phoneme.SZ}))["S"] == ("sz", "core")
+    assert meanings("S ɐ ʃ Z", PhonemeMap({"S": Phoneme.SZ, "Z": Phoneme.SZ}))["S"] == ("sz", "core")
 
 
 def test_s_alone_is_asked_for():
-    with pytest.raises(UnknownPhonemes) as caught:
+    with pytest.raises(UnknownPhonemeError) as caught:
         meanings("S a m")
     assert caught.value.counts == {"S": 1}
 
@@ -69,16 +68,18 @@ def test_an_affricate_is_closure_and_friction(tmp_path):
 
 def test_all_unknown_names_are_told_with_their_counts(tmp_path):
     path = tracked(tmp_path, "xyz", "a", "blub", "blub", "m")
-    with pytest.raises(UnknownPhonemes, match=r"x\.txt: .*'blub' \(2 x\), 'xyz' \(1 x\); map each .*--map") as caught:
+    with pytest.raises(
+        UnknownPhonemeError, match=r"x\.txt: .*'blub' \(2 x\), 'xyz' \(1 x\); map each .*--map"
+    ) as caught:
         read_labels(path)
     assert caught.value.counts == {"blub": 2, "xyz": 1}
-    labels = read_labels(path, Mapping({"blub": Phoneme.U, "xyz": Phoneme.SILENCE}))
+    labels = read_labels(path, PhonemeMap({"blub": Phoneme.U, "xyz": Phoneme.SILENCE}))
     assert [x.phoneme.label for x in labels] == ["silence", "a", "u", "u", "m"]
     assert labels[2].phone == "blub"
 
 
 def test_hundreds_of_unknown_names_are_one_sentence():
-    with pytest.raises(UnknownPhonemes) as caught:
+    with pytest.raises(UnknownPhonemeError) as caught:
         meanings(" ".join(f"q{k}{'x' * 50}" for k in range(300)))
     assert len(caught.value.counts) == 300
     assert len(str(caught.value)) < 500
@@ -86,7 +87,7 @@ def test_hundreds_of_unknown_names_are_one_sentence():
 
 
 def test_what_the_user_says_goes_before_all_else():
-    assert meanings("e i", Mapping({"e": Phoneme.I}))["e"] == ("i", "core")
+    assert meanings("e i", PhonemeMap({"e": Phoneme.I}))["e"] == ("i", "core")
 
 
 @pytest.mark.parametrize("suffix", [".toml", ".csv"])
@@ -97,15 +98,15 @@ def test_what_the_user_says_goes_before_all_else():
 )
 def test_a_mapping_is_read_as_it_was_saved(tmp_path_factory, suffix, names):
     path = tmp_path_factory.mktemp("mapping") / f"map{suffix}"
-    save_mapping(Mapping(names), path)
-    assert load_mapping(path).phonemes == names
+    save_phoneme_map(PhonemeMap(names), path)
+    assert load_phoneme_map(path).phonemes == names
 
 
 def test_a_mapping_may_be_written_by_hand(tmp_path):
     toml, table = tmp_path / "m.toml", tmp_path / "m.csv"
     toml.write_text('[phonemes]\n"ö" = "O"\n', encoding="utf-8")
     table.write_text("name,phoneme\nö, O\n", encoding="utf-16")
-    assert load_mapping(toml) == load_mapping(table) == Mapping({"ö": Phoneme.O})
+    assert load_phoneme_map(toml) == load_phoneme_map(table) == PhonemeMap({"ö": Phoneme.O})
 
 
 @pytest.mark.parametrize(
@@ -126,6 +127,6 @@ def test_a_bad_mapping_is_refused_in_one_sentence(tmp_path, name, text, message)
     path = tmp_path / name
     path.write_text(text)
     with pytest.raises(CorpusError, match=message) as caught:
-        load_mapping(path)
+        load_phoneme_map(path)
     assert str(caught.value).startswith(name)
     assert "\n" not in str(caught.value)

@@ -9,17 +9,17 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-
 from phonemeengine.analyser import Analyser, Analysis
-from phonemeengine.dsp.log_mel import N_BANDS, bank_of, log_mels_of
+from phonemeengine.dsp.log_mel import N_BANDS, log_mels, warped_mel_bank
 from phonemeengine.errors import ModelError, PresetError
 from phonemeengine.features.variables import SCORES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import FORMAT, Model, load_model, save_model
-from phonemeengine.recognition.recogniser import Tuning, recogniser_of
+from phonemeengine.recognition.recogniser import RecogniserConfig, recogniser_of
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
+
 from tests.models import band_of, tone_model
 from tests.sounds import silence, tone
 
@@ -132,7 +132,7 @@ def test_the_decision_is_told_by_the_likeliest_phonemes(model):
 
 
 def test_hysteresis_keeps_a_phoneme_until_another_is_clearly_likelier(model):
-    levels = [log_mels_of(tone(f, 1)[np.newaxis, :WINDOW])[0, band_of(f)] for f in TONES]
+    levels = [log_mels(tone(f, 1)[np.newaxis, :WINDOW])[0, band_of(f)] for f in TONES]
     a_little_more = 0.01 * 10 ** ((levels[0] - levels[1] + 0.05) / 2)  # 0.5 dB: 1.6 times as likely
     faint = np.concatenate([tone(700, 0.2, 0.5), tone(700, 0.2, 0.01) + tone(2500, 0.2, a_little_more), silence(0.2)])
     statistics = {"statistics": True, "minimum_hold": 0.0}
@@ -178,7 +178,7 @@ def test_a_filter_switched_while_frames_wait_loses_none(model):
 
 def test_the_recogniser_without_a_model_is_refused_with_what_to_do():
     with pytest.raises(PresetError, match="needs a model, and this preset names none; begin with the preset learned"):
-        recogniser_of("learned", Tuning())
+        recogniser_of("learned", RecogniserConfig())
 
 
 # -- what it hears ----------------------------------------------------------------------------------------
@@ -186,17 +186,17 @@ def test_the_recogniser_without_a_model_is_refused_with_what_to_do():
 
 def test_a_full_scale_tone_is_loudest_in_its_band_and_silence_is_the_floor():
     windows = np.stack([tone(1000, 1)[:WINDOW], np.zeros(WINDOW, np.float32)])
-    heard_tone, heard_silence = log_mels_of(windows)
+    heard_tone, heard_silence = log_mels(windows)
     assert heard_tone.max() > -1
     np.testing.assert_allclose(heard_silence, -11, atol=1e-6)
 
 
 @pytest.mark.parametrize("warp", [0.85, 1.0, 1.15])
 def test_a_warped_bank_finds_at_its_place_what_lies_so_much_higher(warp):
-    place = bank_of()[:, 20].argmax()
-    moved = bank_of(warp)[:, 20].argmax()
+    place = warped_mel_bank()[:, 20].argmax()
+    moved = warped_mel_bank(warp)[:, 20].argmax()
     assert moved == pytest.approx(place * warp, abs=1)
-    np.testing.assert_allclose(bank_of(warp).sum(axis=0), 1, atol=1e-5)
+    np.testing.assert_allclose(warped_mel_bank(warp).sum(axis=0), 1, atol=1e-5)
 
 
 # -- the file ---------------------------------------------------------------------------------------------
@@ -298,4 +298,4 @@ def test_a_preset_names_no_model_elsewhere(model, tmp_path, name):
 
 
 def test_the_bands_are_those_that_models_were_trained_with():
-    assert bank_of().shape[1] == N_BANDS == 40
+    assert warped_mel_bank().shape[1] == N_BANDS == 40

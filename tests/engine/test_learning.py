@@ -5,32 +5,32 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from phonemeengine.calibration.adaptation import adapt
-from phonemeengine.labels.label import Label
-from phonemeengine.calibration.learning.augment_spectrum import disturbed
-from phonemeengine.calibration.learning.example_cache import Voice
-from phonemeengine.calibration.learning.training_examples import Lesson, lesson_of
-from phonemeengine.calibration.learning.optimiser import Average, Optimiser
-from phonemeengine.calibration.learning.trainable_layer import TrainedLayer
-from phonemeengine.calibration.learning.trainable_network import TrainedNetwork
-from phonemeengine.calibration.learning.training import Course, train
+from phonemeengine.calibration.learning.augment_spectrum import augment_spectra
+from phonemeengine.calibration.learning.augment_waveform import Augmentation, augment
+from phonemeengine.calibration.learning.example_cache import SpeakerExamples
+from phonemeengine.calibration.learning.optimiser import ExponentialAverage, Optimiser
+from phonemeengine.calibration.learning.trainable_layer import TrainableLayer
+from phonemeengine.calibration.learning.trainable_network import TrainableNetwork
+from phonemeengine.calibration.learning.training import TrainingConfig, train
+from phonemeengine.calibration.learning.training_examples import TrainingExample, example_of
 from phonemeengine.calibration.learning.validation import anchors_of, folds_of
-from phonemeengine.calibration.learning.augment_waveform import Variation, varied
-from phonemeengine.dsp.log_mel import N_BANDS, silence_of
+from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.models import tone_model
 from tests.sounds import noise, tone, vowel
 
 FORMANTS = {Phoneme.A: (750, 1300), Phoneme.I: (280, 2300), Phoneme.U: (310, 800)}
-COURSE = Course(width=24, dilations=(1, 2), n_epochs=12, n_together=4, n_frames=100, rate=5e-3)
+COURSE = TrainingConfig(width=24, dilations=(1, 2), n_epochs=12, n_together=4, n_frames=100, rate=5e-3)
 
 
-def said(phonemes: list[Phoneme], f0: float, tract: float, seconds: float = 0.3) -> Lesson:
+def said(phonemes: list[Phoneme], f0: float, tract: float, seconds: float = 0.3) -> TrainingExample:
     """A made-up voice says vowels, with pauses of faint noise between them."""
     parts, labels, at = [], [], 0.0
     for phoneme in phonemes:
@@ -40,21 +40,21 @@ def said(phonemes: list[Phoneme], f0: float, tract: float, seconds: float = 0.3)
             parts.append(part)
             labels.append(Label(at, at + len(part) / SAMPLE_RATE, name.label, name))
             at += len(part) / SAMPLE_RATE
-    return lesson_of(np.concatenate(parts), tuple(labels))
+    return example_of(np.concatenate(parts), tuple(labels))
 
 
-def voice(name: str, f0: float, tract: float) -> Voice:
+def voice(name: str, f0: float, tract: float) -> SpeakerExamples:
     generator = np.random.default_rng(len(name))
     orders = [generator.permutation(list(FORMANTS) * 2) for _ in range(3)]
-    return Voice(name, tuple((said([Phoneme(int(p)) for p in order], f0, tract),) for order in orders))
+    return SpeakerExamples(name, tuple((said([Phoneme(int(p)) for p in order], f0, tract),) for order in orders))
 
 
-def accuracy_of(model: Model, voices: list[Voice]) -> float:
+def accuracy_of(model: Model, voices: list[SpeakerExamples]) -> float:
     """The share of frames that the model names right, with its longest look-ahead."""
     n_ahead, head, right = len(model.heads) - 1, model.heads[-1], []
     for lesson in (recording[0] for voice in voices for recording in voice.recordings):
-        heard = np.concatenate((lesson.log_powers.astype(np.float32), silence_of(n_ahead)))
-        found = Network(model.layers, silence_of()).push(heard)[n_ahead:]
+        heard = np.concatenate((lesson.log_powers.astype(np.float32), silent_log_mels(n_ahead)))
+        found = Network(model.layers, silent_log_mels()).push(heard)[n_ahead:]
         right.append((found @ head.weights + head.bias).argmax(axis=1) == lesson.phonemes)
     return float(np.concatenate(right).mean())
 
@@ -68,7 +68,7 @@ def model():
 
 def test_the_gradients_are_those_of_small_differences():
     generator = np.random.default_rng(1)
-    network = TrainedNetwork(6, (1, 2), 0.0, generator)
+    network = TrainableNetwork(6, (1, 2), 0.0, generator)
     sound = generator.normal(-6, 2, (2, 16, N_BANDS)).astype(np.float32)
     truth = generator.integers(0, len(Phoneme), (2, 16)).astype(np.uint8)
     weights = generator.random((2, 16)).astype(np.float32)
@@ -87,7 +87,7 @@ def test_the_gradients_are_those_of_small_differences():
 
 def test_a_finished_layer_gives_what_the_trained_one_gave():
     generator = np.random.default_rng(2)
-    layer = TrainedLayer(5, 4, 2, adds=False, dropout=0.0, generator=generator)
+    layer = TrainableLayer(5, 4, 2, adds=False, dropout=0.0, generator=generator)
     block = generator.standard_normal((1, 300, 5)).astype(np.float32)
     for _ in range(1500):
         given = layer.forward(block)
@@ -99,7 +99,7 @@ def test_a_finished_layer_gives_what_the_trained_one_gave():
 
 def test_the_optimiser_finds_the_bottom_of_a_bowl_and_the_average_follows():
     place = np.array([[3.0, -2.0]], np.float32)
-    optimiser, average = Optimiser([place], 400, 0.1), Average([place])
+    optimiser, average = Optimiser([place], 400, 0.1), ExponentialAverage([place])
     for _ in range(400):
         optimiser.step([2 * (place - np.float32(1))])
         average.follow()
@@ -115,9 +115,9 @@ def test_a_network_learns_the_vowels_of_made_up_voices_and_names_those_of_anothe
 
 def test_the_same_seed_trains_the_same_model():
     voices = [voice("one", 120, 1.0)]
-    short = Course(width=8, dilations=(1,), n_epochs=1, n_together=2, n_frames=50)
+    short = TrainingConfig(width=8, dilations=(1,), n_epochs=1, n_together=2, n_frames=50)
     assert train(voices, short) == train(voices, short)
-    assert train(voices, short) != train(voices, Course(**{**short.__dict__, "seed": 2}))
+    assert train(voices, short) != train(voices, TrainingConfig(**{**short.__dict__, "seed": 2}))
 
 
 # -- lessons ----------------------------------------------------------------------------------------------
@@ -125,7 +125,7 @@ def test_the_same_seed_trains_the_same_model():
 
 def test_a_faster_voice_is_shorter_and_higher():
     once = tone(1000, 1.0, 0.5)
-    fast = varied(once, Variation(rate=1.2), np.random.default_rng(0))
+    fast = augment(once, Augmentation(rate=1.2), np.random.default_rng(0))
     assert len(fast) == pytest.approx(len(once) / 1.2, abs=2)
     spectrum = np.abs(np.fft.rfft(fast))
     assert np.fft.rfftfreq(len(fast), 1 / SAMPLE_RATE)[spectrum.argmax()] == pytest.approx(1200, abs=3)
@@ -134,7 +134,7 @@ def test_a_faster_voice_is_shorter_and_higher():
 def test_a_room_goes_on_sounding_after_the_sound():
     click = np.zeros(SAMPLE_RATE, np.float32)
     click[1000] = 1
-    heard = varied(click, Variation(reverberates=True), np.random.default_rng(0))
+    heard = augment(click, Augmentation(reverberates=True), np.random.default_rng(0))
     assert heard[1000] == pytest.approx(1, abs=0.01)
     assert not np.any(np.abs(heard[:1000]) > 1e-5)
     early, late = np.sum(heard[1050:5000] ** 2), np.sum(heard[30000:34000] ** 2)
@@ -144,7 +144,7 @@ def test_a_room_goes_on_sounding_after_the_sound():
 def test_disturbed_speech_keeps_its_shape_and_is_never_below_the_floor():
     generator = np.random.default_rng(0)
     powers = (10 ** generator.uniform(-9, -1, (6, 50, N_BANDS))).astype(np.float32)
-    heard = disturbed(powers, generator)
+    heard = augment_spectra(powers, generator)
     assert heard.shape == powers.shape
     assert heard.dtype == np.float32
     assert np.isfinite(heard).all()
@@ -157,7 +157,7 @@ def test_trimmed_frames_count_for_nothing_and_ambiguous_ones_less():
         Label(0, 0.1, "a", Phoneme.A), Label(0.1, 0.2, "a", Phoneme.A, "ambiguous"),
         Label(0.2, 0.3, "", Phoneme.UNIDENTIFIED, "trimmed"),
     )  # fmt: skip
-    lesson = lesson_of(tone(500, 0.3), labels)
+    lesson = example_of(tone(500, 0.3), labels)
     np.testing.assert_allclose(lesson.certainties, np.repeat([1, 0.6, 0], 10), atol=1e-3)
     assert len(lesson) == len(lesson.log_powers) == 30
 
@@ -170,7 +170,7 @@ def test_every_speaker_is_left_out_once(n_folds):
 
 
 def test_silence_reads_the_floor():
-    np.testing.assert_allclose(silence_of(1, 2), -11)
+    np.testing.assert_allclose(silent_log_mels(1, 2), -11)
 
 
 # -- one voice --------------------------------------------------------------------------------------------
@@ -181,7 +181,7 @@ def test_a_voice_with_other_formants_is_learned_from_ten_seconds(model):
     trained = replace(trained, anchors=anchors_of(voices, 1), warps=(0.8, 1.0, 1.2))
     strange = [said([Phoneme.A, Phoneme.U, Phoneme.I] * 2, 300, 1.5) for _ in range(4)]
     whole, _, mild = adapt(trained, strange)
-    other = Voice("same", ((said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5),),))
+    other = SpeakerExamples("same", ((said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5),),))
     assert whole.warps == mild.warps == (1.0,)  # they know the speaker's vocal tract
     assert accuracy_of(whole, [other]) > accuracy_of(trained, [other]) + 0.05
     for adapted in (whole, mild):
@@ -192,7 +192,7 @@ def test_takes_teach_even_where_each_sound_was_said_once(model):
     trained, voices = model
     trained = replace(trained, anchors=anchors_of(voices, 1))
     takes = [said([phoneme] * 4, 300, 1.5) for phoneme in (Phoneme.A, Phoneme.U, Phoneme.I)]
-    other = Voice("same", ((said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5),),))
+    other = SpeakerExamples("same", ((said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5),),))
     assert accuracy_of(adapt(trained, takes)[0], [other]) > accuracy_of(trained, [other])
 
 

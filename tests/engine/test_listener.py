@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live import listener as live
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
+
 from tests.microphones import Clock, HandDrivenMicrophone, Hear, frames_in, middle_of, offline
 from tests.players import PRESET, SPEECH, agree, frames_of, joined, wait_for
 from tests.sounds import silence, tone

@@ -5,11 +5,11 @@ import time
 
 import numpy as np
 import pytest
-
 from phonemeengine.analyser import Analyser
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live import listener as live
 from phonemeengine.settings import HOP, SAMPLE_RATE
+
 from tests.microphones import REFUSAL, Clock, HandDrivenMicrophone, Hear, frames_in, offline
 from tests.players import SPEECH, agree, frames_of, wait_for
 
@@ -21,7 +21,7 @@ N_FRAMES = frames_in(N)
 @pytest.fixture
 def soon(monkeypatch: pytest.MonkeyPatch) -> None:
     """Try again at once."""
-    monkeypatch.setattr(live, "RETRY", 0.01)
+    monkeypatch.setattr(live, "RETRY_PERIOD", 0.01)
 
 
 @pytest.fixture
@@ -51,7 +51,7 @@ def test_the_status_says_why_nothing_is_heard(hear: Hear) -> None:
 def test_a_slider_that_is_moved_while_there_is_no_microphone_does_not_try_for_one(
     hear: Hear, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(live, "RETRY", 1000.0)
+    monkeypatch.setattr(live, "RETRY_PERIOD", 1000.0)
     hearing = hear()
     hearing.wait_words(REFUSAL)
     for _ in range(50):
@@ -61,7 +61,7 @@ def test_a_slider_that_is_moved_while_there_is_no_microphone_does_not_try_for_on
 
 
 def test_another_choice_is_tried_at_once(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(live, "RETRY", 1000.0)
+    monkeypatch.setattr(live, "RETRY_PERIOD", 1000.0)
     hearing = hear(None)
     hearing.wait_words(REFUSAL)
     hearing.openers.waiting.append(HandDrivenMicrophone(name="the other"))

@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import ClockOutput
@@ -16,6 +15,7 @@ from phonemeengine.live.player import Player
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.settings import HOP, SAMPLE_RATE, AnalysisSettings, Channel
+
 from tests.bad_files import ODD_FILES
 from tests.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, joined, offline, wait_for
 

@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import ClockOutput, Output
 from phonemeengine.live import player as live
 from phonemeengine.live.player import Player
 from phonemeengine.settings import HOP, SAMPLE_RATE
+
 from tests.outputs import HandDrivenOutput
 from tests.players import PRESET, SPEECH, agree, frames_of, offline, wait_for
 
@@ -64,8 +64,8 @@ class Listening:
 @pytest.fixture(autouse=True)
 def soon(monkeypatch: pytest.MonkeyPatch) -> None:
     """Look for a card many times a second."""
-    monkeypatch.setattr(live, "RETRY", 0.03)
-    monkeypatch.setattr(live, "WAKING", 0.02)
+    monkeypatch.setattr(live, "RETRY_PERIOD", 0.03)
+    monkeypatch.setattr(live, "WAKE_TIMEOUT", 0.02)
 
 
 @pytest.fixture

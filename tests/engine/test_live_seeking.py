@@ -4,8 +4,8 @@ import threading
 from pathlib import Path
 
 import pytest
-
 from phonemeengine.settings import FRAME_PERIOD
+
 from tests.players import N_FRAMES, PATIENCE, Rig, agree, frames_of, offline, wait_for
 
 

@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
 from phonemeengine.live import playback_queue as waiting
 from phonemeengine.live.player import Player
 from phonemeengine.settings import FRAME_PERIOD
+
 from tests.bad_files import BAD_FILES
 from tests.outputs import HandDrivenOutput
 from tests.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, offline, wait_for

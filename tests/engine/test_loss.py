@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
-from phonemeengine.audio.dropouts import LEAST, LossMeter
+from phonemeengine.audio.dropouts import LEAST, DropoutMeter
 
 RATE = 48_000
 BLOCK = 480
@@ -16,9 +15,9 @@ Lateness = Callable[[int], float]
 
 def fed(
     seconds: float, late: Lateness = lambda _k: 0.0, *, drift: float = 0.0, lost: tuple[int, ...] = ()
-) -> tuple[LossMeter, list[tuple[float, int]]]:
+) -> tuple[DropoutMeter, list[tuple[float, int]]]:
     """Feed blocks of 10 ms whose last sample is there at its time or later, but for the lost ones; what was when."""
-    meter, seen, came = LossMeter(RATE), [(0.0, 0)], 0.0
+    meter, seen, came = DropoutMeter(RATE), [(0.0, 0)], 0.0
     for k in range(round(seconds * RATE / BLOCK)):
         came = max(came, 500 + (k + 1) * BLOCK / RATE * (1 + drift) + late(k))
         if k not in lost:

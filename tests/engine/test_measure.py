@@ -2,14 +2,21 @@
 
 import numpy as np
 import pytest
-
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.errors import SettingsError
-from phonemeengine.features.measure import BandMeter, Features, peak_levels_of, zero_crossings_of
-from phonemeengine.features.variables import BAND_VARIABLES, BUILT_IN_NAMES, Kind, Spectrum, Variable, check_user_variables
+from phonemeengine.features.measure import BandFeatures, Features, peak_levels_of, zero_crossings_of
+from phonemeengine.features.variables import (
+    BAND_VARIABLES,
+    BUILT_IN_NAMES,
+    Kind,
+    Spectrum,
+    Variable,
+    check_user_variables,
+)
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings, Filter
+
 from tests.sounds import Sound, noise, tone, vowel
 
 BINS = np.arange(256) * BIN_WIDTH
@@ -26,7 +33,7 @@ SPEC_TABLE = {
 
 
 def measured(variable: Variable, spectra: Sound) -> Sound:
-    meter = BandMeter((variable.name,), (variable,), BINS)
+    meter = BandFeatures((variable.name,), (variable,), BINS)
     return meter.widen(spectra).dot(meter.weights(variable.source))[:, 0]
 
 

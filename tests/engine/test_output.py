@@ -8,9 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-
-from phonemeengine.audio import output
-from phonemeengine.audio import stream
+from phonemeengine.audio import output, stream
 from phonemeengine.audio.output import AHEAD, CardOutput, ClockOutput, open_output
 from phonemeengine.errors import DeviceError
 from phonemeengine.settings import SAMPLE_RATE

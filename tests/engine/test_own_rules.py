@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from phonemeengine.errors import PresetError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme

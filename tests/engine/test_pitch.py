@@ -6,10 +6,10 @@ import numpy as np
 import parselmouth
 import pytest
 import soundfile
-
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.pitch import fundamental_of
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, WINDOW
+
 from tests.sounds import Sound, noise, silence, tone, vowel
 
 FREQUENCIES = (70, 75, 80, 97.3, 120, 150, 180, 220, 261.6, 300, 350, 400, 440, 480)

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from phonemeengine.analyser import Analyser
 from phonemeengine.errors import EngineError, PresetError, RecogniserError
 from phonemeengine.features.measure import Features
@@ -16,9 +15,10 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recogniser import RECOGNISERS, Tuning, recogniser_names, recogniser_of
+from phonemeengine.recognition.recogniser import RECOGNISERS, RecogniserConfig, recogniser_names, recogniser_of
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.settings import HOP, Filter
+
 from tests.plug_ins import Shelf
 from tests.sounds import silence, tone
 
@@ -37,7 +37,7 @@ def energies(*values: float) -> Features:
 
 
 def made_and_asked(name: str, thresholds: Thresholds) -> None:
-    recogniser = recogniser_of(name, Tuning(thresholds))
+    recogniser = recogniser_of(name, RecogniserConfig(thresholds))
     recogniser.recognise(energies(0, 0, 0))
     assert recogniser.used_thresholds is not None
 
@@ -69,13 +69,13 @@ def test_without_plug_ins_there_are_the_programs_own():
 
 @pytest.mark.parametrize("cut", range(len(COURSE) + 1))
 def test_the_example_opens_at_its_threshold_and_stays_open_to_half_of_it(cut: int, loudness: Path):
-    recogniser = recogniser_of("loudness", Tuning(OPENS_AT_A_TENTH))
+    recogniser = recogniser_of("loudness", RecogniserConfig(OPENS_AT_A_TENTH))
     parts = [recogniser.recognise(energies(*part)).phonemes for part in (COURSE[:cut], COURSE[cut:])]
     assert np.concatenate(parts).tolist() == [S, A, A, S, S, A, A]
 
 
 def test_the_example_says_why_with_both_its_limits(loudness: Path):
-    trace = recogniser_of("loudness", Tuning(OPENS_AT_A_TENTH)).explain(energies(0.0, 0.25), 1)
+    trace = recogniser_of("loudness", RecogniserConfig(OPENS_AT_A_TENTH)).explain(energies(0.0, 0.25), 1)
     assert (trace.phoneme, trace.rule) == (A, "opens")
     assert [c.limit for c in trace.comparisons] == pytest.approx([0.1, 0.05])
     assert [c.margin for c in trace.comparisons] == pytest.approx([0.15, 0.2])
@@ -104,8 +104,8 @@ def test_another_filter_leaves_a_recogniser_its_memory_and_another_threshold_doe
 
 def test_a_recogniser_says_which_thresholds_it_uses(loudness: Path, shelf: Shelf):
     shelf.offer("class Own(Plain):\n    used_thresholds = ('sz_s1', 'unheard_of')")
-    assert recogniser_of("loudness", Tuning(OPENS_AT_A_TENTH)).used_thresholds == {"silence_energy"}
-    assert recogniser_of("own", Tuning(OPENS_AT_A_TENTH)).used_thresholds == {"sz_s1"}
+    assert recogniser_of("loudness", RecogniserConfig(OPENS_AT_A_TENTH)).used_thresholds == {"silence_energy"}
+    assert recogniser_of("own", RecogniserConfig(OPENS_AT_A_TENTH)).used_thresholds == {"sz_s1"}
     assert ThesisRules(Thresholds()).used_thresholds == {c.threshold for c in CONDITIONS}
 
 
@@ -115,7 +115,7 @@ def test_a_recogniser_says_which_thresholds_it_uses(loudness: Path, shelf: Shelf
 def test_a_plug_in_cannot_take_the_name_of_the_thesis(shelf: Shelf):
     shelf.offer("", name="thesis")
     assert recogniser_names() == tuple(RECOGNISERS)
-    assert isinstance(recogniser_of("thesis", Tuning(Thresholds())), ThesisRules)
+    assert isinstance(recogniser_of("thesis", RecogniserConfig(Thresholds())), ThesisRules)
 
 
 def test_two_packages_that_offer_one_name_are_refused_with_both(shelf: Shelf):
@@ -123,7 +123,7 @@ def test_two_packages_that_offer_one_name_are_refused_with_both(shelf: Shelf):
     shelf.offer("", package="other-package")
     assert recogniser_names() == (*RECOGNISERS, "own")
     with pytest.raises(RecogniserError, match="'own' is offered twice, by one-package and other-package; uninstall"):
-        recogniser_of("own", Tuning(Thresholds()))
+        recogniser_of("own", RecogniserConfig(Thresholds()))
 
 
 def test_a_preset_of_a_plug_in_that_is_not_installed_is_refused(shelf: Shelf, tmp_path: Path):
@@ -194,7 +194,7 @@ def test_codes_that_are_no_phonemes_of_the_frames_are_refused(codes: str, what: 
 def test_a_reason_that_cannot_be_shown_is_refused(trace: str, what: str, shelf: Shelf):
     shelf.offer(f"class Own(Plain):\n    def explain(self, features, k):\n        return {trace}")
     with pytest.raises(RecogniserError) as caught:
-        recogniser_of("own", Tuning(Thresholds())).explain(energies(1.0), 0)
+        recogniser_of("own", RecogniserConfig(Thresholds())).explain(energies(1.0), 0)
     assert str(caught.value).startswith(f"the recogniser 'own' of the package own-package cannot say why ({what}")
 
 
@@ -202,7 +202,7 @@ def test_a_plug_in_cannot_change_what_was_measured(shelf: Shelf):
     shelf.offer("class Own(Plain):\n    def recognise(self, features):\n        features.values[:] = 0")
     features = energies(1.0, 2.0, 3.0)
     with pytest.raises(RecogniserError, match="read-only"):
-        recogniser_of("own", Tuning(Thresholds())).recognise(features)
+        recogniser_of("own", RecogniserConfig(Thresholds())).recognise(features)
     assert features["energy"].tolist() == [1, 2, 3]
     assert features.values.flags.writeable
 
@@ -212,7 +212,7 @@ def test_a_plug_in_that_writes_into_one_array_again_and_again_does_not_change_th
         "class Own(Plain):\n    codes = np.zeros(2, np.uint8)\n"
         "    def recognise(self, features):\n        self.codes += 1\n        return self.codes"
     )
-    recogniser = recogniser_of("own", Tuning(Thresholds()))
+    recogniser = recogniser_of("own", RecogniserConfig(Thresholds()))
     first = recogniser.recognise(energies(1, 1)).phonemes
     assert recogniser.recognise(energies(1, 1)).phonemes.tolist() == [2, 2]
     assert first.tolist() == [1, 1]

@@ -12,11 +12,11 @@ import pytest
 import soundfile
 from hypothesis import given
 from hypothesis import strategies as st
-
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.pcm import whole_numbers_of
+from phonemeengine.audio.pcm import to_integers
 from phonemeengine.audio.wav import HEADER, WavEncoder
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.recorders import begun, digest, samples_in, samples_of_16_bits
 
 FORMS = [
@@ -61,7 +61,7 @@ def test_all_numbers_of_24_bits_are_exact_and_louder_ones_are_cut_off(suffix: st
 
 @given(st.lists(st.floats(-2, 2, width=32), min_size=1, max_size=50))
 def test_a_sample_is_rounded_to_the_nearest_number(values: list[float]) -> None:
-    found = whole_numbers_of(np.array(values, np.float32)) / (1 << 23)
+    found = to_integers(np.array(values, np.float32)) / (1 << 23)
     assert np.abs(found - np.clip(values, -1, 1)).max() <= 2.0**-23
 
 

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.journal import unfinished
+from phonemeengine.audio.journal import interrupted_recordings
 from phonemeengine.errors import AudioError
+
 from tests.recorders import samples_in, samples_of_16_bits
 
 RATES = {"a.wav": (44_100, 2), "b.flac": (44_100, 1), "c.wav": (16_000, 1), "d.flac": (8_000, 2)}
@@ -93,7 +93,7 @@ def test_a_killed_process_leaves_all_that_it_said_to_be_on_the_disk(batch: int, 
     with running(RECORD, folders) as processes:
         said = [kill_after(process, length) for process, length in zip(processes, lengths, strict=True)]
     for folder, numbers in zip(folders, said, strict=True):
-        offered = {recording.path: recording.seconds for recording in unfinished(folder / "journal")}
+        offered = {recording.path: recording.seconds for recording in interrupted_recordings(folder / "journal")}
         for (name, (rate, n_channels)), n_samples in zip(RATES.items(), numbers, strict=True):
             with SoundReader(folder / name) as reader:
                 assert reader.duration >= n_samples / rate > 0
@@ -116,7 +116,7 @@ def test_killing_at_a_beginning_or_an_end_spoils_no_other_recording(tmp_path: Pa
     for folder, finished in zip(folders, said, strict=True):
         for name in finished:
             np.testing.assert_array_equal(samples_in(folder / name), samples_of_16_bits(0, 8000))
-        offered = [recording.path.name for recording in unfinished(folder / "journal")]
+        offered = [recording.path.name for recording in interrupted_recordings(folder / "journal")]
         others = {path.name for path in folder.iterdir() if path.is_file()} - set(finished)
         assert len(others) <= 1
         assert set(offered) <= others | set(finished[-1:])

@@ -5,9 +5,9 @@ import os
 from pathlib import Path
 
 import pytest
-
-from phonemeengine.audio.recording_file import trouble_of
+from phonemeengine.audio.recording_file import describe_os_error
 from phonemeengine.errors import AudioError, RecordingError
+
 from tests.recorders import begun
 
 
@@ -67,7 +67,7 @@ def test_a_folder_that_refuses_everybody_is_refused() -> None:
 
 @pytest.mark.parametrize("code", [*errno.errorcode])
 def test_every_refusal_of_a_disk_has_words_and_advice(code: int) -> None:
-    what, advice = trouble_of(OSError(code, os.strerror(code)))
+    what, advice = describe_os_error(OSError(code, os.strerror(code)))
     assert what.isprintable()
     assert len(what) > 10
     assert "record" in advice or "go on" in advice

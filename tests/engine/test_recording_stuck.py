@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-
 from phonemeengine.audio import recording as recording_room
 from phonemeengine.audio.wav import HEADER
+
 from tests.recorders import begun, check_kept, check_sentence, samples_of_16_bits, wait_for
 
 SUFFIXES = [".wav", ".flac"]
@@ -48,7 +48,7 @@ def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
 def test_a_disk_that_is_a_minute_behind_stops_the_recording_and_the_minute_is_written_late(
     suffix: str, gate: Gate, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(recording_room, "PATIENCE", 60)
+    monkeypatch.setattr(recording_room, "CLOSE_TIMEOUT", 60)
     recording = begun(tmp_path / f"take{suffix}", RATE)
     recording.write(samples_of_16_bits(0, 2 * RATE))
     wait_for(lambda: recording.n_samples > RATE)
@@ -65,7 +65,7 @@ def test_a_disk_that_is_a_minute_behind_stops_the_recording_and_the_minute_is_wr
 def test_closing_does_not_wait_for_a_disk_that_takes_nothing(
     gate: Gate, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(recording_room, "PATIENCE", 0.2)
+    monkeypatch.setattr(recording_room, "CLOSE_TIMEOUT", 0.2)
     recording = begun(tmp_path / "take.wav", RATE)
     recording.write(samples_of_16_bits(0, RATE))
     wait_for(lambda: int.from_bytes(recording.path.read_bytes()[HEADER - 4 : HEADER], "little") == 3 * RATE)

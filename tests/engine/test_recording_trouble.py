@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-
-from phonemeengine.audio.journal import unfinished
+from phonemeengine.audio.journal import interrupted_recordings
 from phonemeengine.audio.wav import HEADER
 from phonemeengine.errors import RecordingError
+
 from tests.recorders import begun, check_kept, check_sentence, samples_of_16_bits, wait_for
 
 SUFFIXES = [".wav", ".flac"]
@@ -64,7 +64,7 @@ def test_a_full_disk_stops_the_recording_with_one_sentence(
     )
     assert recording.n_samples * n_channels > 60_000
     check_kept(recording.path, recording.n_samples, n_channels)
-    assert unfinished(tmp_path / "journal") == []
+    assert interrupted_recordings(tmp_path / "journal") == []
 
 
 LIMITED = """

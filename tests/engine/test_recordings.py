@@ -5,14 +5,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
+from phonemeengine.calibration.scores.corpus import read_corpus, read_recordings
+from phonemeengine.errors import AudioError, CorpusError, UnknownPhonemeError
 from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label
-from phonemeengine.labels.phoneme_map import Mapping
-from phonemeengine.calibration.scores.corpus import read_corpus, read_recordings
-from phonemeengine.errors import AudioError, CorpusError, UnknownPhonemes
+from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.sounds import noise
 
 LABELS = (Label(0.1, 0.3, "a", Phoneme.A), Label(0.3, 0.5, "m", Phoneme.M))
@@ -78,10 +78,10 @@ def test_the_unknown_names_of_all_files_are_told_at_once(tmp_path):
     for speaker, name in (("ada", "blub"), ("bob", "xyz"), ("eve", "blub")):
         sound = put_sound(tmp_path / speaker / "one.wav")
         sound.with_suffix(".txt").write_text(f"0\t0.2\t{name}\n0.2\t0.5\ta\n")
-    with pytest.raises(UnknownPhonemes) as caught:
+    with pytest.raises(UnknownPhonemeError) as caught:
         read_recordings(tmp_path)
     assert caught.value.counts == {"blub": 2, "xyz": 1}
-    found = read_recordings(tmp_path, Mapping({"blub": Phoneme.U, "xyz": Phoneme.P}))
+    found = read_recordings(tmp_path, PhonemeMap({"blub": Phoneme.U, "xyz": Phoneme.P}))
     assert [phonemes_of(u)[0] for u in found] == [Phoneme.U, Phoneme.P, Phoneme.U]
 
 

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.settings import SAMPLE_RATE
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-
 from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme

@@ -3,8 +3,7 @@
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
-
-from phonemeengine.calibration.workbench.rule_cache import RuleSheet
+from phonemeengine.calibration.workbench.rule_cache import RuleCache
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
@@ -26,8 +25,8 @@ def features_of(seed: int, n: int = 60) -> Features:
     return Features(NAMES, generator.choice(np.array([*GRID, 0.1, 0.33], np.float32), (n, len(NAMES))))
 
 
-def sheet_of(features: Features) -> RuleSheet:
-    return RuleSheet({name: features[name] for name in features.names}, len(features.values))
+def sheet_of(features: Features) -> RuleCache:
+    return RuleCache({name: features[name] for name in features.names}, len(features.values))
 
 
 @given(asked=st.lists(rules, min_size=1, max_size=4), seed=st.integers(0, 1000))

@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from phonemeengine.errors import PresetError, SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recogniser import Tuning, recogniser_of
+from phonemeengine.recognition.recogniser import RecogniserConfig, recogniser_of
 from phonemeengine.recognition.rules import ThesisRules
 
 THRESHOLD_NAMES = tuple(f.name for f in fields(Thresholds))
@@ -186,7 +185,7 @@ def test_a_threshold_that_float32_cannot_hold_is_refused(value: float):
 
 def test_an_unknown_recogniser_is_refused_with_the_known_ones():
     with pytest.raises(PresetError, match=r"no recogniser named 'magic'; known are .*thesis"):
-        recogniser_of("magic", Tuning(ROUND))
+        recogniser_of("magic", RecogniserConfig(ROUND))
 
 
 def test_every_phoneme_has_one_of_five_mouth_shapes():

@@ -4,15 +4,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
-from phonemeengine.calibration.scores.comparison import Stretch, compare
+from phonemeengine.calibration.scores.comparison import DifferingSegment, compare
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
-from phonemeengine.calibration.scores.evaluation import Answers, CorpusScores, group_scores_of, score_corpus
-from phonemeengine.calibration.scores.scoring import TEN
+from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of, score_corpus
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
+
 from tests.corpora import write_corpus
 
 THESIS = load_preset(FACTORY / "thesis.toml")
@@ -29,7 +29,7 @@ def scores(*lines: tuple[str, str]) -> CorpusScores:
     for k, (truth, guess) in enumerate(lines):
         labels = FrameLabels(codes(truth), np.ones(len(truth), bool))
         utterance = Utterance(Path(f"u{k}.wav"), (), "s", "c")
-        heard.append(Answers(utterance, labels, codes(guess), np.ones(len(truth), np.float32)))
+        heard.append(Predictions(utterance, labels, codes(guess), np.ones(len(truth), np.float32)))
     group = group_scores_of(heard)
     return CorpusScores(Preset(), 0, 0.0, tuple(heard), group, {"c": group}, {"c/s": group})
 
@@ -55,7 +55,7 @@ def test_the_sums_are_those_of_the_confusions(tmp_path: Path) -> None:
     assert np.array_equal(found.both + found.only_other, other.overall.confusion.diagonal())
     labelled = one.overall.confusion.sum(axis=1)
     assert np.array_equal(found.both + found.only_one + found.only_other + found.neither, labelled)
-    ten = list(TEN)
+    ten = list(SCORED_PHONEMES)
     assert sum(d.n_one for d in found.differences) == found.only_one[ten].sum()
     assert sum(d.n_other for d in found.differences) == found.only_other[ten].sum()
     assert sum(d.n_frames for d in found.differences) == labelled[ten].sum()
@@ -79,7 +79,7 @@ def test_stretches_say_when_what_was_said_and_what_was_answered() -> None:
     assert [(s.label, s.wrong) for s in found.stretches_one] == [
         (Phoneme.A, Phoneme.O), (Phoneme.A, Phoneme.M), (Phoneme.SILENCE, Phoneme.M), (Phoneme.O, Phoneme.M)
     ]  # fmt: skip
-    assert found.stretches_other == (Stretch(utterance, 0.05, pytest.approx(0.06), Phoneme.O, Phoneme.M),)
+    assert found.stretches_other == (DifferingSegment(utterance, 0.05, pytest.approx(0.06), Phoneme.O, Phoneme.M),)
     assert len(compare(one, other, most=2).stretches_one) == 2
 
 

@@ -10,19 +10,19 @@ import pytest
 import soundfile
 from hypothesis import given
 from hypothesis import strategies as st
-
-from phonemeengine.labels.label import Label
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
-from phonemeengine.calibration.scores.evaluation import Answers, group_scores_of, kind_of, score_corpus
+from phonemeengine.calibration.scores.evaluation import Predictions, group_scores_of, kind_of, score_corpus
 from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.features.measure import Features
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.recognition.recogniser import RECOGNISERS, Tuning
+from phonemeengine.recognition.recogniser import RECOGNISERS, RecogniserConfig
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.rules import ThesisRules
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.corpora import put, write_corpus
 from tests.sounds import silence, tone
 
@@ -33,10 +33,12 @@ MOUTHS = {
 CLASSES = ["silence", "sz", "sch", "m", "p", "a", "e", "i", "o", "u"]
 
 
-def answers(truth: list[Phoneme], guess: list[Phoneme], core: list[bool] | None = None, corpus: str = "x") -> Answers:
+def answers(
+    truth: list[Phoneme], guess: list[Phoneme], core: list[bool] | None = None, corpus: str = "x"
+) -> Predictions:
     labels = FrameLabels(np.array(truth, np.uint8), np.array(core or [True] * len(truth)))
     loud = np.linspace(0, 1, len(truth), dtype=np.float32)
-    return Answers(Utterance(Path("u.wav"), (), "s", corpus), labels, np.array(guess, np.uint8), loud)
+    return Predictions(Utterance(Path("u.wav"), (), "s", corpus), labels, np.array(guess, np.uint8), loud)
 
 
 def f1_by_hand(truth: list[str], guess: list[str], names: list[str]) -> float:
@@ -123,7 +125,7 @@ class Hesitant:
     scores: tuple[str, ...] = ()
     used_thresholds: frozenset[str] = frozenset()
 
-    def __init__(self, tuning: Tuning) -> None:
+    def __init__(self, tuning: RecogniserConfig) -> None:
         self._rules = ThesisRules(tuning.thresholds)
         self._held: list[int] | None = None
 

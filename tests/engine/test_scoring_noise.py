@@ -5,15 +5,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
-from phonemeengine.labels.label import Label
-from phonemeengine.calibration.scores.added_noise import Noise, NoiseAdder, NoiseKind, speech_level_of
+from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind, speech_level_of
 from phonemeengine.calibration.scores.corpus import Utterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import score_corpus
 from phonemeengine.errors import CorpusError, SettingsError
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.corpora import write_corpus
 from tests.sounds import silence, tone
 
@@ -52,27 +52,29 @@ def test_the_level_of_speech_is_that_of_what_is_labelled_as_speech(utterances: t
 def test_noise_is_as_far_below_the_speech_as_was_asked(
     utterances: tuple[Utterance, ...], kind: NoiseKind, snr: float
 ) -> None:
-    added = noise_in(NoiseAdder(Noise(kind, snr), utterances), utterances[0])
+    added = noise_in(NoiseAdder(AddedNoise(kind, snr), utterances), utterances[0])
     assert len(added) == SECONDS * SAMPLE_RATE
     assert 20 * np.log10(0.1 / np.sqrt(np.mean(added**2))) == pytest.approx(snr, abs=0.5)
 
 
 @pytest.mark.parametrize(("kind", "per_octave"), [(NoiseKind.WHITE, 2.0), (NoiseKind.PINK, 1.0)])
 def test_noise_has_its_colour(utterances: tuple[Utterance, ...], kind: NoiseKind, per_octave: float) -> None:
-    frequencies, power = spectrum_of(noise_in(NoiseAdder(Noise(kind, 0.0), utterances), utterances[0]))
+    frequencies, power = spectrum_of(noise_in(NoiseAdder(AddedNoise(kind, 0.0), utterances), utterances[0]))
     octaves = [power[(frequencies >= low) & (frequencies < 2 * low)].sum() for low in (250, 500, 1000, 2000, 4000)]
     ratios = np.array(octaves[1:]) / octaves[:-1]
     assert ratios == pytest.approx([per_octave] * 4, rel=0.15)
 
 
 def test_babble_is_made_of_all_others_and_not_of_oneself(utterances: tuple[Utterance, ...]) -> None:
-    frequencies, power = spectrum_of(noise_in(NoiseAdder(Noise(NoiseKind.BABBLE, 0.0), utterances), utterances[0]))
+    frequencies, power = spectrum_of(
+        noise_in(NoiseAdder(AddedNoise(NoiseKind.BABBLE, 0.0), utterances), utterances[0])
+    )
     shares = [power[np.abs(frequencies - f) < 20].sum() / power.sum() for f in (500, 1000, 2000)]
     assert shares == pytest.approx([0, 0.5, 0.5], abs=0.1)
 
 
 def test_one_speaker_alone_does_not_babble(utterances: tuple[Utterance, ...]) -> None:
-    adder = NoiseAdder(Noise(NoiseKind.BABBLE, 0.0), utterances[:1])
+    adder = NoiseAdder(AddedNoise(NoiseKind.BABBLE, 0.0), utterances[:1])
     with pytest.raises(CorpusError, match="none but ann; add one, or choose white or pink noise"):
         score_corpus(utterances[:1], THESIS, noise=adder)
 
@@ -81,25 +83,25 @@ def test_one_speaker_alone_does_not_babble(utterances: tuple[Utterance, ...]) ->
 def test_the_same_recording_gets_the_same_noise_however_it_is_cut(
     utterances: tuple[Utterance, ...], kind: NoiseKind
 ) -> None:
-    first = noise_in(NoiseAdder(Noise(kind, 10.0, seed=7), utterances), utterances[1])
-    again = NoiseAdder(Noise(kind, 10.0, seed=7), utterances)
+    first = noise_in(NoiseAdder(AddedNoise(kind, 10.0, seed=7), utterances), utterances[1])
+    again = NoiseAdder(AddedNoise(kind, 10.0, seed=7), utterances)
     noise_in(again, utterances[0])
     assert np.array_equal(first, noise_in(again, utterances[1], 44_100))
-    other = noise_in(NoiseAdder(Noise(kind, 10.0, seed=8), utterances), utterances[1])
+    other = noise_in(NoiseAdder(AddedNoise(kind, 10.0, seed=8), utterances), utterances[1])
     assert not np.allclose(first, other, atol=1e-3)
 
 
 def test_a_recording_without_speech_stays_as_it_is(tmp_path: Path) -> None:
     soundfile.write(tmp_path / "u.wav", tone(440, 0.5), SAMPLE_RATE, subtype="FLOAT")
     quiet = Utterance(tmp_path / "u.wav", (Label(0, 0.5, "sil", Phoneme.SILENCE),), "s", "c")
-    assert not noise_in(NoiseAdder(Noise(NoiseKind.WHITE, 0.0), [quiet]), quiet).any()
+    assert not noise_in(NoiseAdder(AddedNoise(NoiseKind.WHITE, 0.0), [quiet]), quiet).any()
 
 
 def test_much_noise_costs_much(tmp_path: Path) -> None:
     utterances = read_corpus(write_corpus(tmp_path, THESIS))
     found = [
         score_corpus(
-            utterances, THESIS, noise=NoiseAdder(Noise(NoiseKind.WHITE, snr), utterances)
+            utterances, THESIS, noise=NoiseAdder(AddedNoise(NoiseKind.WHITE, snr), utterances)
         ).overall.scores.ten_acc
         for snr in (70.0, 0.0)
     ]
@@ -110,4 +112,4 @@ def test_much_noise_costs_much(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("snr", "seed"), [(-31.0, 0), (81.0, 0), (float("nan"), 0), (10.0, -1)])
 def test_impossible_noise_is_refused(snr: float, seed: int) -> None:
     with pytest.raises(SettingsError, match="got"):
-        Noise(NoiseKind.PINK, snr, seed)
+        AddedNoise(NoiseKind.PINK, snr, seed)

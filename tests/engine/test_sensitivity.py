@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.errors import PresetError, SettingsError
 from phonemeengine.features.variables import SCORES
@@ -13,6 +12,7 @@ from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.scores import Sensitivity
+
 from tests.sounds import silence, vowel
 
 SOUND = np.concatenate([silence(0.2), vowel((750.0, 1250.0, 2500.0), 0.6), silence(0.2)])

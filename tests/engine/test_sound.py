@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.errors import AudioError
 from phonemeengine.live.sound import N_BINS, Sound
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, Channel
+
 from tests.bad_files import BAD_FILES
 from tests.outputs import HandDrivenOutput
 from tests.players import N_FRAMES, PRESET, SPEECH, offline, wait_for

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 import scipy.signal.windows
-
-from phonemeengine.dsp.spectrum import Transform, decimate
+from phonemeengine.dsp.spectrum import SpectrumAnalyser, decimate
 from phonemeengine.dsp.windows import window_of
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
+
 from tests.sounds import Sound, noise, tone
 
 STEPS = (1, 2, 4)
@@ -25,7 +25,7 @@ def spectrum_of(
         decimation=kind,
         window_function=window,
     )
-    transform = Transform(settings)
+    transform = SpectrumAnalyser(settings)
     return (transform.magnitudes_of(transform.waveforms_of(frame)) * transform.scale)[0]
 
 
@@ -101,7 +101,7 @@ def test_spectra_agree_with_the_definition_of_the_fourier_transform():
     time = np.arange(512)
     expected = [abs(np.sum(wave * np.exp(-2j * np.pi * k * time / 512))) / 256 for k in range(256)]
     expected[0] /= 2
-    transform = Transform(AnalysisSettings())
+    transform = SpectrumAnalyser(AnalysisSettings())
     amplitudes = (transform.magnitudes_of(wave[None].astype(np.float32)) * transform.scale)[0]
     np.testing.assert_allclose(amplitudes, expected, atol=1e-6)
 

@@ -20,7 +20,7 @@ import phonemeengine
 def fail(name):
     raise ImportError(name)
 
-names = [module.name for module in pkgutil.walk_packages(engine.__path__, "engine.", onerror=fail)]
+names = [module.name for module in pkgutil.walk_packages(phonemeengine.__path__, "phonemeengine.", onerror=fail)]
 for name in names:
     if not name.endswith("__main__"):
         importlib.import_module(name)

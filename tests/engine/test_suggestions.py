@@ -5,20 +5,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import soundfile
-
-from phonemeengine.calibration.workbench.distributions import distribution_of
-from phonemeengine.calibration.workbench.separability import separation_of
-from phonemeengine.calibration.workbench.labelled_features import Workbench
 from phonemeengine.calibration.fits.spectrum_sample import MOST_FRAMES, sampled_spectra
 from phonemeengine.calibration.fits.suggestions import MOST_SUGGESTIONS, suggested_variables, suggestions_from
-from phonemeengine.progress import Cancelled
-from phonemeengine.labels.label import Label
 from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.workbench.distributions import distribution_of
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.calibration.workbench.separability import separability
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.variables import Spectrum, Variable, check_user_variables
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.progress import Cancelled
 from phonemeengine.settings import SAMPLE_RATE, Filter
+
 from tests.labelled import recordings
 from tests.sounds import noise, tone
 
@@ -37,8 +37,8 @@ def tones(folder, **frequencies: float) -> Utterance:
 
 
 @pytest.fixture
-def bench(tmp_path) -> Workbench:
-    return Workbench([tones(tmp_path, a=1000, e=2000)], THESIS)
+def bench(tmp_path) -> LabelledFeatures:
+    return LabelledFeatures([tones(tmp_path, a=1000, e=2000)], THESIS)
 
 
 def test_the_best_ranges_lie_where_the_phonemes_differ(bench):
@@ -52,7 +52,7 @@ def test_the_best_ranges_lie_where_the_phonemes_differ(bench):
 def test_a_suggestion_that_is_added_separates_as_it_says_with_its_threshold(bench):
     found = suggested_variables(bench, THESIS, A, E)
     preset = replace(THESIS, variables=tuple(s.variable for s in found))
-    measured = Workbench(bench.utterances, preset, known=bench)
+    measured = LabelledFeatures(bench.utterances, preset, known=bench)
     for suggestion in found:
         name = suggestion.variable.name
         assert distribution_of(measured, name).separation_of(A, E) == pytest.approx(suggestion.separation, abs=1e-4)
@@ -62,7 +62,7 @@ def test_a_suggestion_that_is_added_separates_as_it_says_with_its_threshold(benc
 
 
 def test_ranges_that_overlap_with_no_better_one_come_first(tmp_path):
-    bench = Workbench(recordings(tmp_path), THESIS)
+    bench = LabelledFeatures(recordings(tmp_path), THESIS)
     found = suggested_variables(bench, THESIS, I, U)
     n_apart = next(
         (
@@ -79,7 +79,7 @@ def test_ranges_that_overlap_with_no_better_one_come_first(tmp_path):
 
 
 def test_one_phoneme_is_parted_from_all_others(tmp_path):
-    bench = Workbench([tones(tmp_path, a=1000, e=2000, u=3000)], THESIS)
+    bench = LabelledFeatures([tones(tmp_path, a=1000, e=2000, u=3000)], THESIS)
     best = suggested_variables(bench, THESIS, U)[0]
     assert best.separation > 0.99
     assert best.variable.low <= 3000 <= best.variable.high
@@ -100,7 +100,7 @@ def test_a_sample_holds_spectra_as_the_variables_see_them(tmp_path):
     filters = THESIS.settings.filters | {Filter.DENOISE, Filter.TIME_SMOOTH}
     settings = replace(THESIS.settings, filters=filters, denoise_threshold=0.001, time_smooth=0.5)
     preset = replace(THESIS, settings=settings, variables=whole)
-    bench, sample = Workbench(utterances, preset), sampled_spectra(utterances, preset)
+    bench, sample = LabelledFeatures(utterances, preset), sampled_spectra(utterances, preset)
     for name, source in (("all_f", Spectrum.FILTERED), ("all_n", Spectrum.NORMALISED)):
         for phoneme in (A, Phoneme.SILENCE):
             expected = bench.values(name)[bench.labels.phonemes == phoneme]
@@ -129,7 +129,7 @@ def test_equal_sounds_give_no_suggestion(tmp_path):
     shuffled = replace(sample, phonemes=np.random.default_rng(1).permutation(sample.phonemes))
     for suggestion in suggestions_from(shuffled, THESIS, A, E):
         assert suggestion.separation < 0.75  # chance alone, over thousands of ranges
-    assert separation_of(sample.of(Spectrum.NORMALISED, [A])[:, 0], sample.of(Spectrum.NORMALISED, [E])[:, 0]) < 0.75
+    assert separability(sample.of(Spectrum.NORMALISED, [A])[:, 0], sample.of(Spectrum.NORMALISED, [E])[:, 0]) < 0.75
 
 
 def test_a_search_says_how_far_it_is_and_ends_when_it_shall(bench):

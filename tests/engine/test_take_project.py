@@ -8,15 +8,15 @@ from datetime import datetime
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.calibration.scores.corpus import frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import scores_of
-from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.take import Take, folder_for
 from phonemeengine.errors import CorpusError, RecordingError, TakeError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.sounds import noise, silence, vowel
 
 SOUND = vowel((750, 1250), 0.5)

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.live.recorder import Recorder
 from phonemeengine.paths import free_path
-from phonemeengine.live.recorder import Tape
-from phonemeengine.recognition.segments import runs_of
+from phonemeengine.recognition.segments import segments_of
 from phonemeengine.settings import HOP, SAMPLE_RATE
+
 from tests.microphones import HandDrivenMicrophone, Hear, frames_in, offline
 from tests.players import PRESET, SPEECH, wait_for
 from tests.recorders import samples_in, samples_of_16_bits
@@ -27,8 +27,8 @@ def names(tmp_path: Path) -> Callable[[], Path]:
     return lambda: free_path(tmp_path / "take.wav")
 
 
-def tape_to(next_path: Any, folder: Path, **options: Any) -> Tape:
-    return Tape(next_path, journal=folder / "journal", rescue=folder / "rescue", **options)
+def tape_to(next_path: Any, folder: Path, **options: Any) -> Recorder:
+    return Recorder(next_path, journal=folder / "journal", rescue=folder / "rescue", **options)
 
 
 def rows_beside(path: Path) -> list[tuple[float, float, str, float]]:
@@ -40,7 +40,7 @@ def rows_beside(path: Path) -> list[tuple[float, float, str, float]]:
 
 
 def rows_of(analysis: Analysis, duration: float) -> list[Any]:
-    return [tuple(run.row().values()) for run in runs_of([(analysis.phonemes, analysis.intensities)], duration)]
+    return [tuple(run.row().values()) for run in segments_of([(analysis.phonemes, analysis.intensities)], duration)]
 
 
 def same(found: list[Any], wanted: list[Any]) -> None:
@@ -49,7 +49,9 @@ def same(found: list[Any], wanted: list[Any]) -> None:
     np.testing.assert_allclose(*numbers, atol=2e-3)
 
 
-def record(tape: Tape, samples: np.ndarray, *, n: int = HOP, began: float = 0.0, gap: float | None = None) -> None:
+def record(
+    tape: Recorder, samples: np.ndarray, *, n: int = HOP, began: float = 0.0, gap: float | None = None
+) -> None:
     """Hear samples at 44.1 kHz as a listener does, after a gap of some seconds."""
     analyser = Analyser(PRESET, start=round(began * 100))
     for k in range(0, len(samples), n):

@@ -6,21 +6,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-
 from phonemeengine.analyser import Analyser
-from phonemeengine.calibration.fits.fit_templates import heard_in, preset_of, templates_from, templates_of
-from phonemeengine.labels.label import CORE
+from phonemeengine.calibration.fits.fit_templates import log_mels_by_phoneme, preset_of, templates_from, templates_of
 from phonemeengine.calibration.scores.corpus import Label, Utterance
 from phonemeengine.dsp.cepstra import N_CEPSTRA, cepstra_of
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import CorpusError, EngineError, PresetError, SettingsError
+from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.recogniser import Tuning, recogniser_of
+from phonemeengine.recognition.recogniser import RecogniserConfig, recogniser_of
 from phonemeengine.recognition.scores import SCORES
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import SAMPLE_RATE
+
 from tests.sounds import Sound, silence, vowel
 
 FORMANTS = {
@@ -83,7 +83,7 @@ def test_a_ripple_over_the_bands_is_one_cepstrum():
 
 
 def test_speakers_count_alike_however_much_they_say(utterance: Utterance):
-    voice = heard_in([utterance])["takes/anna"]
+    voice = log_mels_by_phoneme([utterance])["takes/anna"]
     far = replace(voice, cepstra={p: frames[:5] + 4 for p, frames in voice.cepstra.items()})
     means = templates_from({"a": voice, "b": far}).means
     for phoneme, frames in voice.cepstra.items():
@@ -138,4 +138,4 @@ def test_no_template_at_all_is_refused():
 
 def test_templates_are_needed_to_recognise_by_them():
     with pytest.raises(EngineError, match=r"begin with the preset templates\.toml"):
-        recogniser_of("templates", Tuning())
+        recogniser_of("templates", RecogniserConfig())

@@ -4,15 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-
-from phonemeengine.calibration.workbench.successors import counted_table, last_identified, successors_of
 from phonemeengine.calibration.fits.threshold_search import LEAST_FOUND, Fit, ThresholdSearch
-from phonemeengine.calibration.scores.scoring import TEN, confusion_of, macro_f1_of
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
+from phonemeengine.calibration.workbench.successors import counted_table, last_identified, successors_of
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
-from phonemeengine.recognition.smoothing import Statistics
+from phonemeengine.recognition.smoothing import PhonemeSmoother
 
 NAMES = tuple(dict.fromkeys(c.variable for c in CONDITIONS))
 HALVES = Thresholds(**dict.fromkeys((c.threshold for c in CONDITIONS), 0.5))
@@ -42,9 +41,9 @@ def test_a_search_is_as_good_on_its_frames_as_it_says():
     fit = fit_of(features, truth, 3)
     answers = ThesisRules(fit.thresholds).recognise(features).phonemes
     parts = np.split(answers, range(1000, 4000, 1000))
-    calmed = np.concatenate([Statistics(0, fit.successors).push(part) for part in parts])
+    calmed = np.concatenate([PhonemeSmoother(0, fit.successors).push(part) for part in parts])
     known = truth != UNKNOWN
-    score = float(macro_f1_of(confusion_of(truth[known], calmed[known]), TEN))
+    score = float(macro_f1_of(confusion_of(truth[known], calmed[known]), SCORED_PHONEMES))
     assert score == pytest.approx(fit.score, abs=1e-9)
 
 
@@ -58,10 +57,10 @@ def test_a_search_finds_the_thresholds_that_made_the_labels():
 
 def test_every_rule_finds_some_of_its_phoneme_even_where_labels_are_chance():
     features = random_features(6000, 3)
-    truth = np.random.default_rng(3).choice(np.array(TEN, np.uint8), 6000)
+    truth = np.random.default_rng(3).choice(np.array(SCORED_PHONEMES, np.uint8), 6000)
     thresholds = fit_of(features, truth, 4).thresholds
     assert thresholds.u_o1 > thresholds.o_o1 > thresholds.i_o1
-    hits = confusion_of(truth, ThesisRules(thresholds).recognise(features).phonemes).diagonal()[list(TEN)]
+    hits = confusion_of(truth, ThesisRules(thresholds).recognise(features).phonemes).diagonal()[list(SCORED_PHONEMES)]
     assert np.mean(hits > 0.5 * LEAST_FOUND * 600) > 0.8
 
 

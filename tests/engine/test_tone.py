@@ -10,14 +10,14 @@ import parselmouth
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
-from phonemeengine.analyser import analyses_of
+from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.tone.reader import FADE, ToneReader
+from phonemeengine.audio.tone.settings import VOWELS, Formant, Tone, ToneKind, vowel_of
 from phonemeengine.audio.tone.waveforms import NOISE_SAMPLES
 from phonemeengine.errors import SettingsError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE, AnalysisSettings
-from phonemeengine.audio.tone.settings import VOWELS, Formant, Tone, ToneKind, vowel_of
+
 from tests.sounds import Sound
 
 RAW = Preset(settings=AnalysisSettings(filters=frozenset()))
@@ -50,7 +50,7 @@ def levels_of(wave: Sound, frequencies: Iterable[float]) -> Sound:
 @pytest.mark.parametrize("k", [2, 46, 900])
 def test_a_sine_on_a_bin_reads_its_level(k: int, level: float):
     wave = heard(Tone(frequency=k * BIN_WIDTH, level=level), SAMPLE_RATE // 5)
-    spectra = np.concatenate([a.spectra for a in analyses_of([wave], RAW)])
+    spectra = np.concatenate([a.spectra for a in analyse_blocks([wave], RAW)])
     np.testing.assert_allclose(spectra[5:-5, k], 10 ** (level / 20), rtol=1e-4)
     assert (spectra[5:-5].argmax(axis=1) == k).all()
 

@@ -5,15 +5,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
-from phonemeengine.analyser import analyses_of
-from phonemeengine.dsp.log_mel import N_BANDS, bank_of, log_mels_of, mel_powers_of
+from phonemeengine.analyser import analyse_blocks
+from phonemeengine.dsp.log_mel import N_BANDS, log_mels, mel_powers, warped_mel_bank
 from phonemeengine.errors import ModelError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import load_model, save_model
-from phonemeengine.recognition.vtln import TractJudge
+from phonemeengine.recognition.vtln import VtlnMixer
 from phonemeengine.settings import WINDOW, AnalysisSettings
+
 from tests.models import tone_model
 from tests.sounds import noise, tone
 
@@ -29,7 +29,7 @@ def shares_of(*names: tuple[Phoneme, float], n: int = 1) -> np.ndarray:
 
 
 def test_what_a_sure_tract_says_counts_more_and_more():
-    judge = TractJudge(2)
+    judge = VtlnMixer(2)
     mixed = judge.mix(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=300))
     assert mixed[0, Phoneme.A] < 0.6
     assert mixed[-1, Phoneme.A] > 0.85
@@ -37,14 +37,14 @@ def test_what_a_sure_tract_says_counts_more_and_more():
 
 
 def test_silence_tells_nothing_about_a_speaker():
-    judge = TractJudge(2)
+    judge = VtlnMixer(2)
     judge.mix(shares_of((Phoneme.SILENCE, 0.99), (Phoneme.SILENCE, 0.6), n=500))
     mixed = judge.mix(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.9)))
     assert mixed[0, Phoneme.A] == pytest.approx(mixed[0, Phoneme.E], rel=1e-4)
 
 
 def test_another_speaker_is_noticed_within_ten_seconds():
-    judge = TractJudge(2)
+    judge = VtlnMixer(2)
     judge.mix(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=6000))
     mixed = judge.mix(shares_of((Phoneme.A, 0.6), (Phoneme.E, 0.9), n=1000))
     assert mixed[0].argmax() == Phoneme.A
@@ -53,14 +53,14 @@ def test_another_speaker_is_noticed_within_ten_seconds():
 
 def test_what_is_mixed_does_not_depend_on_how_frames_come():
     shares = np.random.default_rng(1).dirichlet(np.ones(N), (200, 3)).astype(np.float32)
-    whole, parts = TractJudge(3), TractJudge(3)
+    whole, parts = VtlnMixer(3), VtlnMixer(3)
     pieces = [parts.mix(piece) for piece in np.split(shares, [1, 2, 50, 51, 120])]
     np.testing.assert_array_equal(np.concatenate(pieces), whole.mix(shares))
 
 
 def test_one_tract_is_believed():
     shares = shares_of((Phoneme.A, 0.9), n=3)
-    np.testing.assert_array_equal(TractJudge(1).mix(shares), shares[:, 0])
+    np.testing.assert_array_equal(VtlnMixer(1).mix(shares), shares[:, 0])
 
 
 def test_a_voice_that_lies_higher_is_recognised_with_a_shorter_tract():
@@ -69,15 +69,15 @@ def test_a_voice_that_lies_higher_is_recognised_with_a_shorter_tract():
     sound = tone(700 * 1.2, 1.0, 0.01)  # so faint that the band of 700 Hz hears nothing of it
     for warps, expected in (((1.0,), Phoneme.SILENCE), ((0.8, 1.0, 1.2), Phoneme.A)):
         preset = Preset(recogniser="learned", model=replace(model, warps=warps), settings=settings)
-        codes = np.concatenate([analysis.phonemes for analysis in analyses_of([sound], preset)])
+        codes = np.concatenate([analysis.phonemes for analysis in analyse_blocks([sound], preset)])
         assert set(codes[10:-10]) == {expected}
 
 
 def test_the_bands_of_several_warps_lie_side_by_side():
     windows = noise(3 * WINDOW / 44_100, 0.1, seed=3).reshape(3, WINDOW)
-    heard = log_mels_of(windows, (0.8, 1.0)).reshape(3, 2, N_BANDS)
-    np.testing.assert_allclose(heard[:, 1], log_mels_of(windows), atol=1e-5)
-    alone = np.log10(mel_powers_of(windows, bank_of(0.8)) + 1e-11)
+    heard = log_mels(windows, (0.8, 1.0)).reshape(3, 2, N_BANDS)
+    np.testing.assert_allclose(heard[:, 1], log_mels(windows), atol=1e-5)
+    alone = np.log10(mel_powers(windows, warped_mel_bank(0.8)) + 1e-11)
     np.testing.assert_allclose(heard[:, 0], alone, atol=1e-5)
 
 

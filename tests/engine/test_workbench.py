@@ -8,23 +8,23 @@ import pytest
 import soundfile
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-
-from phonemeengine.calibration.workbench.labelled_features import Workbench
-from phonemeengine.progress import Cancelled
-from phonemeengine.calibration.scores.confusion import Passage
+from phonemeengine.calibration.scores.confusion import ConfusedSegment
 from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.calibration.scores.evaluation import answers_to, score_corpus
+from phonemeengine.calibration.scores.evaluation import predict, score_corpus
 from phonemeengine.calibration.scores.scoring import confusion_of
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.features.variables import Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.model import Head, Model
+from phonemeengine.progress import Cancelled
+from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.settings import Filter
+
 from tests.labelled import SAID, recording, recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")
@@ -50,17 +50,17 @@ def utterances(tmp_path_factory: pytest.TempPathFactory) -> tuple[Utterance, ...
 
 
 @pytest.fixture(scope="module")
-def bench(utterances: tuple[Utterance, ...]) -> Workbench:
-    return Workbench(utterances, THESIS)
+def bench(utterances: tuple[Utterance, ...]) -> LabelledFeatures:
+    return LabelledFeatures(utterances, THESIS)
 
 
 @pytest.fixture(scope="module")
-def own_bench(utterances: tuple[Utterance, ...]) -> Workbench:
-    return Workbench(utterances, OWN)
+def own_bench(utterances: tuple[Utterance, ...]) -> LabelledFeatures:
+    return LabelledFeatures(utterances, OWN)
 
 
 def plainly(utterances: tuple[Utterance, ...], preset: Preset) -> list[int]:
-    return [code for utterance in utterances for code in answers_to(utterance, preset).phonemes.tolist()]
+    return [code for utterance in utterances for code in predict(utterance, preset).phonemes.tolist()]
 
 
 def tiny_model(seed: int = 1) -> Model:
@@ -68,7 +68,7 @@ def tiny_model(seed: int = 1) -> Model:
     generator = np.random.default_rng(seed)
     weights = generator.normal(0, 0.1, (TAPS * N_BANDS, 8)).astype(np.float32)
     heads = tuple(
-        Head(generator.normal(0, 1, (8, len(Phoneme))).astype(np.float32), np.zeros(len(Phoneme), np.float32))
+        OutputHead(generator.normal(0, 1, (8, len(Phoneme))).astype(np.float32), np.zeros(len(Phoneme), np.float32))
         for _ in range(4)
     )
     return Model((Layer(weights, np.zeros(8, np.float32), 1),), heads)
@@ -111,7 +111,7 @@ def test_a_learned_recogniser_is_heard_once_and_what_tunes_it_acts_at_once(utter
     preset = replace(
         THESIS, recogniser="learned", model=tiny_model(), settings=replace(THESIS.settings, look_ahead=look_ahead)
     )
-    bench = Workbench(utterances, preset)
+    bench = LabelledFeatures(utterances, preset)
     for hold, hysteresis, sensitivities in ((0.0, 0.0, {}), (0.05, 0.0, {A: 1.5}), (0.03, 0.3, {A: -4.0, O: 2.0})):
         settings = replace(preset.settings, minimum_hold=hold, hysteresis=hysteresis)
         changed = replace(preset, settings=settings, sensitivities=sensitivities)
@@ -126,7 +126,7 @@ def test_a_learned_recogniser_is_heard_once_and_what_tunes_it_acts_at_once(utter
 
 def test_a_recogniser_of_another_package_is_asked_while_measuring(utterances, loudness):
     preset = replace(THESIS, recogniser="loudness")
-    bench = Workbench(utterances, preset)
+    bench = LabelledFeatures(utterances, preset)
     assert bench.answers(preset).tolist() == plainly(utterances, preset)
     assert bench.needs_measuring(replace(preset, thresholds=replace(preset.thresholds, silence_energy=0.3)))
 
@@ -167,7 +167,7 @@ def test_frames_labelled_as_none_of_the_ten_are_counted_but_not_scored(tmp_path)
     labels = (*heard.labels[:3], replace(heard.labels[3], phoneme=Phoneme.UNIDENTIFIED))
     half_known = replace(heard, labels=labels)
     always_a = replace(THESIS, recogniser="rules", rules=(Rule(A, ()),))
-    confusion = Workbench([half_known], always_a).confusion(always_a)
+    confusion = LabelledFeatures([half_known], always_a).confusion(always_a)
     assert confusion.counts[:, A].tolist()[:2] == [30, 30]
     assert confusion.accuracy == pytest.approx(1 / 3)
     assert confusion.f1_of(A) == pytest.approx(2 * 30 / (30 + 90))
@@ -177,7 +177,7 @@ def test_frames_labelled_as_none_of_the_ten_are_counted_but_not_scored(tmp_path)
 
 def test_what_was_measured_otherwise_is_measured_again(bench, utterances):
     bare = replace(THESIS, settings=replace(THESIS.settings, filters=frozenset({Filter.NORMALISE})))
-    assert Workbench(utterances, bare, known=bench).answers(bare).tolist() == plainly(utterances, bare)
+    assert LabelledFeatures(utterances, bare, known=bench).answers(bare).tolist() == plainly(utterances, bare)
 
 
 def test_the_frames_of_a_cell_are_where_the_label_and_the_answer_are_those(bench):
@@ -197,8 +197,8 @@ def test_the_frames_of_a_cell_are_where_the_label_and_the_answer_are_those(bench
 def test_stretches_of_a_cell_end_where_their_recording_does(tmp_path):
     quiet = [recording(tmp_path / f"{k}.wav", [SILENCE], 0.5) for k in range(3)]
     deaf = replace(THESIS, recogniser="rules", rules=(Rule(SILENCE, ()),))
-    confusion = Workbench(quiet, deaf).confusion(deaf)
-    assert confusion.frames_in(SILENCE, SILENCE) == tuple(Passage(k, 0.0, 0.5) for k in range(3))
+    confusion = LabelledFeatures(quiet, deaf).confusion(deaf)
+    assert confusion.frames_in(SILENCE, SILENCE) == tuple(ConfusedSegment(k, 0.0, 0.5) for k in range(3))
     assert confusion.frames_in(SILENCE, A) == ()
 
 
@@ -207,29 +207,29 @@ def test_what_is_labelled_after_the_end_of_a_sound_is_silence(tmp_path):
     samples, rate = soundfile.read(whole.path)
     soundfile.write(whole.path, samples[: len(samples) // 2], rate, subtype="FLOAT")
     always_a = replace(THESIS, recogniser="rules", rules=(Rule(A, ()),))
-    confusion = Workbench([whole], always_a).confusion(always_a)
-    assert confusion.line(0).tolist() == answers_to(whole, always_a).phonemes.tolist() == [A] * 30 + [SILENCE] * 30
+    confusion = LabelledFeatures([whole], always_a).confusion(always_a)
+    assert confusion.line(0).tolist() == predict(whole, always_a).phonemes.tolist() == [A] * 30 + [SILENCE] * 30
 
 
 def test_what_was_measured_is_not_measured_again(utterances, tmp_path):
     moved = recording(tmp_path / "own.wav", SAID, speaker="cyd")
     told: list[float] = []
-    first = Workbench([moved, *utterances], THESIS)
-    again = Workbench([*utterances, moved], THESIS, known=first, heed=lambda share: told.append(share) is None)
+    first = LabelledFeatures([moved, *utterances], THESIS)
+    again = LabelledFeatures([*utterances, moved], THESIS, known=first, heed=lambda share: told.append(share) is None)
     assert told == [0.0, 1.0]
     assert again.answers(THESIS).tolist() == plainly((*utterances, moved), THESIS)
     recording(moved.path, SAID[::-1], speaker="cyd", pitch=200.0, level=0.1)
-    changed = Workbench([moved], THESIS, known=again)
+    changed = LabelledFeatures([moved], THESIS, known=again)
     assert changed.answers(THESIS).tolist() == plainly((moved,), THESIS)
 
 
 def test_measuring_says_how_far_it_is_and_ends_when_it_shall(utterances):
     told: list[float] = []
-    Workbench(utterances, THESIS, heed=lambda share: told.append(share) is None)
+    LabelledFeatures(utterances, THESIS, heed=lambda share: told.append(share) is None)
     assert told == sorted(told)
     assert (told[0], told[-1]) == (0.0, 1.0)
     with pytest.raises(Cancelled):
-        Workbench(utterances, THESIS, heed=lambda share: share < 0.5)
+        LabelledFeatures(utterances, THESIS, heed=lambda share: share < 0.5)
 
 
 def test_a_twin_answers_the_same_while_another_thread_asks(bench):
@@ -246,7 +246,7 @@ def test_a_twin_answers_the_same_while_another_thread_asks(bench):
 
 
 def test_without_recordings_there_is_nothing_to_count():
-    confusion = Workbench((), THESIS).confusion(THESIS)
+    confusion = LabelledFeatures((), THESIS).confusion(THESIS)
     assert confusion.counts.sum() == 0
     assert np.isnan([confusion.accuracy, confusion.macro_f1, confusion.f1_of(A), confusion.changes_per_s]).all()
     assert confusion.frames_in(A, A) == ()
@@ -256,7 +256,7 @@ def test_without_recordings_there_is_nothing_to_count():
 def test_a_sound_that_is_gone_is_told(tmp_path):
     gone = replace(recording(tmp_path / "a.wav"), path=tmp_path / "b.wav")
     with pytest.raises(AudioError, match=r"b\.wav"):
-        Workbench([gone], THESIS)
+        LabelledFeatures([gone], THESIS)
 
 
 def test_a_variable_that_was_not_measured_is_told(bench):

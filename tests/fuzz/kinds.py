@@ -9,18 +9,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
-from phonemeengine.mouth.morph_mesh import face_of
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
+from phonemeengine.mouth.morph_mesh import morph_targets_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model
+
 from tests.fuzz.mutation import mutated
 from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, figure_of_cube
 from tests.models import tone_model
@@ -45,7 +46,7 @@ class Kind:
 def kinds(folder: Path) -> dict[str, Kind]:
     """Give all kinds; those that are read from a path are written into a folder."""
     figure = figure_of_cube()
-    face = face_of(figure.mesh, figure.states)
+    face = morph_targets_of(figure.mesh, figure.states)
     glb, points = format_glb(figure), format_points(face)
     text, blob = _parts_of(glb)
     model = folder / "good.npz"
@@ -54,8 +55,8 @@ def kinds(folder: Path) -> dict[str, Kind]:
     tables = tuple((TABLES / f"{name}.toml").read_bytes() for name in ("five", "eleven"))
     old = (b"0,0,5,7,0\n" + b"1,2,3,4\n" * 4,)
     return {
-        "3dm": Kind((format_3dm(face), format_3dm(face_of(figure.mesh, []))), _morph_3dm, head=10),
-        "3dma": Kind((format_3dma(face), format_3dma(face_of(figure.mesh, []))), parse_3dma, head=7),
+        "3dm": Kind((format_3dm(face), format_3dm(morph_targets_of(figure.mesh, []))), _morph_3dm, head=10),
+        "3dma": Kind((format_3dma(face), format_3dma(morph_targets_of(figure.mesh, []))), parse_3dma, head=7),
         "x": Kind((CUBE_X, FRAMES_X), parse_x, head=17),
         "obj": Kind((CUBE_OBJ, LIBRARY), lambda content: parse_obj(content, lambda _name: content)),
         "glb": Kind((glb, points), parse_gltf),

@@ -12,6 +12,7 @@ from pathlib import Path
 from random import Random
 
 from phonemeengine.errors import EngineError
+
 from tests.fuzz.kinds import Kind, kinds
 
 MOST_MEMORY = 200 << 20

@@ -4,9 +4,8 @@ It opens above one energy and shuts below half of it, so a voice that hovers bet
 """
 
 import numpy as np
-
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.trace import Comparison, Trace
+from phonemeengine.recognition.trace import RuleComparison, Trace
 
 
 class Loudness:
@@ -31,7 +30,7 @@ class Loudness:
         """Say why; what is not known here is what went before the block, so both limits are shown."""
         energy = float(features["energy"][k])
         comparisons = tuple(
-            Comparison(rule, "energy", energy, ">", "silence_energy", limit, energy - limit)
+            RuleComparison(rule, "energy", energy, ">", "silence_energy", limit, energy - limit)
             for rule, limit in (("opens", self.opens), ("stays", self.shuts))
         )
         loud = energy > self.opens

@@ -10,10 +10,9 @@ import time
 from pathlib import Path
 
 import numpy as np
-
 from phonemeengine.analyser import Analysis
 from phonemeengine.live.listener import Listener
-from phonemeengine.live.recorder import Tape
+from phonemeengine.live.recorder import Recorder
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 TICK = 1 / 60
@@ -50,7 +49,9 @@ class Watch:
 def main() -> None:
     """Listen."""
     folder, seconds = Path(sys.argv[1]), float(sys.argv[2])
-    tape = Tape(lambda: folder / "soak.wav", with_phonemes=True, journal=folder / "journal", rescue=folder / "rescue")
+    tape = Recorder(
+        lambda: folder / "soak.wav", with_phonemes=True, journal=folder / "journal", rescue=folder / "rescue"
+    )
     watch = Watch(round(110 * seconds))
     watch.listener = listener = Listener(
         load_preset(DEFAULT_PRESET), pitch=True, tape=tape, on_heard=watch.age

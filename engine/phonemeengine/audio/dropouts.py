@@ -11,7 +11,7 @@ FOLLOWED = 0.3
 """Share of a smaller difference that is taken for the drift of the device's clock."""
 
 
-class LossMeter:
+class DropoutMeter:
     """Counts lost samples.
 
     A block may come late, but never early: the promptest block of a second says how far the count lies behind the

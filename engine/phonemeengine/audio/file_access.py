@@ -8,7 +8,7 @@ from typing import Any, BinaryIO
 from phonemeengine.errors import AudioError
 
 
-def opened(path: Path, name: str) -> BinaryIO:
+def open_checked(path: Path, name: str) -> BinaryIO:
     """Open a file for reading, and speak of it as `name`.
 
     Raises
@@ -30,7 +30,7 @@ def opened(path: Path, name: str) -> BinaryIO:
     return file
 
 
-class Part(io.RawIOBase):
+class FileSlice(io.RawIOBase):
     """The beginning of a file as a file of its own; it has no name whose ending could mislead libsndfile.
 
     Parameters
@@ -76,7 +76,7 @@ class Part(io.RawIOBase):
         return n
 
 
-def shown_name(path: Path) -> str:
+def printable_name(path: Path) -> str:
     """Give the file's name, without characters that would break the sentence it stands in."""
     return "".join(c if c.isprintable() else "?" for c in path.name or str(path))
 

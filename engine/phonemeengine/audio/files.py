@@ -9,11 +9,11 @@ from types import TracebackType
 from typing import BinaryIO, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.file_access import FileSlice, open_checked, printable_name
 from phonemeengine.audio.headers import ADVICE, Extent, extent_of, mp3_states_its_length
 from phonemeengine.audio.libsndfile import Decoder, DecodingError
-from phonemeengine.audio.file_access import Part, opened, shown_name
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import AudioError
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, Channel
@@ -42,8 +42,6 @@ DECODER_WARM_UP = 1.0
 MP3_SLACK = 0.1
 """An MP3 file may lack this much of the length it announces, seconds: encoders count their padding differently."""
 
-Block = NDArray[np.float32]
-
 
 class SoundReader:
     """Reads a sound file as a stream at 44.1 kHz; never holds the whole file.
@@ -68,8 +66,8 @@ class SoundReader:
 
     def __init__(self, path: Path, channel: Channel = Channel.MIX) -> None:
         self.path = path
-        self._name = shown_name(path)
-        self._raw = opened(path, self._name)
+        self._name = printable_name(path)
+        self._raw = open_checked(path, self._name)
         with ExitStack() as unless_read:
             unless_read.callback(self._raw.close)
             self._extent = _extent(self._raw, self._name)
@@ -86,7 +84,7 @@ class SoundReader:
         self._leans_back = self._is_mp3 or self._file.subtype == "OPUS"
         self._read_frames = max(1, min(int(self.file_rate * READ_SECONDS), READ_VALUES // self.n_file_channels))
         self.position = self._frame = 0
-        self._rest: Block = np.zeros((0, self.n_channels), np.float32)
+        self._rest: Float32Array = np.zeros((0, self.n_channels), np.float32)
         self._start_at(0)
 
     @property
@@ -125,7 +123,7 @@ class SoundReader:
             raise AudioError(f"{self._name}: it has {has} and so no channel {channel.number}; choose {choice}the mix")
         self.channel = channel
 
-    def read(self, n: int) -> Block:
+    def read(self, n: int) -> Float32Array:
         """Give the next samples, fewer than `n` only at the end of the sound and none after it.
 
         Returns
@@ -164,7 +162,7 @@ class SoundReader:
         while self.position < sample:
             self.read(min(sample - self.position, SAMPLE_RATE // 4))
 
-    def blocks(self, n: int) -> Iterator[Block]:
+    def blocks(self, n: int) -> Iterator[Float32Array]:
         """Give what is analysed, from the position to the end: float32 blocks of shape (m,), m <= n."""
         while len(block := self.read(n)):
             yield mono_of(block, self.channel)
@@ -208,7 +206,7 @@ class SoundReader:
         while n := len(self._file.read(min(frame - self._frame, READ_VALUES), dtype="float32")):
             self._frame += n
 
-    def _next_part(self) -> Block:
+    def _next_part(self) -> Float32Array:
         """Read on in the file and give what the resampler makes of it; silence once there is nothing left."""
         if self._ended:
             return np.zeros((self.n_samples - self.position, self.n_channels), np.float32)
@@ -218,11 +216,11 @@ class SoundReader:
             return block
         return self._resampler.push(block, last=self._ended)
 
-    def _next_frames(self) -> Block:
+    def _next_frames(self) -> Float32Array:
         """Read the next frames, shape (n, n_file_channels), n > 0 while there are any."""
         n = min(self._read_frames, self._n_frames - self._frame)
         try:
-            block: Block = self._file.read(n, dtype="float32", always_2d=True)
+            block: Float32Array = self._file.read(n, dtype="float32", always_2d=True)
         except DecodingError as error:
             raise AudioError(
                 f"{self._name}: it is damaged after {self._seconds(0)}; copy or export it again"
@@ -239,7 +237,7 @@ class SoundReader:
         self._frame += len(block)
         return block
 
-    def _filled_up(self, block: Block) -> Block:
+    def _filled_up(self, block: Float32Array) -> Float32Array:
         """Replace by silence the little that an MP3 file may lack at its end; refuse a file that is cut off."""
         missing = self._n_frames - self._frame - len(block)
         if not (self._is_mp3 and missing < MP3_SLACK * self.file_rate):
@@ -249,7 +247,7 @@ class SoundReader:
             )
         return np.concatenate([block, np.zeros((missing, self.n_file_channels), np.float32)])
 
-    def _reduced(self, block: Block) -> Block:
+    def _reduced(self, block: Float32Array) -> Float32Array:
         if self.n_file_channels <= 2:
             return block
         return mono_of(block, self.channel)[:, np.newaxis]
@@ -258,7 +256,7 @@ class SoundReader:
         return f"{(self._frame + n_frames) / self.file_rate:.3f} s"
 
 
-def mono_of(block: Block, channel: Channel) -> Block:
+def mono_of(block: Float32Array, channel: Channel) -> Float32Array:
     """Reduce a block of shape (m, n_channels) to shape (m,): the mean of all channels, or one of them.
 
     What has one channel is given as it is.
@@ -285,7 +283,7 @@ def _extent(raw: BinaryIO, name: str) -> Extent:
 
 def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder:
     try:
-        return Decoder(Part(raw, extent.end, extent.corrections))
+        return Decoder(FileSlice(raw, extent.end, extent.corrections))
     except (DecodingError, TypeError) as error:
         raise AudioError(
             f"{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG or MP3 file"

@@ -4,15 +4,13 @@ import os
 from contextlib import ExitStack, suppress
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.libsndfile import DecodingError, FlacEncoder
-from phonemeengine.audio.recording_file import TakeFile, trouble_of
+from phonemeengine.audio.recording_file import RecordingFile, describe_os_error
 from phonemeengine.errors import RecordingError
 
 
-def write_flac(path: Path, samples: NDArray[np.float32], rate: int) -> None:
+def write_flac(path: Path, samples: Float32Array, rate: int) -> None:
     """Write a sound of 24 bits to a file, which appears once it is complete and on the disk.
 
     Parameters
@@ -28,7 +26,7 @@ def write_flac(path: Path, samples: NDArray[np.float32], rate: int) -> None:
     part = path.with_name(path.name + ".part")
     with suppress(OSError):
         part.unlink(missing_ok=True)
-    file = TakeFile(part)
+    file = RecordingFile(part)
     with ExitStack() as unless_written:
         unless_written.callback(_discard, file)
         try:
@@ -39,7 +37,7 @@ def write_flac(path: Path, samples: NDArray[np.float32], rate: int) -> None:
             file.close()
             part.replace(path)
         except OSError as error:
-            what, advice = trouble_of(error)
+            what, advice = describe_os_error(error)
             raise RecordingError(f"{path.name}: {what}, so the sound is not kept; {advice}") from error
         except DecodingError as error:
             raise RecordingError(
@@ -48,7 +46,7 @@ def write_flac(path: Path, samples: NDArray[np.float32], rate: int) -> None:
         unless_written.pop_all()
 
 
-def _discard(file: TakeFile) -> None:
+def _discard(file: RecordingFile) -> None:
     file.close()
     with suppress(OSError):
         file.path.unlink(missing_ok=True)

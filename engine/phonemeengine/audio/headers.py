@@ -28,7 +28,7 @@ ADVICE = "open it in an audio editor and export it again"
 
 
 @dataclass(frozen=True)
-class Family:
+class ChunkFormat:
     """How one family of files is cut into chunks.
 
     Attributes
@@ -57,13 +57,13 @@ class Family:
         return self.id_width + struct.calcsize(self.size_code)
 
 
-RIFF = Family("<", 12, 4, "I", False, 2, (b"data",))
-RIFX = Family(">", 12, 4, "I", False, 2, (b"data",))
-FORM = Family(">", 12, 4, "I", False, 2, (b"SSND", b"BODY"))
-W64 = Family("<", 40, 16, "Q", True, 8, (b"data\xf3\xac\xd3\x11\x8c\xd1\x00\xc0O\x8e\xdb\x8a",), outer_at=16)
-CAF = Family(">", 8, 4, "q", False, 1, (b"data",), outer_at=0)
+RIFF = ChunkFormat("<", 12, 4, "I", False, 2, (b"data",))
+RIFX = ChunkFormat(">", 12, 4, "I", False, 2, (b"data",))
+FORM = ChunkFormat(">", 12, 4, "I", False, 2, (b"SSND", b"BODY"))
+W64 = ChunkFormat("<", 40, 16, "Q", True, 8, (b"data\xf3\xac\xd3\x11\x8c\xd1\x00\xc0O\x8e\xdb\x8a",), outer_at=16)
+CAF = ChunkFormat(">", 8, 4, "q", False, 1, (b"data",), outer_at=0)
 
-FAMILIES: dict[bytes, Family] = {
+FAMILIES: dict[bytes, ChunkFormat] = {
     b"RIFF": RIFF,
     b"RF64": RIFF,
     b"BW64": RIFF,
@@ -113,7 +113,7 @@ class Chunk:
         return self.begin + self.size
 
 
-class _LieError(Exception):
+class HeaderSizeError(Exception):
     """A size that cannot be true; its text says which."""
 
 
@@ -141,7 +141,7 @@ def extent_of(file: BinaryIO, name: str) -> Extent:
             _check_ogg(file, length)
         family = FAMILIES.get(magic)
         return Extent(length) if family is None else _walk(file, family, magic, start, length)
-    except _LieError as lie:
+    except HeaderSizeError as lie:
         raise AudioError(f"{name}: the sizes in its header do not match the file ({lie}), so {ADVICE}") from None
 
 
@@ -151,7 +151,7 @@ def mp3_states_its_length(file: BinaryIO) -> bool:
     return any(tag in head for tag in (b"Xing", b"Info", b"VBRI"))
 
 
-def _walk(file: BinaryIO, family: Family, magic: bytes, start: int, length: int) -> Extent:
+def _walk(file: BinaryIO, family: ChunkFormat, magic: bytes, start: int, length: int) -> Extent:
     sizes = _sizes_of_ds64(file, start) if magic in {b"RF64", b"BW64"} else None
     claimed = start + _outer_size(file, family, start, length, sizes)
     end = min(claimed, length)
@@ -170,30 +170,32 @@ def _walk(file: BinaryIO, family: Family, magic: bytes, start: int, length: int)
             samples = chunk
             _check_samples(chunk, end, length)
     if samples is None:
-        raise _LieError("there is no chunk with samples")
+        raise HeaderSizeError("there is no chunk with samples")
     if claimed > length + OUTER_SLACK:
         return _cut_off(family, start, samples, end, block, wide=sizes is not None)
     return Extent(end)
 
 
-def _check(file: BinaryIO, family: Family, chunk: Chunk, end: int) -> None:
+def _check(file: BinaryIO, family: ChunkFormat, chunk: Chunk, end: int) -> None:
     if chunk.end > end:
-        raise _LieError(f"{_shown(chunk.name)} claims {chunk.size} bytes, {max(end - chunk.begin, 0)} are there")
+        raise HeaderSizeError(
+            f"{_shown(chunk.name)} claims {chunk.size} bytes, {max(end - chunk.begin, 0)} are there"
+        )
     if chunk.name == b"LIST":
         _check_list(file, family, chunk)
 
 
 def _check_samples(chunk: Chunk, end: int, length: int) -> None:
     if chunk.size == 0 and chunk.end < length and end < length:
-        raise _LieError(f"{_shown(chunk.name)} claims 0 bytes, {length - chunk.end} are there")
+        raise HeaderSizeError(f"{_shown(chunk.name)} claims 0 bytes, {length - chunk.end} are there")
 
 
-def _block_in(file: BinaryIO, family: Family, chunk: Chunk) -> int:
+def _block_in(file: BinaryIO, family: ChunkFormat, chunk: Chunk) -> int:
     """Give the bytes of samples that cannot be parted, where a chunk tells the format; else 0."""
     return _number_at(file, chunk.begin + 12, family.order + "H") if chunk.name.startswith(b"fmt ") else 0
 
 
-def _cut_off(family: Family, start: int, samples: Chunk, end: int, block: int, *, wide: bool) -> Extent:
+def _cut_off(family: ChunkFormat, start: int, samples: Chunk, end: int, block: int, *, wide: bool) -> Extent:
     """Tell of a file that was cut off among its samples or behind them: what is whole of it ends at `end`.
 
     `block` is how many bytes of samples cannot be parted; `wide` says that its sizes stand in a ``ds64`` chunk.
@@ -215,7 +217,7 @@ def _cut_off(family: Family, start: int, samples: Chunk, end: int, block: int, *
     return Extent(end, True, samples.size, there, corrections)
 
 
-def _outer_size(file: BinaryIO, family: Family, start: int, length: int, sizes: tuple[int, int] | None) -> int:
+def _outer_size(file: BinaryIO, family: ChunkFormat, start: int, length: int, sizes: tuple[int, int] | None) -> int:
     """Give the bytes that the whole claims to have."""
     if not family.outer_at:
         return length - start
@@ -228,12 +230,12 @@ def _outer_size(file: BinaryIO, family: Family, start: int, length: int, sizes: 
 def _sizes_of_ds64(file: BinaryIO, start: int) -> tuple[int, int]:
     """Give the sizes of the whole and of the samples, which RF64 keeps apart because 32 bits are too few."""
     if _bytes_at(file, start + 12, 4) != b"ds64":
-        raise _LieError("its ds64 chunk is missing")
+        raise HeaderSizeError("its ds64 chunk is missing")
     return _number_at(file, start + 20, "<Q"), _number_at(file, start + 28, "<Q")
 
 
 def _chunks(
-    file: BinaryIO, family: Family, at: int, end: int, sizes: tuple[int, int] | None = None
+    file: BinaryIO, family: ChunkFormat, at: int, end: int, sizes: tuple[int, int] | None = None
 ) -> Iterator[Chunk]:
     """Follow the chunks between two places; a rest too short for a chunk's header is passed over."""
     base = at
@@ -249,21 +251,21 @@ def _chunks(
             size = sizes[1]
         size -= family.header if family.counts_header else 0
         if size < 0:
-            raise _LieError(f"{_shown(name)} claims {size} bytes")
+            raise HeaderSizeError(f"{_shown(name)} claims {size} bytes")
         yield Chunk(name, begin, size)
         at = begin + size
         at += -(at - base) % family.align
-    raise _LieError(f"it has more than {MOST_CHUNKS} chunks")
+    raise HeaderSizeError(f"it has more than {MOST_CHUNKS} chunks")
 
 
-def _check_list(file: BinaryIO, family: Family, chunk: Chunk) -> None:
+def _check_list(file: BinaryIO, family: ChunkFormat, chunk: Chunk) -> None:
     """Check the sizes inside a list of texts; some writers forget to fill its odd texts up to even ones."""
-    unpadded = Family(family.order, 0, 4, "I", False, 1, ())
+    unpadded = ChunkFormat(family.order, 0, 4, "I", False, 1, ())
     if not any(_tiles(file, layout, chunk) for layout in (family, unpadded)):
-        raise _LieError("a text in its LIST chunk claims more bytes than the list has")
+        raise HeaderSizeError("a text in its LIST chunk claims more bytes than the list has")
 
 
-def _tiles(file: BinaryIO, family: Family, chunk: Chunk) -> bool:
+def _tiles(file: BinaryIO, family: ChunkFormat, chunk: Chunk) -> bool:
     return all(part.end <= chunk.end for part in _chunks(file, family, chunk.begin + 4, chunk.end))
 
 
@@ -272,7 +274,7 @@ def _check_au(file: BinaryIO, order: str, start: int, length: int) -> None:
     size = _number_at(file, start + 8, order + "I")
     claimed = offset + (0 if size == UNKNOWN_32 else size)
     if start + claimed > length:
-        raise _LieError(f"it claims {claimed} bytes, {length - start} are there")
+        raise HeaderSizeError(f"it claims {claimed} bytes, {length - start} are there")
 
 
 def _check_ogg(file: BinaryIO, length: int) -> None:
@@ -282,7 +284,7 @@ def _check_ogg(file: BinaryIO, length: int) -> None:
     n_segments = page[26] if len(page) > 26 else 0
     claimed = 27 + n_segments + sum(page[27 : 27 + n_segments])
     if claimed > len(page):
-        raise _LieError(f"its last page claims {claimed} bytes, {len(page)} are there")
+        raise HeaderSizeError(f"its last page claims {claimed} bytes, {len(page)} are there")
 
 
 def _after_id3(file: BinaryIO) -> int:
@@ -302,7 +304,7 @@ def _bytes_at(file: BinaryIO, at: int, n: int) -> bytes:
 def _number_at(file: BinaryIO, at: int, code: str) -> int:
     content = _bytes_at(file, at, struct.calcsize(code))
     if len(content) < struct.calcsize(code):
-        raise _LieError("it ends within its header")
+        raise HeaderSizeError("it ends within its header")
     return int(struct.unpack(code, content)[0])
 
 

@@ -5,15 +5,13 @@ import time
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import Device, InputChoice, chosen_input
-from phonemeengine.audio.dropouts import LossMeter
-from phonemeengine.audio.stream import CardStream, devices_to_open
+from phonemeengine.audio.dropouts import DropoutMeter
+from phonemeengine.audio.stream import CardStream, openable_devices
 from phonemeengine.errors import DeviceError
 from phonemeengine.settings import SAMPLE_RATE
-
-Block = NDArray[np.float32]
 
 STEADINESS = 0.99
 """How much of what is known of the card's delay stays with each block, since cards report it with much jitter."""
@@ -46,7 +44,7 @@ class Input(Protocol):
         """Samples that the device lost."""
         ...
 
-    def read(self, timeout: float) -> Block:
+    def read(self, timeout: float) -> Float32Array:
         """Give what came since the last call, shape (n, n_channels); wait for it at most `timeout` seconds."""
         ...
 
@@ -70,7 +68,7 @@ class CardInput:
     """
 
     def __init__(self, choice: InputChoice) -> None:
-        device = chosen_input(choice, devices_to_open())
+        device = chosen_input(choice, openable_devices())
         if choice.channel > device.n_inputs:
             raise DeviceError(
                 f"{device.name} has {device.n_inputs} channels and so no channel {choice.channel}; choose another"
@@ -81,7 +79,7 @@ class CardInput:
         self._came = time.monotonic()
         self._age = self._length = 0.0
         self.rate, self._stream = self._open(device, choice)
-        self._loss = LossMeter(self.rate)
+        self._loss = DropoutMeter(self.rate)
 
     @property
     def lost(self) -> bool:
@@ -103,9 +101,9 @@ class CardInput:
         """Samples that the device lost."""
         return self._loss.n_lost
 
-    def read(self, timeout: float) -> Block:
+    def read(self, timeout: float) -> Float32Array:
         """Give what came since the last call, shape (n, n_channels); wait for it at most `timeout` seconds."""
-        blocks: list[Block] = []
+        blocks: list[Float32Array] = []
         try:
             blocks.append(self._note(*self._arrived.get(timeout=timeout)))
             while True:
@@ -140,7 +138,7 @@ class CardInput:
         self._came = time.monotonic()
         self._arrived.put((self._came, times.currentTime - times.inputBufferAdcTime, bytes(block)))
 
-    def _note(self, came: float, age: float, samples: bytes) -> Block:
+    def _note(self, came: float, age: float, samples: bytes) -> Float32Array:
         block = np.frombuffer(samples, np.float32).reshape(-1, self.n_channels)
         self._loss.push(came, len(block))
         self._length = len(block) / self.rate

@@ -17,7 +17,7 @@ from phonemeengine.audio.locking import lock_at
 from phonemeengine.errors import AudioError
 
 
-class Note:
+class RecordingMarker:
     """Tells that a recording is running, as long as this process lives.
 
     Raises
@@ -49,7 +49,7 @@ class Note:
 
 
 @dataclass(frozen=True)
-class Unfinished:
+class InterruptedRecording:
     """A recording that its process did not survive.
 
     Attributes
@@ -67,10 +67,10 @@ class Unfinished:
 
     def forget(self) -> None:
         """Let it not be given again; the recording itself stays."""
-        _forget(self.note)
+        _dismiss(self.note)
 
 
-def unfinished(journal: Path) -> list[Unfinished]:
+def interrupted_recordings(journal: Path) -> list[InterruptedRecording]:
     """Give the recordings that dead processes left, the oldest first; what has gone or is empty is forgotten."""
     try:
         notes = sorted(journal.glob("*.json"))
@@ -93,20 +93,20 @@ def _is_dead(note: Path) -> bool:
     return alone
 
 
-def _read(note: Path) -> Unfinished | None:
+def _read(note: Path) -> InterruptedRecording | None:
     try:
         content = json.loads(note.read_text(encoding="utf-8"))
         path, begun = Path(content["path"]), datetime.fromisoformat(content["begun"]).astimezone()
         with SoundReader(path) as reader:
-            return Unfinished(path, begun, reader.duration, note)
+            return InterruptedRecording(path, begun, reader.duration, note)
     except (AudioError, ValueError, KeyError, TypeError):
-        _forget(note)
+        _dismiss(note)
     except OSError:
         pass
     return None
 
 
-def _forget(note: Path) -> None:
+def _dismiss(note: Path) -> None:
     _unlink(note)
     _unlink(_lock_path(note))
 

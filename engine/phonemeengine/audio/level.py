@@ -4,7 +4,8 @@ from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+
+from phonemeengine.arrays import Float32Array
 
 HOLD = 1.5
 """Seconds for which the highest peak stays to be read."""
@@ -26,19 +27,19 @@ class Level:
     clipped_ago: float | None = None
 
 
-class LevelMeter:
+class PeakMeter:
     """Follows the peak level, holds the highest for a while, and remembers clipping.
 
     It works when it is read, so that it costs nothing where nobody looks.
     """
 
     def __init__(self) -> None:
-        self._unread: deque[tuple[float, NDArray[np.float32]]] = deque(maxlen=MOST_UNREAD)
+        self._unread: deque[tuple[float, Float32Array]] = deque(maxlen=MOST_UNREAD)
         self._peak = self._held = 0.0
         self._seen = self._held_at = -np.inf
         self._clipped_at: float | None = None
 
-    def push(self, block: NDArray[np.float32], now: float) -> None:
+    def push(self, block: Float32Array, now: float) -> None:
         """Take a block of any shape; `now` in seconds."""
         self._unread.append((now, block))
 
@@ -50,7 +51,7 @@ class LevelMeter:
         held = self._held if now - self._held_at <= HOLD else peak
         return Level(peak, max(held, peak), None if self._clipped_at is None else now - self._clipped_at)
 
-    def _follow(self, now: float, block: NDArray[np.float32]) -> None:
+    def _follow(self, now: float, block: Float32Array) -> None:
         loudest = float(np.abs(block).max()) if block.size else 0.0
         self._peak = max(loudest, self._fallen(now))
         self._seen = now

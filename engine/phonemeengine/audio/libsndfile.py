@@ -4,13 +4,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from typing import BinaryIO
 
-import numpy as np
 import soundfile
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.chapters import TAGS_AT, is_tags, with_chapters
 from phonemeengine.audio.gaps import Gap
-from phonemeengine.audio.pcm import whole_numbers_of, write_whole
+from phonemeengine.audio.pcm import to_integers, write_all
 
 DecodingError = soundfile.SoundFileError
 """What a `Decoder` raises where a file is damaged, or is no sound."""
@@ -31,14 +30,14 @@ BLOCK_SIZE_AT, LENGTH_AT = 8, 21
 """Where STREAMINFO keeps the block size (2 bytes) and the 36 bits of the length (5 bytes), in a FLAC file."""
 
 
-class _Unsought(soundfile.SoundFile):  # type: ignore[misc]
+class _NonSeekingFile(soundfile.SoundFile):  # type: ignore[misc]
     """A sound file in which soundfile does not seek by itself before and after everything."""
 
     def seekable(self) -> bool:
         return False
 
 
-class Decoder(_Unsought):
+class Decoder(_NonSeekingFile):
     """A sound file whose `read` only reads.
 
     soundfile seeks after every reading of a seekable file, and a seek makes an MP3 decoder forget the bits that
@@ -69,9 +68,9 @@ class FlacEncoder:
         self._disk = file
         self._sink = _Sink(file, self._with_chapters if marks else None)
         level = {"compression_level": 0.25} if rate < SHORT_BLOCKS_BELOW else {}
-        self._file = _Unsought(self._sink, "w", rate, n_channels, "PCM_24", format="FLAC", **level)
+        self._file = _NonSeekingFile(self._sink, "w", rate, n_channels, "PCM_24", format="FLAC", **level)
 
-    def write(self, block: NDArray[np.float32]) -> None:
+    def write(self, block: Float32Array) -> None:
         """Append a block, shape (n, n_channels), ±1.
 
         Raises
@@ -79,7 +78,7 @@ class FlacEncoder:
         OSError : the disk refuses; the frames that fit are in the file.
         """
         with self._sink.refusals():
-            self._file.write(whole_numbers_of(block) << 8)
+            self._file.write(to_integers(block) << 8)
             self._n_given += len(block)
         self._state_length()
         self._sink.raise_refusal()
@@ -95,7 +94,7 @@ class FlacEncoder:
         if self._sink.tags:  # else they are written with the first block
             place = self._disk.tell()
             self._disk.seek(TAGS_AT)
-            write_whole(self._disk, self._with_chapters(self._sink.tags))
+            write_all(self._disk, self._with_chapters(self._sink.tags))
             self._disk.seek(place)
 
     def close(self) -> None:
@@ -127,7 +126,7 @@ class FlacEncoder:
         self._disk.seek(LENGTH_AT)
         other_bits = self._disk.read(1)[0] & 0xF0
         self._disk.seek(LENGTH_AT)
-        write_whole(self._disk, (other_bits << 32 | n_samples).to_bytes(5, "big"))
+        write_all(self._disk, (other_bits << 32 | n_samples).to_bytes(5, "big"))
         self._disk.seek(place)
         self.n_samples = n_samples
 
@@ -152,7 +151,7 @@ class _Sink:
             return 0
         begin = self._file.tell()
         try:
-            write_whole(self._file, self._rewritten(content) if begin == TAGS_AT else content)
+            write_all(self._file, self._rewritten(content) if begin == TAGS_AT else content)
         except OSError as error:
             self.refusal = error
             if begin == self._end:

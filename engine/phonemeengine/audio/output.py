@@ -9,8 +9,8 @@ import time
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.ring import Ring
 from phonemeengine.audio.stream import CardStream
 from phonemeengine.errors import DeviceError
@@ -56,7 +56,7 @@ class Output(Protocol):
         """Whether the device asks for sound: some open, and then stand still."""
         ...
 
-    def write(self, block: NDArray[np.float32]) -> None:
+    def write(self, block: Float32Array) -> None:
         """Append a block, shape (n, n_channels), n at most `room`."""
         ...
 
@@ -99,7 +99,7 @@ class ClockOutput:
         with self._moving:
             return self._move()
 
-    def write(self, block: NDArray[np.float32]) -> None:
+    def write(self, block: Float32Array) -> None:
         """Count a block; time in which there was nothing to hear is not made up for."""
         with self._moving:
             self._move()
@@ -184,7 +184,7 @@ class CardOutput:
         """Whether the card asks for sound, beyond what even one that stands still takes in advance."""
         return not self._stream.ended and self._asked - self._opened > 2 * LATENCY
 
-    def write(self, block: NDArray[np.float32]) -> None:
+    def write(self, block: Float32Array) -> None:
         """Append a block."""
         self._ring.write(block)
 
@@ -204,7 +204,7 @@ class CardOutput:
         """Let the card go at once."""
         self._stream.close()
 
-    def _fill(self, out: NDArray[np.float32], _n: int, times: Any, _status: Any) -> None:
+    def _fill(self, out: Float32Array, _n: int, times: Any, _status: Any) -> None:
         self._asked = time.monotonic()
         if not self._running:
             out[:] = 0

@@ -5,11 +5,13 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
+
 FULL_SCALE = 1 << 23
 """The whole number that stands for 1.0; the largest that fits is one less."""
 
 
-def whole_numbers_of(block: NDArray[np.float32]) -> NDArray[np.int32]:
+def to_integers(block: Float32Array) -> NDArray[np.int32]:
     """Give samples of 24 bits, so that k / 2**23 becomes exactly k; beyond ±1 is ±1, and NaN is silence.
 
     libsndfile's own conversion multiplies by 2**23 - 1 and would change every sample of a 16-bit sound card.
@@ -18,12 +20,12 @@ def whole_numbers_of(block: NDArray[np.float32]) -> NDArray[np.int32]:
     return np.asarray(np.clip(scaled, -FULL_SCALE, FULL_SCALE - 1), np.int32)
 
 
-def packed(numbers: NDArray[np.int32]) -> bytes:
+def to_int24_bytes(numbers: NDArray[np.int32]) -> bytes:
     """Give whole numbers as three bytes each, the smallest first."""
     return numbers.astype("<i4").view(np.uint8).reshape(-1, 4)[:, :3].tobytes()
 
 
-def write_whole(file: BinaryIO, content: bytes) -> None:
+def write_all(file: BinaryIO, content: bytes) -> None:
     """Write all of it to an unbuffered file, which may take it in parts.
 
     Raises

@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio import libsndfile
-from phonemeengine.audio.journal import Note
+from phonemeengine.audio.file_access import printable_name
+from phonemeengine.audio.journal import RecordingMarker
 from phonemeengine.audio.libsndfile import FlacEncoder
-from phonemeengine.audio.file_access import shown_name
-from phonemeengine.audio.recording_file import TakeFile, shown_folder, trouble_of
-from phonemeengine.paths import reason_of
+from phonemeengine.audio.recording_file import RecordingFile, describe_os_error, shown_folder
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import RecordingError
+from phonemeengine.paths import reason_of
 
 PERIOD = 0.2
 """Seconds between two writings to the disk."""
@@ -27,7 +27,7 @@ PERIOD = 0.2
 MOST_WAITING = 60.0
 """Sound that waits for the disk at most, seconds; then the disk counts as stuck."""
 
-PATIENCE = 5.0
+CLOSE_TIMEOUT = 5.0
 """Time that `close` waits for a disk that takes nothing, seconds."""
 
 GONE = "its folder or the file itself has gone"
@@ -45,7 +45,7 @@ class Encoder(Protocol):
 
     n_samples: int
 
-    def write(self, block: NDArray[np.float32]) -> None:
+    def write(self, block: Float32Array) -> None:
         """Append a block, shape (n, n_channels), ±1; OSError where the disk refuses, and what fits stays."""
         ...
 
@@ -97,15 +97,15 @@ class Recording:
         self.n_channels = n_channels
         self.failure: str | None = None
         self._rescue = rescue
-        self._name = shown_name(path)
+        self._name = printable_name(path)
         _check_form(path, rate, n_channels, self._name)
-        self._file = TakeFile(path)
+        self._file = RecordingFile(path)
         with ExitStack() as unless_begun:
             unless_begun.callback(self._file.discard)
             self._encoder = _encoder(self._file, rate, n_channels, self._name)
             unless_begun.pop_all()
         self._note, self.notes = _noted(journal, path, self._name)
-        self._waiting: deque[NDArray[np.float32] | _Pause] = deque()
+        self._waiting: deque[Float32Array | _Pause] = deque()
         self._n_given = self._n_done = 0
         self._rescuing = False
         self._ending = threading.Event()
@@ -122,7 +122,7 @@ class Recording:
         """Length of what is safely on disk, seconds."""
         return self.n_samples / self.rate
 
-    def write(self, block: NDArray[np.float32]) -> None:
+    def write(self, block: Float32Array) -> None:
         """Take a block, shape (n, n_channels), ±1; returns at once. What comes after the end is dropped.
 
         All calls come from one thread.
@@ -153,9 +153,9 @@ class Recording:
         n_samples = -1
         while self._thread.is_alive() and (self._rescuing or n_samples != self.n_samples):
             n_samples = self.n_samples
-            self._thread.join(PATIENCE)
+            self._thread.join(CLOSE_TIMEOUT)
         if self._thread.is_alive():
-            self._fail(f"the disk has taken nothing for {PATIENCE:.0f} s", STUCK, shown_folder(self.path))
+            self._fail(f"the disk has taken nothing for {CLOSE_TIMEOUT:.0f} s", STUCK, shown_folder(self.path))
 
     def _run(self) -> None:
         try:
@@ -187,7 +187,7 @@ class Recording:
             n = min(self.rate, pause.n_silent - begin)
             self._encoder.write(np.zeros((n, self.n_channels), np.float32))
 
-    def _take_up(self, first: NDArray[np.float32]) -> None:
+    def _take_up(self, first: Float32Array) -> None:
         """Write a block, and what waits behind it, up to about a second."""
         parts, n = [first], len(first)
         while n < self.rate and self._waiting and not isinstance(block := self._waiting[0], _Pause):
@@ -202,7 +202,7 @@ class Recording:
         with suppress(OSError):
             self._encoder.close()
         if self._file.is_there():
-            self._fail(*trouble_of(error), shown_folder(self.path))
+            self._fail(*describe_os_error(error), shown_folder(self.path))
         elif self.n_samples == 0:
             self._fail(GONE, ELSEWHERE, None)
         else:
@@ -253,21 +253,21 @@ def _check_form(path: Path, rate: int, n_channels: int, name: str) -> None:
         )
 
 
-def _encoder(file: TakeFile, rate: int, n_channels: int, name: str) -> Encoder:
+def _encoder(file: RecordingFile, rate: int, n_channels: int, name: str) -> Encoder:
     kind = FlacEncoder if file.path.suffix.lower() == ".flac" else WavEncoder
     try:
         return kind(file.raw, rate, n_channels)
     except OSError as error:
-        what, advice = trouble_of(error)
+        what, advice = describe_os_error(error)
         raise RecordingError(f"{name}: {what}, so nothing can be recorded; {advice}") from error
     except libsndfile.DecodingError as error:
         raise RecordingError(f"{name}: this machine's libsndfile cannot write FLAC; record to a .wav file") from error
 
 
-def _noted(journal: Path, path: Path, name: str) -> tuple[Note | None, tuple[str, ...]]:
+def _noted(journal: Path, path: Path, name: str) -> tuple[RecordingMarker | None, tuple[str, ...]]:
     """Note the recording; one that cannot be noted is made all the same."""
     try:
-        return Note(journal, path), ()
+        return RecordingMarker(journal, path), ()
     except (OSError, NotImplementedError) as error:
         remark = f"{name}: if the program ends in mid-recording, this file will not be offered at the next start"
         return None, (f"{remark} ({reason_of(error) if isinstance(error, OSError) else error})",)

@@ -8,9 +8,9 @@ from contextlib import suppress
 from pathlib import Path
 from typing import BinaryIO
 
-from phonemeengine.audio.file_access import shown_name
-from phonemeengine.paths import free_path, reason_of
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import RecordingError
+from phonemeengine.paths import free_path, reason_of
 
 COPIED_AT_ONCE = 1 << 20
 """Bytes."""
@@ -26,7 +26,7 @@ TROUBLES: dict[int, tuple[str, str]] = {
 """What each refusal of the disk means while a recording runs, and what to do."""
 
 
-class TakeFile:
+class RecordingFile:
     """A new file that nobody else has.
 
     Attributes
@@ -84,7 +84,7 @@ class TakeFile:
                 self.path.unlink()
 
 
-def trouble_of(error: OSError) -> tuple[str, str]:
+def describe_os_error(error: OSError) -> tuple[str, str]:
     """Say what a refusal of the disk means, and what to do."""
     unknown = (f"the disk refuses to take more ({reason_of(error)})", "check it or record to another disk")
     return TROUBLES.get(error.errno or 0, unknown)
@@ -96,7 +96,7 @@ def shown_folder(path: Path) -> str:
 
 
 def _made(path: Path) -> io.FileIO:
-    name, folder = shown_name(path), shown_folder(path)
+    name, folder = printable_name(path), shown_folder(path)
     try:
         if path.is_dir():
             raise RecordingError(f"{name}: this is a folder; choose a name for a new file")

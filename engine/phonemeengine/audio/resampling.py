@@ -5,11 +5,9 @@ from typing import Any
 
 import numpy as np
 import soxr
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.settings import SAMPLE_RATE
-
-Block = NDArray[np.float32]
 
 
 class Resampler:
@@ -39,14 +37,14 @@ class Resampler:
         """Time from the newest sample that came out to the newest that went in, seconds of sound, now."""
         return max(0.0, self._n_in / self.from_rate - (self._n_out - self._shift) / SAMPLE_RATE)
 
-    def push(self, block: Block, last: bool = False) -> Block:
+    def push(self, block: Float32Array, last: bool = False) -> Float32Array:
         """Take a block, shape (n, n_channels), and give what has become ready; after the last block all of it.
 
         Returns
         -------
         float32, shape (m, n_channels).
         """
-        out: Block = self._stream.resample_chunk(np.asarray(block, np.float32), last=last)
+        out: Float32Array = self._stream.resample_chunk(np.asarray(block, np.float32), last=last)
         self._n_in += len(block)
         self._n_out += len(out)
         return out
@@ -69,6 +67,6 @@ def _shift(from_rate: int) -> float:
     return float(-np.arctan2(cosine, sine) / (2 * np.pi * frequency) * SAMPLE_RATE)
 
 
-def faster(samples: Block, factor: float) -> Block:
+def change_speed(samples: Float32Array, factor: float) -> Float32Array:
     """Give a sound, shape (n,), that is so many times faster and higher at the same sample rate."""
     return np.asarray(soxr.resample(samples, SAMPLE_RATE * factor, SAMPLE_RATE, quality="MQ"), np.float32)

@@ -5,7 +5,8 @@ time. The reader is usually the sound card's callback, which must not lock, so n
 """
 
 import numpy as np
-from numpy.typing import NDArray
+
+from phonemeengine.arrays import Float32Array
 
 
 class Ring:
@@ -27,7 +28,7 @@ class Ring:
         """Samples per channel that can be written now."""
         return len(self._samples) - (self.n_written - max(self.n_read, self._skip_to))
 
-    def write(self, block: NDArray[np.float32]) -> None:
+    def write(self, block: Float32Array) -> None:
         """Append a block, shape (n, n_channels); the writer makes sure that n is at most `room`."""
         start = self.n_written % len(self._samples)
         head = min(len(block), len(self._samples) - start)
@@ -35,7 +36,7 @@ class Ring:
         self._samples[: len(block) - head] = block[head:]
         self.n_written += len(block)
 
-    def read_into(self, out: NDArray[np.float32]) -> int:
+    def read_into(self, out: Float32Array) -> int:
         """Fill `out`, shape (n, n_channels), with the oldest samples, then silence; returns how many were there."""
         self.n_read = max(self.n_read, self._skip_to)
         n = min(len(out), self.n_written - self.n_read)

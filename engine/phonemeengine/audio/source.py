@@ -2,9 +2,7 @@
 
 from typing import Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.settings import Channel
 
 
@@ -20,7 +18,7 @@ class Reader(Protocol):
         """Length of the sound, seconds."""
         ...
 
-    def read(self, n: int) -> NDArray[np.float32]:
+    def read(self, n: int) -> Float32Array:
         """Give the next samples, shape (m, n_channels), fewer than `n` only at the end."""
         ...
 

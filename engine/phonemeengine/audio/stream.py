@@ -22,10 +22,10 @@ Callback = Callable[[Any, int, Any, Any], None]
 A block to fill is an array, float32, shape (n, n_channels); one that came is raw memory of the same layout.
 """
 
-PATIENCE = 10.0
+CLOSE_TIMEOUT = 10.0
 """Seconds that another process may take to list the devices."""
 
-_door = threading.RLock()
+_portaudio_lock = threading.RLock()
 _open: "set[CardStream]" = set()
 
 
@@ -38,27 +38,27 @@ def devices() -> list[Device]:
     ------
     DeviceError : PortAudio is missing.
     """
-    with _door:
+    with _portaudio_lock:
         if not _open:
-            return devices_to_open()
+            return openable_devices()
     command = [sys.executable, "-c", f"from {__name__} import print_devices; print_devices()"]
     try:
-        seen = subprocess.run(command, capture_output=True, timeout=PATIENCE, check=True)  # noqa: S603 - our own words
+        seen = subprocess.run(command, capture_output=True, timeout=CLOSE_TIMEOUT, check=True)  # noqa: S603 - our own words
         return [Device(**values) for values in json.loads(seen.stdout)]
     except (OSError, subprocess.SubprocessError, ValueError):  # then at least those that were there
-        return devices_to_open()
+        return openable_devices()
 
 
-def devices_to_open() -> list[Device]:
+def openable_devices() -> list[Device]:
     """List the devices that can be opened: those there now, or while a stream is open, those at its opening.
 
     Raises
     ------
     DeviceError : PortAudio is missing.
     """
-    with _door:
+    with _portaudio_lock:
         sounddevice = _sounddevice()
-        _look_again(sounddevice)
+        _rescan(sounddevice)
         apis = [str(api["name"]) for api in sounddevice.query_hostapis()]
         default = sounddevice.default.device[0]
         return [
@@ -102,9 +102,9 @@ class CardStream:
     ) -> None:  # fmt: skip
         self._closing = False
         self._finished = False
-        with _door:
+        with _portaudio_lock:
             sounddevice = _sounddevice()
-            _look_again(sounddevice)
+            _rescan(sounddevice)
             kind = sounddevice.RawInputStream if direction == "input" else sounddevice.OutputStream
             try:
                 self._stream = kind(
@@ -139,7 +139,7 @@ class CardStream:
 
     def close(self) -> None:
         """Let the device go at once, without waiting for what is under way."""
-        with _door:
+        with _portaudio_lock:
             if self._closing:
                 return
             self._closing = True
@@ -158,7 +158,7 @@ class CardStream:
         self._finished = True
 
 
-def _look_again(sounddevice: Any) -> None:
+def _rescan(sounddevice: Any) -> None:
     """Have PortAudio list the devices anew, which ends all streams, so only where none is open."""
     if _open:
         return

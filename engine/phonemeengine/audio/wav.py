@@ -9,11 +9,9 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import BinaryIO
 
-import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.gaps import MOST_MARKED, Gap
-from phonemeengine.audio.pcm import packed, whole_numbers_of, write_whole
+from phonemeengine.audio.pcm import to_int24_bytes, to_integers, write_all
 
 WIDTH = 3
 """Bytes of a sample."""
@@ -49,7 +47,7 @@ class WavEncoder:
         self._gaps: list[Gap] = []
         self._state_length(0)
 
-    def write(self, block: NDArray[np.float32]) -> None:
+    def write(self, block: Float32Array) -> None:
         """Append a block, shape (n, n_channels), ±1.
 
         Raises
@@ -58,7 +56,7 @@ class WavEncoder:
         """
         begin = self._file.seek(self._end)
         try:
-            write_whole(self._file, packed(whole_numbers_of(block)))
+            write_all(self._file, to_int24_bytes(to_integers(block)))
         finally:
             n_samples = self.n_samples + (self._file.tell() - begin) // self._frame
             self._state_length(n_samples)
@@ -84,7 +82,7 @@ class WavEncoder:
         self._file.truncate(self._end)
         self._file.seek(self._end)
         with suppress(OSError):  # every reader does without it
-            write_whole(self._file, b"\0" * (self._end % 2))
+            write_all(self._file, b"\0" * (self._end % 2))
         self._state_length(self.n_samples)
 
     @property
@@ -93,7 +91,7 @@ class WavEncoder:
 
     def _state_length(self, n_samples: int) -> None:
         self._file.seek(0)
-        write_whole(self._file, wav_header(self._rate, self._n_channels, n_samples, self._gaps))
+        write_all(self._file, wav_header(self._rate, self._n_channels, n_samples, self._gaps))
 
 
 def wav_header(rate: int, n_channels: int, n_samples: int, gaps: Sequence[Gap] = ()) -> bytes:

@@ -11,15 +11,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.calibration.fine_tuning import Stretch, TunedLayers, first_tuned
-from phonemeengine.calibration.learning.training_examples import Lesson
-from phonemeengine.dsp.log_mel import silence_of
+from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
+from phonemeengine.calibration.fine_tuning import TrainingSegment, TunedLayers, first_tuned
+from phonemeengine.calibration.learning.training_examples import TrainingExample
+from phonemeengine.dsp.log_mel import silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.model import Head, Model
-from phonemeengine.recognition.network import Delayed, Layer, Network
+from phonemeengine.recognition.model import Model, OutputHead
+from phonemeengine.recognition.network import Layer, Network, StreamingLayer
 
 FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 40, 120, 50
 """Steps that are taken: one for so many frames of the voice, within these bounds."""
@@ -32,28 +32,27 @@ SMOOTHING = 0.05
 """Share of the certainty that is spread over all phonemes: labels lie a little beside the truth."""
 LEAST_FRAMES = 3
 """A phoneme of which fewer frames are given is not touched."""
-OWN = (1.0,)
+NO_WARP = (1.0,)
 """The vocal tract that a model listens with which knows it."""
 LEAST_SECONDS = 2.0
 BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
 
-Block = NDArray[np.float32]
-WAYS = (1.0, 0.5, 0.25)
+STEP_SIZES = (1.0, 0.5, 0.25)
 """Shares of the way from the model to what it learned, the boldest first."""
 
 
 @dataclass(frozen=True)
-class _Heard:
+class _Encoded:
     """What the layers that move hear in a recording, its labels, and what each frame counts."""
 
-    hidden: Block
-    phonemes: NDArray[np.uint8]
-    counted: Block
+    hidden: Float32Array
+    phonemes: UInt8Array
+    counted: Float32Array
 
 
 @dataclass(frozen=True)
-class _Said:
+class _LabelStats:
     """Which phonemes are in the labels, and what a frame of each counts.
 
     Attributes
@@ -62,19 +61,19 @@ class _Said:
     worth : float32, shape (n_phonemes,).
     """
 
-    competing: NDArray[np.bool_]
-    worth: Block
+    competing: BoolArray
+    worth: Float32Array
 
     @classmethod
-    def of(cls, heard: Sequence[_Heard]) -> "_Said":
+    def of(cls, heard: Sequence[_Encoded]) -> "_LabelStats":
         """Count the frames of the labels."""
         totals = sum(np.bincount(h.phonemes, h.counted, len(Phoneme)) for h in heard)
         competing = np.asarray(totals >= LEAST_FRAMES)
         return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32))
 
 
-def adapt(model: Model, lessons: Sequence[Lesson]) -> tuple[Model, ...]:
-    """Adapt a model to the labelled recordings or takes of one voice: all of the way to it, and parts of it (`WAYS`).
+def adapt(model: Model, lessons: Sequence[TrainingExample]) -> tuple[Model, ...]:
+    """Adapt a model to the labelled recordings or takes of one voice: all of the way to it, and parts of it (`STEP_SIZES`).
 
     Raises
     ------
@@ -87,13 +86,15 @@ def adapt(model: Model, lessons: Sequence[Lesson]) -> tuple[Model, ...]:
             f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are too little to adapt to; "
             f"give {LEAST_SECONDS:g} s or more of several phonemes"
         )
-    said = _Said.of(heard)
+    said = _LabelStats.of(heard)
     anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
-    moved = _moved(model, heard, said, anchors)
-    return tuple(replace(_between(model, moved, way), warps=OWN) for way in WAYS)
+    moved = _fine_tuned(model, heard, said, anchors)
+    return tuple(replace(_interpolated(model, moved, way), warps=NO_WARP) for way in STEP_SIZES)
 
 
-def _moved(model: Model, heard: Sequence[_Heard], said: _Said, anchors: Sequence[Stretch]) -> Model:
+def _fine_tuned(
+    model: Model, heard: Sequence[_Encoded], said: _LabelStats, anchors: Sequence[TrainingSegment]
+) -> Model:
     """Give the model that has learned from the recordings."""
     generator = np.random.default_rng(1)
     stretches = _stretches_of(heard, said, len(model.heads))
@@ -106,10 +107,10 @@ def _moved(model: Model, heard: Sequence[_Heard], said: _Said, anchors: Sequence
     return tuned.model()
 
 
-def _between(model: Model, moved: Model, way: float) -> Model:
+def _interpolated(model: Model, moved: Model, way: float) -> Model:
     """Give the model that lies a share of the way from one to another."""
 
-    def between(a: Block, b: Block) -> Block:
+    def between(a: Float32Array, b: Float32Array) -> Float32Array:
         return np.asarray(a + np.float32(way) * (b - a), np.float32)
 
     layers = tuple(
@@ -117,15 +118,15 @@ def _between(model: Model, moved: Model, way: float) -> Model:
         for a, b in zip(model.layers, moved.layers, strict=True)
     )
     heads = tuple(
-        Head(between(a.weights, b.weights), between(a.bias, b.bias))
+        OutputHead(between(a.weights, b.weights), between(a.bias, b.bias))
         for a, b in zip(model.heads, moved.heads, strict=True)
     )
     return replace(model, layers=layers, heads=heads).rounded()
 
 
-def _drawn(stretches: Sequence[Stretch], generator: np.random.Generator) -> list[Stretch]:
+def _drawn(stretches: Sequence[TrainingSegment], generator: np.random.Generator) -> list[TrainingSegment]:
     """Draw stretches for a step: all, if they are not too many."""
-    drawn: list[Stretch] = []
+    drawn: list[TrainingSegment] = []
     n_frames = 0
     for k in generator.permutation(len(stretches)):
         if drawn and n_frames + len(stretches[k].heard) > MOST_FRAMES:
@@ -135,18 +136,18 @@ def _drawn(stretches: Sequence[Stretch], generator: np.random.Generator) -> list
     return drawn
 
 
-def _heard(model: Model, lesson: Lesson) -> _Heard:
+def _heard(model: Model, lesson: TrainingExample) -> _Encoded:
     """Run the first layers over a lesson, and as many frames of silence after it as the model looks ahead."""
-    after = silence_of(len(model.heads) - 1)
+    after = silent_log_mels(len(model.heads) - 1)
     hidden = _first_layers(model).push(np.concatenate((lesson.log_powers.astype(np.float32), after)))
-    return _Heard(hidden, lesson.phonemes, lesson.certainties.astype(np.float32))
+    return _Encoded(hidden, lesson.phonemes, lesson.certainties.astype(np.float32))
 
 
-def _stretches_of(heard: Sequence[_Heard], said: _Said, n_heads: int) -> list[Stretch]:
+def _stretches_of(heard: Sequence[_Encoded], said: _LabelStats, n_heads: int) -> list[TrainingSegment]:
     smoothed = (SMOOTHING * said.competing / max(1, int(said.competing.sum()))).astype(np.float32)
     wanted = smoothed + np.float32(1 - SMOOTHING) * np.eye(len(Phoneme), dtype=np.float32)
     return [
-        Stretch(
+        TrainingSegment(
             h.hidden,
             _ahead(wanted[h.phonemes], n_heads),
             _ahead(h.counted * said.worth[h.phonemes], n_heads),
@@ -157,16 +158,16 @@ def _stretches_of(heard: Sequence[_Heard], said: _Said, n_heads: int) -> list[St
     ]
 
 
-def _anchor_of(model: Model, log_powers: Block) -> Stretch:
+def _anchor_of(model: Model, log_powers: Float32Array) -> TrainingSegment:
     """Give a stretch of other voices, to be named as the model names it now."""
     hidden = _first_layers(model).push(log_powers)
     found = _through_last_layers(model, hidden)
     everything = np.ones(len(Phoneme), bool)
     wanted = np.stack([_shares_of(found, head, everything) for head in model.heads], axis=1)
-    return Stretch(hidden, wanted, np.ones(wanted.shape[:2], np.float32), everything)
+    return TrainingSegment(hidden, wanted, np.ones(wanted.shape[:2], np.float32), everything)
 
 
-def _ahead(values: Block, n_heads: int) -> Block:
+def _ahead(values: Float32Array, n_heads: int) -> Float32Array:
     """Put what is known of each frame where the heads answer for it: head k does so k frames later."""
     n = len(values)
     placed = np.zeros((n + n_heads - 1, n_heads, *values.shape[1:]), np.float32)
@@ -175,17 +176,17 @@ def _ahead(values: Block, n_heads: int) -> Block:
     return placed
 
 
-def _shares_of(found: Block, head: Head, competing: NDArray[np.bool_]) -> Block:
+def _shares_of(found: Float32Array, head: OutputHead, competing: BoolArray) -> Float32Array:
     scores = np.where(competing, found @ head.weights + head.bias, -np.inf)
     shares = np.exp(scores - scores.max(axis=1, keepdims=True))
     return np.asarray(shares / shares.sum(axis=1, keepdims=True), np.float32)
 
 
 def _first_layers(model: Model) -> Network:
-    return Network(model.layers[: first_tuned(model)], silence_of())
+    return Network(model.layers[: first_tuned(model)], silent_log_mels())
 
 
-def _through_last_layers(model: Model, hidden: Block) -> Block:
+def _through_last_layers(model: Model, hidden: Float32Array) -> Float32Array:
     for layer in model.layers[first_tuned(model) :]:
-        hidden = hidden + Delayed(layer, np.zeros(len(layer.bias), np.float32)).push(hidden)
+        hidden = hidden + StreamingLayer(layer, np.zeros(len(layer.bias), np.float32)).push(hidden)
     return hidden

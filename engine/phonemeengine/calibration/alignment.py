@@ -11,13 +11,13 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.analyser import analyses_of
-from phonemeengine.labels.label import CORE, Label
-from phonemeengine.calibration.sentences import Sentence, Sound
+from phonemeengine.analyser import analyse_blocks
+from phonemeengine.arrays import Float32Array, Float64Array, IndexArray
+from phonemeengine.calibration.sentences import Sentence, SpokenPhone
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import TakeError
+from phonemeengine.labels.label import CORE, Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
@@ -34,10 +34,8 @@ AROUND, AROUND_SILENCE = 0.01, 0.03
 LEAST_FITTING = 0.4
 """Where the frames of clear sounds are found less likely than this, another sentence was read."""
 
-Likely = NDArray[np.float32]
 
-
-def aligned(samples: NDArray[np.float32], sentence: Sentence) -> tuple[Label, ...]:
+def aligned(samples: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
     """Label a recording of a sentence by its known text.
 
     Where sounds meet, and around silence, labels have the certainty ``trimmed``: nobody knows the place so well.
@@ -51,12 +49,12 @@ def aligned(samples: NDArray[np.float32], sentence: Sentence) -> tuple[Label, ..
     ------
     TakeError : it is too short for the sentence, or something else was read.
     """
-    found = [scores_in(analysis.features) for analysis in analyses_of([samples], _judge())]
+    found = [scores_in(analysis.features) for analysis in analyse_blocks([samples], _judge())]
     likely = np.concatenate([scores for scores in found if scores is not None])
     return labels_of(likely[: len(samples) // HOP], sentence)
 
 
-def labels_of(likely: Likely, sentence: Sentence) -> tuple[Label, ...]:
+def labels_of(likely: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
     """Label frames of a sentence by how likely each phoneme is in them, shape (n_frames, n_phonemes)."""
     sounds = sentence.sounds
     places = _places_of(likely, sounds)
@@ -68,7 +66,7 @@ def labels_of(likely: Likely, sentence: Sentence) -> tuple[Label, ...]:
     return tuple(label for k in range(len(stretches)) for label in _labels_at(stretches, k))
 
 
-def _labels_at(stretches: Sequence[tuple[float, float, Sound]], k: int) -> Iterable[Label]:
+def _labels_at(stretches: Sequence[tuple[float, float, SpokenPhone]], k: int) -> Iterable[Label]:
     """Give the labels of a sound: its middle, and what does not count where it meets another class."""
     start, end, sound = stretches[k]
     before, after = (_around(sound, stretches[n][2]) if 0 <= n < len(stretches) else 0.0 for n in (k - 1, k + 1))
@@ -79,7 +77,7 @@ def _labels_at(stretches: Sequence[tuple[float, float, Sound]], k: int) -> Itera
     return [Label(a, b, name, phoneme, certainty) for a, b, certainty in parts if b - a > FRAME_PERIOD / 2]
 
 
-def _around(one: Sound, other: Sound) -> float:
+def _around(one: SpokenPhone, other: SpokenPhone) -> float:
     classes = {one.sense.phoneme, other.sense.phoneme}
     if len(classes) == 1:
         return 0.0
@@ -91,7 +89,7 @@ def _judge() -> Preset:
     return load_preset(DEFAULT_PRESET)
 
 
-def _places_of(likely: Likely, sounds: Sequence[Sound]) -> NDArray[np.intp]:
+def _places_of(likely: Float32Array, sounds: Sequence[SpokenPhone]) -> IndexArray:
     """Give the number of the sound in each frame, by the likeliest way through all that are not optional."""
     owners = np.repeat(np.arange(len(sounds)), LEAST_FRAMES)
     if len(likely) < LEAST_FRAMES * sum(not sound.optional for sound in sounds):
@@ -116,7 +114,7 @@ def _places_of(likely: Likely, sounds: Sequence[Sound]) -> NDArray[np.intp]:
     return owners[path]
 
 
-def _ways_into(sounds: Sequence[Sound]) -> NDArray[np.intp]:
+def _ways_into(sounds: Sequence[SpokenPhone]) -> IndexArray:
     """Give from where each state can be reached, shape (3, n_states), -1 for nowhere.
 
     Each sound has `LEAST_FRAMES` states; it stays in the last of them, and goes on to the next sound, or past an
@@ -133,19 +131,19 @@ def _ways_into(sounds: Sequence[Sound]) -> NDArray[np.intp]:
     return ways
 
 
-def _fits(likely: Likely, sounds: Sequence[Sound]) -> NDArray[np.float64]:
+def _fits(likely: Float32Array, sounds: Sequence[SpokenPhone]) -> Float64Array:
     """Give how well each sound fits each frame, a logarithm, shape (n_frames, n_sounds)."""
     codes = [sound.sense.phoneme for sound in sounds]
     least = [LEAST_LIKELY if _is_clear(sound) else LEAST_LIKELY_LOOSE for sound in sounds]
     return np.log(np.maximum(likely[:, codes], least), dtype=np.float64)
 
 
-def _fitting(likely: Likely, sounds: Sequence[Sound], places: NDArray[np.intp]) -> float:
+def _fitting(likely: Float32Array, sounds: Sequence[SpokenPhone], places: IndexArray) -> float:
     """Give how likely the clear sounds are where they were found, 0..1, the mean of all of them."""
     shares = likely[np.arange(len(places)), [sounds[place].sense.phoneme for place in places]]
     clear = [k for k, s in enumerate(sounds) if _is_clear(s) and not s.optional]
     return float(np.mean([shares[places == k].mean() for k in clear]))
 
 
-def _is_clear(sound: Sound) -> bool:
+def _is_clear(sound: SpokenPhone) -> bool:
     return sound.sense.certainty == CORE and sound.sense.phoneme is not Phoneme.UNIDENTIFIED

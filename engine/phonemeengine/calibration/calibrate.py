@@ -14,17 +14,18 @@ it was.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from phonemeengine.calibration.guard import price_of
-from phonemeengine.progress import Heed, go_on, part_of, tell
+from phonemeengine.arrays import Float32Array
+from phonemeengine.calibration.guard import loss_of
 from phonemeengine.calibration.held_back import N_PARTS, counts, parts_of, scores_on
 from phonemeengine.calibration.learners import Learner, learner_of
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.scoring import Scores
-from phonemeengine.calibration.takes.room_noise import Sound, Sureness, measure_room
+from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_room
 from phonemeengine.calibration.takes.room_takes import room_in, speech_in
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 
 Takes = Sequence[Utterance]
 
@@ -51,7 +52,7 @@ class Outcome:
     seconds: float
     in_turn: bool
     price: str = ""
-    sure: Sureness | None = None
+    sure: SilenceAccuracy | None = None
 
     @property
     def gains(self) -> bool:
@@ -68,7 +69,12 @@ class Outcome:
 
 
 def calibrate(
-    preset: Preset, takes: Takes, *, held_back: Takes = (), room: Sound | None = None, heed: Heed = go_on
+    preset: Preset,
+    takes: Takes,
+    *,
+    held_back: Takes = (),
+    room: Float32Array | None = None,
+    heed: Progress = no_progress,
 ) -> Outcome:
     """Make a preset that knows a voice, and tell what that gains on what was held back.
 
@@ -96,7 +102,7 @@ def calibrate(
     course = _Course(preset, learner, room)
     ways, trial = course.tried_on(takes, held_back, heed) if held_back else course.tried_in_turn(takes, heed)
     found = preset if trial.way is None else ways()[trial.way]
-    tell(heed, 1.0)
+    report_progress(heed, 1.0)
     sure = _sureness(found, takes, room)
     return Outcome(preset, found, trial.before, trial.after, _seconds(judged), not held_back, trial.price, sure)
 
@@ -124,26 +130,26 @@ class _Course:
     room : as in `calibrate`.
     """
 
-    def __init__(self, preset: Preset, learner: Learner, room: Sound | None) -> None:
+    def __init__(self, preset: Preset, learner: Learner, room: Float32Array | None) -> None:
         self._preset = preset
         self._learner = learner
         self._room = room
 
-    def tried_on(self, takes: Takes, held_back: Takes, heed: Heed) -> tuple[Ways, _Trial]:
+    def tried_on(self, takes: Takes, held_back: Takes, heed: Progress) -> tuple[Ways, _Trial]:
         """Learn from all takes, and try that on other speech."""
-        learned = self._learned(takes, part_of(heed, 0.0, 0.9))
+        learned = self._learned(takes, subrange(heed, 0.0, 0.9))
         return lambda: learned, self._tried([learned], [held_back], held_back)
 
-    def tried_in_turn(self, takes: Takes, heed: Heed) -> tuple[Ways, _Trial]:
+    def tried_in_turn(self, takes: Takes, heed: Progress) -> tuple[Ways, _Trial]:
         """Learn without each quarter of the takes in turn, and try that on the quarter."""
         learned, kept = [], []
         for k, (taught, quarter) in enumerate(parts_of(takes)):
             share = 0.9 / (N_PARTS + 1)
-            learned.append(self._learned(taught, part_of(heed, k * share, (k + 1) * share)))
+            learned.append(self._learned(taught, subrange(heed, k * share, (k + 1) * share)))
             kept.append(quarter)
-        return lambda: self._learned(takes, part_of(heed, 0.8, 1.0)), self._tried(learned, kept, takes)
+        return lambda: self._learned(takes, subrange(heed, 0.8, 1.0)), self._tried(learned, kept, takes)
 
-    def _learned(self, takes: Takes, heed: Heed) -> tuple[Preset, ...]:
+    def _learned(self, takes: Takes, heed: Progress) -> tuple[Preset, ...]:
         return self._learner(self._preset, takes, lambda preset: _quietened(preset, takes, self._room), heed)
 
     def _tried(self, learned: Sequence[tuple[Preset, ...]], kept: Sequence[Takes], judged: Takes) -> _Trial:
@@ -151,14 +157,14 @@ class _Course:
         before, first_price = scores_on([(self._preset, judged)]), ""
         for way, presets in enumerate(zip(*learned, strict=True)):
             after = scores_on(zip(presets, kept, strict=True))
-            price = price_of(before, after) if after.ten_f1 > before.ten_f1 else ""
+            price = loss_of(before, after) if after.ten_f1 > before.ten_f1 else ""
             if after.ten_f1 > before.ten_f1 and not price:
                 return _Trial(way, before, after, first_price)
             first_price = first_price or price
         return _Trial(None, before, before, first_price)
 
 
-def _quietened(preset: Preset, takes: Takes, room: Sound | None) -> Preset:
+def _quietened(preset: Preset, takes: Takes, room: Float32Array | None) -> Preset:
     """Give the preset that takes the room for silence; where the room was not quiet, the same preset."""
     room = room_in(takes) if room is None else room
     measured = None if room is None else measure_room(room, preset)
@@ -167,7 +173,7 @@ def _quietened(preset: Preset, takes: Takes, room: Sound | None) -> Preset:
     return measured.thresholds(preset, speech_in(takes))
 
 
-def _sureness(preset: Preset, takes: Takes, room: Sound | None) -> Sureness | None:
+def _sureness(preset: Preset, takes: Takes, room: Float32Array | None) -> SilenceAccuracy | None:
     room = room_in(takes) if room is None else room
     return None if room is None else measure_room(room, preset).sureness(preset, speech_in(takes))
 

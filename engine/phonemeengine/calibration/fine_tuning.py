@@ -7,14 +7,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import BoolArray, Float32Array
 from phonemeengine.calibration.learning.optimiser import Optimiser
 from phonemeengine.calibration.learning.trainable_network import HEAD_SHARES
-from phonemeengine.recognition.model import Head, Model
+from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
-
-Block = NDArray[np.float32]
 
 N_TUNED = 3
 """Layers that move, at most; the first one of a network, which hears the sound itself, does not."""
@@ -24,7 +22,7 @@ DROPOUT = 0.2
 
 
 @dataclass(frozen=True)
-class Stretch:
+class TrainingSegment:
     """What the layers hear in a stretch of speech, and what each head should answer.
 
     Attributes
@@ -35,10 +33,10 @@ class Stretch:
     competing : the phonemes among which an answer is chosen, bool, shape (n_phonemes,).
     """
 
-    heard: Block
-    wanted: Block
-    counted: Block
-    competing: NDArray[np.bool_]
+    heard: Float32Array
+    wanted: Float32Array
+    counted: Float32Array
+    competing: BoolArray
 
 
 def first_tuned(model: Model) -> int:
@@ -58,14 +56,14 @@ class TunedLayers:
 
     def __init__(self, model: Model, n_steps: int, generator: np.random.Generator) -> None:
         self._model = model
-        self._layers = [_Moving(layer) for layer in model.layers[first_tuned(model) :]]
+        self._layers = [_TunableLayer(layer) for layer in model.layers[first_tuned(model) :]]
         self._weights = np.concatenate([head.weights for head in model.heads], axis=1)
         self._bias = np.concatenate([head.bias for head in model.heads])
         values = [v for layer in self._layers for v in layer.values] + [self._weights, self._bias]
         self._optimiser = Optimiser(values, n_steps, RATE)
         self._generator = generator
 
-    def learn(self, parts: Iterable[tuple[Sequence[Stretch], float]]) -> None:
+    def learn(self, parts: Iterable[tuple[Sequence[TrainingSegment], float]]) -> None:
         """Take one step; each part is a number of stretches, and what they count together."""
         slopes = [np.zeros_like(v) for layer in self._layers for v in layer.values]
         slopes += [np.zeros_like(self._weights), np.zeros_like(self._bias)]
@@ -82,9 +80,9 @@ class TunedLayers:
         n_heads = len(self._model.heads)
         heads = zip(np.split(self._weights, n_heads, axis=1), np.split(self._bias, n_heads), strict=True)
         layers = (*self._model.layers[: first_tuned(self._model)], *(layer.finished() for layer in self._layers))
-        return replace(self._model, layers=layers, heads=tuple(Head(w, b) for w, b in heads)).rounded()
+        return replace(self._model, layers=layers, heads=tuple(OutputHead(w, b) for w, b in heads)).rounded()
 
-    def _slopes_of(self, stretch: Stretch, factors: Block) -> list[Block]:
+    def _slopes_of(self, stretch: TrainingSegment, factors: Float32Array) -> list[Float32Array]:
         kept = self._generator.random(stretch.heard.shape, np.float32) >= DROPOUT
         hidden = stretch.heard * kept / np.float32(1 - DROPOUT)
         for layer in self._layers:
@@ -101,7 +99,7 @@ class TunedLayers:
         return found
 
 
-class _Moving:
+class _TunableLayer:
     """One layer that learns; see `phonemeengine.recognition.network.Layer`."""
 
     def __init__(self, layer: Layer) -> None:
@@ -109,17 +107,17 @@ class _Moving:
         self._dilation = layer.dilation
         self._reach = layer.reach
 
-    def forward(self, block: Block) -> Block:
+    def forward(self, block: Float32Array) -> Float32Array:
         """Give what the layer makes of a stretch, and remember what `back` needs."""
         n = len(block)
         padded = np.concatenate((np.zeros((self._reach, block.shape[1]), np.float32), block))
         starts = range(0, self._reach + 1, self._dilation)
         self._taps = np.concatenate([padded[k : k + n] for k in starts], axis=1)
-        found: Block = np.maximum(self._taps @ self.values[0] + self.values[1], 0)
+        found: Float32Array = np.maximum(self._taps @ self.values[0] + self.values[1], 0)
         self._fires = found > 0
         return found + block
 
-    def back(self, gradient: Block) -> tuple[Block, list[Block]]:
+    def back(self, gradient: Float32Array) -> tuple[Float32Array, list[Float32Array]]:
         """Take the gradient of what `forward` gave; give that of what it took, and those of weights and bias."""
         sums = gradient * self._fires
         taps = (sums @ self.values[0].T).reshape(len(gradient), TAPS, -1)
@@ -133,7 +131,7 @@ class _Moving:
         return Layer(self.values[0], self.values[1], self._dilation)
 
 
-def _shares_of(scores: Block, competing: NDArray[np.bool_]) -> Block:
+def _shares_of(scores: Float32Array, competing: BoolArray) -> Float32Array:
     """Give the probabilities of the competing phonemes; those of the others are 0."""
     shares = np.where(competing, scores, -np.inf)
     shares -= shares.max(axis=2, keepdims=True)

@@ -9,7 +9,7 @@ GUARDED = (("mouth shapes right", "mouth_acc", 1), ("silence found", "silence_re
 """What is guarded: in words, the figure's name, and whether more of it is better (1) or worse (-1)."""
 
 
-def price_of(before: Scores, after: Scores) -> str:
+def loss_of(before: Scores, after: Scores) -> str:
     """Say what gets worse by more than `MOST_LOSS`, such as "silence found falls from 99.9 % to 39.7 %".
 
     Empty where nothing does; what the labels do not hold is not asked.

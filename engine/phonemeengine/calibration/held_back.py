@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from phonemeengine.labels.label import Label
+from phonemeengine.arrays import UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
-from phonemeengine.calibration.scores.evaluation import Answers, answers_to
-from phonemeengine.calibration.scores.scoring import Codes, Scores, scores_of
+from phonemeengine.calibration.scores.evaluation import Predictions, predict
+from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.calibration.takes.take import TRIMMED
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD
@@ -39,7 +40,7 @@ def scores_on(cases: Iterable[tuple[Preset, Sequence[Utterance]]]) -> Scores:
     ------
     AudioError : a sound cannot be read.
     """
-    answers = [answers_to(utterance, preset) for preset, utterances in cases for utterance in utterances]
+    answers = [predict(utterance, preset) for preset, utterances in cases for utterance in utterances]
     scores = scores_of([_counted(heard) for heard in answers])
     flicker = scores_of([heard.pair for heard in answers])
     return replace(
@@ -52,7 +53,7 @@ def counts(labels: Sequence[Label]) -> bool:
     return any(label.certainty != TRIMMED for label in labels)
 
 
-def _counted(heard: Answers) -> tuple[FrameLabels, Codes]:
+def _counted(heard: Predictions) -> tuple[FrameLabels, UInt8Array]:
     labels = heard.labels
     trimmed = tuple(
         replace(label, phoneme=Phoneme.UNIDENTIFIED if label.certainty == TRIMMED else Phoneme.SILENCE)

@@ -9,15 +9,15 @@ from dataclasses import replace
 import numpy as np
 
 from phonemeengine.calibration.adaptation import adapt
-from phonemeengine.calibration.workbench.labelled_features import Workbench
-from phonemeengine.calibration.fits.fitting import fit_preset
 from phonemeengine.calibration.fits.fit_templates import templates_of
-from phonemeengine.progress import Heed, part_of, tell
-from phonemeengine.calibration.learning.training_examples import Lesson, lesson_of_recording
+from phonemeengine.calibration.fits.fitting import fit_preset
+from phonemeengine.calibration.learning.training_examples import TrainingExample, example_of_recording
 from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError, PresetError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, report_progress, subrange
 from phonemeengine.recognition.scores import MOST_LOG_ODDS
 from phonemeengine.recognition.templates import Templates, rounded_templates
 
@@ -27,7 +27,7 @@ GIVEN_TO_SILENCE = 0.5
 Takes = Sequence[Utterance]
 Quiet = Callable[[Preset], Preset]
 """Gives a preset that takes the room for silence; where no room is known, the same preset."""
-Learner = Callable[[Preset, Takes, Quiet, Heed], tuple[Preset, ...]]
+Learner = Callable[[Preset, Takes, Quiet, Progress], tuple[Preset, ...]]
 
 
 def learner_of(preset: Preset) -> Learner:
@@ -47,11 +47,11 @@ def learner_of(preset: Preset) -> Learner:
     return LEARNERS[preset.recogniser]
 
 
-def _thresholds(preset: Preset, takes: Takes, quiet: Quiet, heed: Heed) -> tuple[Preset, ...]:
+def _thresholds(preset: Preset, takes: Takes, quiet: Quiet, heed: Progress) -> tuple[Preset, ...]:
     """Search for thresholds, or for limits of the preset's rules; the milder one leaves silence to the room."""
     start = quiet(preset)
-    bench = Workbench(takes, start, heed=part_of(heed, 0.0, 0.2))
-    fitted = fit_preset(bench, start, part_of(heed, 0.2, 1.0), leave_out=False).preset
+    bench = LabelledFeatures(takes, start, heed=subrange(heed, 0.0, 0.2))
+    fitted = fit_preset(bench, start, subrange(heed, 0.2, 1.0), leave_out=False).preset
     silence = {name: value for name, value in vars(start.thresholds).items() if name.startswith("silence")}
     rules = tuple(
         old if old.phoneme is Phoneme.SILENCE else new for old, new in zip(start.rules, fitted.rules, strict=True)
@@ -60,14 +60,14 @@ def _thresholds(preset: Preset, takes: Takes, quiet: Quiet, heed: Heed) -> tuple
     return fitted, milder, start
 
 
-def _model(preset: Preset, takes: Takes, quiet: Quiet, heed: Heed) -> tuple[Preset, ...]:
+def _model(preset: Preset, takes: Takes, quiet: Quiet, heed: Progress) -> tuple[Preset, ...]:
     """Adapt the model to the voice, further or less far, each with silence as it is and a little likelier; or not."""
     assert preset.model is not None
-    lessons: list[Lesson] = []
+    lessons: list[TrainingExample] = []
     for k, utterance in enumerate(takes):
-        tell(heed, 0.5 * k / len(takes))
-        lessons.append(lesson_of_recording(utterance))
-    tell(heed, 0.5)
+        report_progress(heed, 0.5 * k / len(takes))
+        lessons.append(example_of_recording(utterance))
+    report_progress(heed, 0.5)
     presets = [quiet(replace(preset, model=model)) for model in adapt(preset.model, lessons)]
     return (*(found for adapted in presets for found in (adapted, _with_more_silence(adapted))), quiet(preset))
 
@@ -79,9 +79,9 @@ def _with_more_silence(preset: Preset) -> Preset:
     return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: given})
 
 
-def _templates(preset: Preset, takes: Takes, quiet: Quiet, heed: Heed) -> tuple[Preset, ...]:
+def _templates(preset: Preset, takes: Takes, quiet: Quiet, heed: Progress) -> tuple[Preset, ...]:
     """Let the takes be the templates of their sounds: quite, half, or not at all; only the room sets the silence."""
-    tell(heed, 0.0)
+    report_progress(heed, 0.0)
     start = quiet(preset)
     found = templates_of(takes, start.templates)
     old = start.templates or found

@@ -7,9 +7,9 @@ says `phonemeengine.labels.phone_sets`. Each holds all vowels, m, p, s and sh.
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from phonemeengine.labels.phone_sets import AFFRICATE, Sense, senses_in_alphabets
-from phonemeengine.labels.label import CORE
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.label import CORE
+from phonemeengine.labels.phone_sets import AFFRICATE, PhoneClass, phone_classes_in
 from phonemeengine.phonemes import Phoneme
 
 PAUSE = "|"
@@ -17,7 +17,7 @@ PAUSE = "|"
 
 
 @dataclass(frozen=True)
-class Sound:
+class SpokenPhone:
     """One sound of a sentence.
 
     Attributes
@@ -28,7 +28,7 @@ class Sound:
     """
 
     phone: str
-    sense: Sense
+    sense: PhoneClass
     optional: bool = False
 
 
@@ -55,23 +55,23 @@ class Sentence:
         _ = self.sounds
 
     @property
-    def sounds(self) -> tuple[Sound, ...]:
+    def sounds(self) -> tuple[SpokenPhone, ...]:
         """The sounds in order, with all places where a pause may be."""
         phones = [PAUSE, *self.phones.split(), PAUSE]
         return tuple(sound for phone in phones for sound in _sounds_of(phone))
 
 
-def _sounds_of(phone: str) -> Iterator[Sound]:
+def _sounds_of(phone: str) -> Iterator[SpokenPhone]:
     """Give a phone's sounds: an affricate is a closure and friction."""
     if phone == PAUSE:
-        yield Sound("", Sense(Phoneme.SILENCE), optional=True)
+        yield SpokenPhone("", PhoneClass(Phoneme.SILENCE), optional=True)
         return
-    sense = senses_in_alphabets(phone)[1]
+    sense = phone_classes_in(phone)[1]
     if sense is None:
         raise CorpusError(f"{phone!r} is no sound of the phonetic alphabet; spell the sentence with those of IPA")
     if sense.certainty == AFFRICATE and sense.phoneme is not Phoneme.P:
-        yield Sound(phone, Sense(Phoneme.UNIDENTIFIED, CORE))
-    yield Sound(phone, sense)
+        yield SpokenPhone(phone, PhoneClass(Phoneme.UNIDENTIFIED, CORE))
+    yield SpokenPhone(phone, sense)
 
 
 SENTENCES = (

@@ -3,17 +3,15 @@
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.log_mel import N_BANDS
 
 N_CEPSTRA = 12
 """Coefficients 1..12; the zeroth, the loudness, is left out."""
 
-Block = NDArray[np.float32]
 
-
-def cepstra_of(log_mels: Block) -> Block:
+def cepstra_of(log_mels: Float32Array) -> Float32Array:
     """Give the cosine transform of logarithms of mel powers, without its zeroth coefficient.
 
     A louder sound has the same cepstra (S. Davis and P. Mermelstein, IEEE Trans. ASSP 28(4), 1980).
@@ -26,12 +24,12 @@ def cepstra_of(log_mels: Block) -> Block:
     -------
     float32, shape (n_frames, 12).
     """
-    cepstra: Block = log_mels.dot(_cosines())
+    cepstra: Float32Array = log_mels.dot(_cosines())
     return cepstra
 
 
 @lru_cache(maxsize=1)
-def _cosines() -> Block:
+def _cosines() -> Float32Array:
     """Give the orthonormal cosines of the transform (DCT-II), shape (n_bands, n_cepstra)."""
     bands = np.arange(N_BANDS)[:, np.newaxis] + 0.5
     return np.asarray(

@@ -7,15 +7,14 @@ normalise take a single spectrum of shape (n_bins,) as well.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import SettingsError
 
-Block = NDArray[np.float32]
-TINY: Block = np.array(1e-37, np.float32)
+TINY: Float32Array = np.array(1e-37, np.float32)
 
 
-def pre_emphasis(waves: Block, a: float) -> Block:
+def pre_emphasis(waves: Float32Array, a: float) -> Float32Array:
     """Raise high frequencies: ``x[n] - a x[n-1]``, with x[-1] = x[0] so that a constant gives no edge."""
     out = waves.copy()
     out[:, 1:] -= np.float32(a) * waves[:, :-1]
@@ -37,7 +36,7 @@ class FrequencyShaper:
     scale : what each bin is multiplied with before all else, shape (n_bins,); nothing where it is not given.
     """
 
-    def __init__(self, strength: float, gains: Block, scale: Block | None = None) -> None:
+    def __init__(self, strength: float, gains: Float32Array, scale: Float32Array | None = None) -> None:
         scale = np.ones_like(gains) if scale is None else scale
         side = strength / 3
         centre = np.full(len(gains), 1 - 2 * side)
@@ -47,9 +46,9 @@ class FrequencyShaper:
         self._above = (side * gains[:-1] * scale[1:]).astype(np.float32)
         self._blurs = strength > 0
 
-    def shape(self, spectra: Block, out: Block | None = None) -> Block:
+    def shape(self, spectra: Float32Array, out: Float32Array | None = None) -> Float32Array:
         """Give the shaped spectra, written to `out` where it is given; the input stays as it is."""
-        shaped: Block = np.multiply(spectra, self._centre, out=out)
+        shaped: Float32Array = np.multiply(spectra, self._centre, out=out)
         if self._blurs:
             shaped[:, 1:] += self._below * spectra[:, :-1]
             shaped[:, :-1] += self._above * spectra[:, 1:]
@@ -65,10 +64,10 @@ class TimeSmoother:
     """
 
     def __init__(self, strength: float) -> None:
-        self.last: Block | None = None
+        self.last: Float32Array | None = None
         self._strength = strength
 
-    def push(self, spectra: Block) -> Block:
+    def push(self, spectra: Float32Array) -> Float32Array:
         """Smooth the next spectra."""
         out = spectra * np.float32(1 - self._strength)
         if self.last is not None and len(self.last) == spectra.shape[1]:
@@ -81,30 +80,30 @@ class TimeSmoother:
         return out
 
 
-def _ramp(n_bins: int, bin_width: float, start: float, end: float) -> Block:
+def _ramp(n_bins: int, bin_width: float, start: float, end: float) -> Float32Array:
     frequencies = np.arange(n_bins) * bin_width
     if end <= start:
         return np.asarray(frequencies >= start, np.float32)
     return np.asarray(np.clip((frequencies - start) / (end - start), 0, 1), np.float32)
 
 
-def high_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Block:
+def high_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Float32Array:
     """Give a gain per bin, shape (n_bins,), that rises from 0 at `start` to 1 at `end` (Hz)."""
     return _ramp(n_bins, bin_width, start, end)
 
 
-def low_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Block:
+def low_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Float32Array:
     """Give a gain per bin, shape (n_bins,), that falls from 1 at `start` to 0 at `end` (Hz)."""
     return 1 - _ramp(n_bins, bin_width, start, end)
 
 
-def denoise(spectra: Block, threshold: float | Block) -> Block:
+def denoise(spectra: Float32Array, threshold: float | Float32Array) -> Float32Array:
     """Set amplitudes below `threshold` (0..1) to 0."""
-    kept: Block = spectra * (spectra >= threshold)
+    kept: Float32Array = spectra * (spectra >= threshold)
     return kept
 
 
-def normalise(spectra: Block, maximum: float = 1.0, *, peaks: Block | None = None) -> Block:
+def normalise(spectra: Float32Array, maximum: float = 1.0, *, peaks: Float32Array | None = None) -> Float32Array:
     """Scale each spectrum so that its largest amplitude becomes `maximum`; a silent one stays 0.
 
     Parameters
@@ -121,5 +120,5 @@ def normalise(spectra: Block, maximum: float = 1.0, *, peaks: Block | None = Non
         raise SettingsError(f"the maximum of a normalised spectrum must be above 0, got {maximum:g}; choose another")
     if peaks is None:
         peaks = np.maximum.reduce(spectra, axis=-1, keepdims=True)
-    divisors: Block = np.maximum(peaks / np.float32(maximum), TINY)
+    divisors: Float32Array = np.maximum(peaks / np.float32(maximum), TINY)
     return spectra / divisors

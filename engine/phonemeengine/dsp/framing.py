@@ -7,8 +7,8 @@ that stretch, sample 441k + 220, with silence before the start and after the end
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.settings import HOP, WINDOW
 
 FLOAT = np.dtype(np.float32)
@@ -34,7 +34,7 @@ class Framer:
         self._buffer = np.zeros(ROOM, FLOAT)
         self._seen = _read_only(self._buffer)
 
-    def push(self, samples: NDArray[np.float32]) -> NDArray[np.float32]:
+    def push(self, samples: Float32Array) -> Float32Array:
         """Take the next samples and give the frames that are now complete.
 
         Parameters
@@ -49,13 +49,13 @@ class Framer:
         self.n_received += len(samples)
         return self._frames_of(samples)
 
-    def finish(self) -> NDArray[np.float32]:
+    def finish(self) -> Float32Array:
         """Give the frames that reach beyond the end of the sound, as if silence followed."""
         n_missing = frame_count(self.n_received) - self.n_framed
         n_silent = max(0, (n_missing - 1) * HOP + WINDOW - (self._last - self._first))
         return self._frames_of(np.zeros(n_silent if n_missing > 0 else 0, np.float32))
 
-    def _frames_of(self, samples: NDArray[np.float32]) -> NDArray[np.float32]:
+    def _frames_of(self, samples: Float32Array) -> Float32Array:
         if self._last + len(samples) > len(self._buffer):
             self._renew(len(samples))
         last = self._last + len(samples)
@@ -75,7 +75,7 @@ class Framer:
         self._seen = _read_only(self._buffer)
 
 
-def _read_only(samples: NDArray[np.float32]) -> NDArray[np.float32]:
+def _read_only(samples: Float32Array) -> Float32Array:
     view = samples.view()
     view.flags.writeable = False
     return view

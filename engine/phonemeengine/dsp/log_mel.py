@@ -3,8 +3,8 @@
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.mel import frequency_of, mel_of
 from phonemeengine.settings import SAMPLE_RATE, WINDOW
 
@@ -18,34 +18,33 @@ LOWEST, HIGHEST = 60.0, 8000.0
 FLOOR = 1e-11
 """Added to every power, so that digital silence has a logarithm; a full-scale sine has the power 1."""
 
-Block = NDArray[np.float32]
 _MIDDLE = slice((WINDOW - SHORT) // 2, (WINDOW + SHORT) // 2)
 
 
-def log_mels_of(windows: Block, warps: tuple[float, ...] = (1.0,)) -> Block:
-    """Give the base-10 logarithms of the powers in 40 mel bands, about -11 to 0; see `mel_powers_of`.
+def log_mels(windows: Float32Array, warps: tuple[float, ...] = (1.0,)) -> Float32Array:
+    """Give the base-10 logarithms of the powers in 40 mel bands, about -11 to 0; see `mel_powers`.
 
-    With several `warps` (see `bank_of`) the bands of each lie beside those of the one before: shape
+    With several `warps` (see `warped_mel_bank`) the bands of each lie beside those of the one before: shape
     (n_frames, n_warps x 40).
     """
-    powers = mel_powers_of(windows, _banks(warps))
+    powers = mel_powers(windows, _banks(warps))
     powers += np.float32(FLOOR)
-    logarithms: Block = np.log10(powers, out=powers)
+    logarithms: Float32Array = np.log10(powers, out=powers)
     return logarithms
 
 
-def silence_of(*shape: int) -> Block:
+def silent_log_mels(*shape: int) -> Float32Array:
     """Give what digital silence reads in all 40 bands, shape (*shape, 40)."""
     return np.full((*shape, N_BANDS), np.log10(FLOOR), np.float32)
 
 
-def mel_powers_of(windows: Block, bank: Block) -> Block:
+def mel_powers(windows: Float32Array, bank: Float32Array) -> Float32Array:
     """Give the powers in mel bands.
 
     Parameters
     ----------
     windows : float32, shape (n_frames, 2048), full scale ±1.
-    bank : the bands, as from `bank_of`, shape (n_bins, n_bands).
+    bank : the bands, as from `warped_mel_bank`, shape (n_bins, n_bands).
 
     Returns
     -------
@@ -56,18 +55,18 @@ def mel_powers_of(windows: Block, bank: Block) -> Block:
     bins = rfft(windows[:, _MIDDLE] * _hann(), axis=1)[:, : len(bank)]
     powers = bins.real * bins.real
     powers += bins.imag * bins.imag
-    mels: Block = powers.dot(bank)
+    mels: Float32Array = powers.dot(bank)
     return mels
 
 
 @lru_cache(maxsize=1)
-def _hann() -> Block:
+def _hann() -> Float32Array:
     """Give the Hann window, scaled so that a full-scale sine on a bin reads 1."""
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(SHORT) / SHORT)
     return np.asarray(window * 2 / window.sum(), np.float32)
 
 
-def bank_of(warp: float = 1.0) -> Block:
+def warped_mel_bank(warp: float = 1.0) -> Float32Array:
     """Give the weights of the mel filters, shape (n_bins, 40); each column sums to 1.
 
     With a `warp`, what lies at a frequency f is looked for at f x warp, as if the speaker's vocal tract were shorter
@@ -87,5 +86,5 @@ def bank_of(warp: float = 1.0) -> Block:
 
 
 @lru_cache(maxsize=8)
-def _banks(warps: tuple[float, ...]) -> Block:
-    return np.concatenate([bank_of(warp) for warp in warps], axis=1)
+def _banks(warps: tuple[float, ...]) -> Float32Array:
+    return np.concatenate([warped_mel_bank(warp) for warp in warps], axis=1)

@@ -7,26 +7,28 @@ its value is the weighted mean of the amplitudes under it, so that a flat spectr
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from phonemeengine.arrays import Float32Array, Float64Array
 
 
-def mel_of(frequency: ArrayLike) -> NDArray[np.float64]:
+def mel_of(frequency: ArrayLike) -> Float64Array:
     """Convert hertz to mel (HTK)."""
     return np.asarray(2595 * np.log10(1 + np.asarray(frequency, float) / 700))
 
 
-def frequency_of(mel: ArrayLike) -> NDArray[np.float64]:
+def frequency_of(mel: ArrayLike) -> Float64Array:
     """Convert mel (HTK) to hertz."""
     return np.asarray(700 * (10 ** (np.asarray(mel, float) / 2595) - 1))
 
 
-def mel_edges(n_bands: int, highest: float) -> NDArray[np.float64]:
+def mel_edges(n_bands: int, highest: float) -> Float64Array:
     """Give the corners of the triangles in Hz, shape (n_bands + 2,): band b spans edges b..b+2, peak b+1."""
     return frequency_of(np.linspace(0, float(mel_of(highest)), n_bands + 2))
 
 
 @lru_cache(maxsize=32)
-def mel_bank(n_bands: int, n_bins: int, bin_width: float) -> NDArray[np.float32]:
+def mel_bank(n_bands: int, n_bins: int, bin_width: float) -> Float32Array:
     """Give the weights of all filters, shape (n_bins, n_bands); each column sums to 1.
 
     A band narrower than a bin takes the bin nearest to its peak.
@@ -44,12 +46,12 @@ def mel_bank(n_bands: int, n_bins: int, bin_width: float) -> NDArray[np.float32]
     return bank
 
 
-def mel_spectra_of(spectra: NDArray[np.float32], n_bands: int, bin_width: float) -> NDArray[np.float32]:
+def mel_spectra_of(spectra: Float32Array, n_bands: int, bin_width: float) -> Float32Array:
     """See amplitude spectra through the bank: (n_frames, n_bins) -> (n_frames, n_bands), float32, 0..1."""
     return np.asarray(spectra @ mel_bank(n_bands, spectra.shape[1], bin_width), np.float32)
 
 
-def spread_mel(mel: NDArray[np.float32], n_bins: int, bin_width: float) -> NDArray[np.float32]:
+def spread_mel(mel: Float32Array, n_bins: int, bin_width: float) -> Float32Array:
     """Draw mel spectra on the linear axis: (n_frames, n_bands) -> (n_frames, n_bins), a step for each band.
 
     Every bin shows the band whose peak is nearest in mel.

@@ -15,8 +15,8 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import BoolArray, Float32Array
 from phonemeengine.settings import HOP, SAMPLE_RATE
 
 LOWEST = 60.0
@@ -39,12 +39,12 @@ _LAGS = np.arange(int(_LAG_RATE / STOPPED) - 1, int(_LAG_RATE / LOWEST) + 3)  # 
 
 
 @lru_cache(maxsize=1)
-def _window() -> NDArray[np.float32]:
+def _window() -> Float32Array:
     return np.hanning(_LENGTH + 2)[1:-1].astype(np.float32)
 
 
 @lru_cache(maxsize=1)
-def _inverse_transform() -> NDArray[np.float32]:
+def _inverse_transform() -> Float32Array:
     """Give the cosines that turn power into the autocorrelation at lag 0 and at `_LAGS`, as a matrix.
 
     Lags finer than a sample interpolate exactly, since the power is band-limited. All but lag 0 are already
@@ -65,7 +65,7 @@ def _inverse_transform() -> NDArray[np.float32]:
 _BONUS = (OCTAVE_BONUS * np.log2(_LAGS[-1] / _LAGS[1:-1])).astype(np.float32)
 
 
-def fundamental_of(frames: NDArray[np.float32]) -> NDArray[np.float32]:
+def fundamental_of(frames: Float32Array) -> Float32Array:
     """Measure the fundamental frequency of consecutive raw frames.
 
     Parameters
@@ -78,8 +78,8 @@ def fundamental_of(frames: NDArray[np.float32]) -> NDArray[np.float32]:
     """
     from scipy.fft import rfft  # noqa: PLC0415 - half a second that a window should not wait for
 
-    heard = _slowed(frames)
-    mean: NDArray[np.float32] = np.add.reduce(heard, axis=1, keepdims=True)
+    heard = _decimated(frames)
+    mean: Float32Array = np.add.reduce(heard, axis=1, keepdims=True)
     mean /= np.float32(_LENGTH)
     slow = heard - mean
     loud = np.maximum.reduce(slow, axis=1) > SILENCE_LEVEL
@@ -89,7 +89,7 @@ def fundamental_of(frames: NDArray[np.float32]) -> NDArray[np.float32]:
     return _best_peak(correlation[:, 1:] / zero_lag, loud)
 
 
-def _slowed(frames: NDArray[np.float32]) -> NDArray[np.float32]:
+def _decimated(frames: Float32Array) -> Float32Array:
     """Give the sound of consecutive frames at an eighth of the rate, shape (n_frames, 254).
 
     Three times the rate is halved behind the low-pass 1 3 3 1, whose threefold zero lies where the folds would hurt.
@@ -104,7 +104,7 @@ def _slowed(frames: NDArray[np.float32]) -> NDArray[np.float32]:
     return np.ndarray((len(frames), _LENGTH), np.float32, sound, 0, strides)
 
 
-def _best_peak(strength: NDArray[np.float32], loud: NDArray[np.bool_]) -> NDArray[np.float32]:
+def _best_peak(strength: Float32Array, loud: BoolArray) -> Float32Array:
     """Choose the strongest inner peak of each row and give its frequency, 0 where there is none.
 
     A peak is as high as the parabola through it and its neighbours, so that none gains by lying on a whole lag. What

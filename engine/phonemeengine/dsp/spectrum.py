@@ -9,14 +9,13 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.filters import pre_emphasis
 from phonemeengine.dsp.windows import window_of
 from phonemeengine.settings import AnalysisSettings, Decimation, Filter, WindowFunction
 
-Block = NDArray[np.float32]
 
-
-def decimate(frames: Block, step: int, kind: Decimation) -> Block:
+def decimate(frames: Float32Array, step: int, kind: Decimation) -> Float32Array:
     """Keep every `step`-th sample of each frame.
 
     Parameters
@@ -43,7 +42,7 @@ def decimate(frames: Block, step: int, kind: Decimation) -> Block:
     return np.asarray(irfft(bins, n, axis=1), np.float32) / np.float32(step)
 
 
-class Transform:
+class SpectrumAnalyser:
     """Turns raw frames into waveforms, and those into amplitude spectra.
 
     Parameters
@@ -65,27 +64,27 @@ class Transform:
         self.scale = np.full((1, self._n_bins), 2 / self._window.sum(), np.float32)
         self.scale[0, 0] /= 2
 
-    def waveforms_of(self, frames: Block) -> Block:
+    def waveforms_of(self, frames: Float32Array) -> Float32Array:
         """Apply the filters of the time domain; returns float32, shape (n_frames, 2048 / step)."""
         waves = decimate(frames, self._step, self._decimation)
         if self._emphasis:
             waves = pre_emphasis(waves, self._emphasis)
         return waves * self._window if self._windows else waves
 
-    def magnitudes_of(self, waves: Block) -> Block:
+    def magnitudes_of(self, waves: Float32Array) -> Float32Array:
         """Transform waveforms, already weighted by the window function; times `scale` they are amplitudes.
 
         Returns
         -------
         float32, shape (n_frames, n_bins).
         """
-        magnitudes: Block = np.abs(_rfft()(waves)[:, : self._n_bins])
+        magnitudes: Float32Array = np.abs(_rfft()(waves)[:, : self._n_bins])
         return magnitudes
 
 
 @lru_cache(maxsize=1)
-def _rfft() -> Callable[[Block], NDArray[np.complex64]]:
+def _rfft() -> Callable[[Float32Array], NDArray[np.complex64]]:
     from scipy.fft import rfft  # noqa: PLC0415 - see the module's docstring
 
-    function: Callable[[Block], NDArray[np.complex64]] = rfft
+    function: Callable[[Float32Array], NDArray[np.complex64]] = rfft
     return function

@@ -4,20 +4,20 @@ from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.settings import WindowFunction
 
 BLACKMAN_HARRIS = (0.35875, -0.48829, 0.14128, -0.01168)
 """Four-term coefficients of F. J. Harris, Proc. IEEE 66 (1978)."""
 
 
-def _blackman_harris(n: int) -> NDArray[np.float64]:
+def _blackman_harris(n: int) -> Float64Array:
     phase = 2 * np.pi * np.arange(n) / (n - 1)
     return sum((a * np.cos(k * phase) for k, a in enumerate(BLACKMAN_HARRIS)), np.zeros(n))
 
 
-_SHAPES: dict[WindowFunction, Callable[[int], NDArray[np.float64]]] = {
+_SHAPES: dict[WindowFunction, Callable[[int], Float64Array]] = {
     WindowFunction.RECTANGLE: np.ones,
     WindowFunction.BARTLETT: np.bartlett,
     WindowFunction.HANN: np.hanning,
@@ -27,7 +27,7 @@ _SHAPES: dict[WindowFunction, Callable[[int], NDArray[np.float64]]] = {
 
 
 @lru_cache(maxsize=32)
-def window_of(function: WindowFunction, n: int) -> NDArray[np.float32]:
+def window_of(function: WindowFunction, n: int) -> Float32Array:
     """Give the weights of a window function over `n` samples, shape (n,), 0..1; shared, so read-only."""
     weights = np.asarray(_SHAPES[function](n), np.float32)
     weights.flags.writeable = False

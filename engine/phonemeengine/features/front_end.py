@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.filters import (
     FrequencyShaper,
     TimeSmoother,
@@ -15,9 +15,15 @@ from phonemeengine.dsp.filters import (
 )
 from phonemeengine.dsp.mel import mel_edges, mel_spectra_of
 from phonemeengine.dsp.pitch import fundamental_of
-from phonemeengine.dsp.spectrum import Transform
-from phonemeengine.features.measure import BandMeter, Features, peak_levels_of, zero_crossings_of
-from phonemeengine.features.variables import BAND_VARIABLES, ENERGY_VARIABLES, WHOLE_FRAME_VARIABLES, Spectrum, Variable
+from phonemeengine.dsp.spectrum import SpectrumAnalyser
+from phonemeengine.features.measure import BandFeatures, Features, peak_levels_of, zero_crossings_of
+from phonemeengine.features.variables import (
+    BAND_VARIABLES,
+    ENERGY_VARIABLES,
+    WHOLE_FRAME_VARIABLES,
+    Spectrum,
+    Variable,
+)
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Filter
 
 ZERO_CROSSINGS, VOLUME, F0 = (WHOLE_FRAME_VARIABLES.index(name) for name in ("zero_crossings", "volume", "f0"))
@@ -26,11 +32,9 @@ MAX_ENERGY = slice(WHOLE_FRAME_VARIABLES.index("max_energy"), WHOLE_FRAME_VARIAB
 FAINTEST = np.array(1e-6, np.float32)
 """What a variable is divided by at the least, so that the quotient is never endless."""
 
-Block = NDArray[np.float32]
-
 
 @dataclass(frozen=True)
-class Measured:
+class FrameBlock:
     """A block of frames before anybody has said what they are.
 
     Attributes
@@ -41,18 +45,18 @@ class Measured:
     features : the measured variables.
     """
 
-    spectra: Block
-    mel: Block | None
-    waveforms: Block
+    spectra: Float32Array
+    mel: Float32Array | None
+    waveforms: Float32Array
     features: Features
 
-    def part(self, frames: slice) -> "Measured":
+    def part(self, frames: slice) -> "FrameBlock":
         """Give some of the frames of the block, as a block."""
         mel = None if self.mel is None else self.mel[frames]
-        return Measured(self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames))
+        return FrameBlock(self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames))
 
 
-class SpectrumPath:
+class FrontEnd:
     """The filters of one front end, from raw frames to measured variables; remembers the time smoothing.
 
     Parameters
@@ -69,7 +73,7 @@ class SpectrumPath:
         self.smoother = TimeSmoother(settings.time_smooth)
         self._pitch = pitch
         self._n_bins = settings.n_bins
-        self._transform = Transform(settings)
+        self._transform = SpectrumAnalyser(settings)
         self._shaper = FrequencyShaper(blur, _gains_of(settings), self._transform.scale[0])
         self._smooths = settings.has(Filter.TIME_SMOOTH) and settings.time_smooth > 0
         self._denoises = settings.has(Filter.DENOISE) and settings.denoise_threshold > 0
@@ -82,22 +86,22 @@ class SpectrumPath:
         bins = np.arange(self._n_bins, dtype=float) * BIN_WIDTH
         bands = mel_edges(self._mel_bands, self._n_bins * BIN_WIDTH)[1:-1]
         raw, mel = ([v for v in variables if v.source is source] for source in (Spectrum.RAW, Spectrum.MEL))
-        self._meter = BandMeter(self.names, [v for v in variables if v not in (*raw, *mel)], bins)
+        self._meter = BandFeatures(self.names, [v for v in variables if v not in (*raw, *mel)], bins)
         self._filtered = self._meter.weights(Spectrum.FILTERED)
         self._normalised = self._meter.weights(Spectrum.NORMALISED)
-        self._raw_meter = BandMeter(self.names, raw, bins) if raw else None
-        self._mel_meter = BandMeter(self.names, mel, bands) if mel and self._mel_bands else None
+        self._raw_meter = BandFeatures(self.names, raw, bins) if raw else None
+        self._mel_meter = BandFeatures(self.names, mel, bands) if mel and self._mel_bands else None
         divided = [(self.names.index(v.name), self.names.index(v.per)) for v in variables if v.per]
         self._divided = np.array(divided, np.intp).reshape(-1, 2).T
 
-    def nothing(self) -> Measured:
+    def nothing(self) -> FrameBlock:
         """Give a block without frames."""
         last = self.smoother.last
         measured = self.push(np.zeros((1, WINDOW), np.float32)).part(slice(0))
         self.smoother.last = last
         return measured
 
-    def push(self, frames: Block) -> Measured:
+    def push(self, frames: Float32Array) -> FrameBlock:
         """Measure raw frames, shape (n, 2048), at least one."""
         waves = self._transform.waveforms_of(frames)
         raw = self._transform.magnitudes_of(waves)
@@ -108,7 +112,7 @@ class SpectrumPath:
         spectra = self._meter.room_for(len(frames))
         self._shaper.shape(smooth, spectra[:, : self._n_bins])  # over frequency, so it may well come after time
         self._meter.add_maxima(spectra)
-        values: Block = spectra.dot(self._filtered)
+        values: Float32Array = spectra.dot(self._filtered)
         if self._raw_meter is not None:
             values += self._raw_meter.widen(raw * self._transform.scale).dot(self._raw_meter.weights(Spectrum.RAW))
         values[:, ZERO_CROSSINGS] = zero_crossings_of(frames)
@@ -126,14 +130,14 @@ class SpectrumPath:
         if self._divided.size:
             divided, divisors = self._divided
             values[:, divided] /= np.maximum(values[:, divisors], FAINTEST)
-        return Measured(spectra[:, : self._n_bins], mel, waves, Features(self.names, values, frames))
+        return FrameBlock(spectra[:, : self._n_bins], mel, waves, Features(self.names, values, frames))
 
-    def _mel_of(self, spectra: Block) -> Block:
+    def _mel_of(self, spectra: Float32Array) -> Float32Array:
         mel = mel_spectra_of(spectra[:, : self._n_bins], self._mel_bands, BIN_WIDTH)
         return normalise(mel) if self._normalises else mel
 
 
-class LevelPath:
+class LevelFrontEnd:
     """The way of a block where nobody looks at spectra and variables: its windows, and how loud each is.
 
     Attributes
@@ -146,17 +150,17 @@ class LevelPath:
     def __init__(self) -> None:
         self.smoother = TimeSmoother(0)
 
-    def nothing(self) -> Measured:
+    def nothing(self) -> FrameBlock:
         """Give a block without frames."""
         return self.push(np.zeros((0, WINDOW), np.float32))
 
-    def push(self, frames: Block) -> Measured:
+    def push(self, frames: Float32Array) -> FrameBlock:
         """Measure raw frames, shape (n, 2048)."""
         unseen = np.zeros((len(frames), 0), np.float32)
-        return Measured(unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis], frames))
+        return FrameBlock(unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis], frames))
 
 
-def _gains_of(settings: AnalysisSettings) -> Block:
+def _gains_of(settings: AnalysisSettings) -> Float32Array:
     gains = np.ones(settings.n_bins, np.float32)
     if settings.has(Filter.HIGH_PASS):
         gains *= high_pass_gains(len(gains), BIN_WIDTH, settings.high_pass_start, settings.high_pass_end)
@@ -165,10 +169,10 @@ def _gains_of(settings: AnalysisSettings) -> Block:
     return gains
 
 
-def joined(blocks: list[Measured]) -> Measured:
+def concatenate(blocks: list[FrameBlock]) -> FrameBlock:
     """Give consecutive blocks as one; there must be at least one."""
     mels = [b.mel for b in blocks if b.mel is not None]
-    return Measured(
+    return FrameBlock(
         spectra=np.concatenate([b.spectra for b in blocks]),
         mel=np.concatenate(mels) if mels else None,
         waveforms=np.concatenate([b.waveforms for b in blocks]),

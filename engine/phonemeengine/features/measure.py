@@ -5,12 +5,11 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.settings import WINDOW
 
-Block = NDArray[np.float32]
 FLOAT = np.dtype(np.float32)
 ZERO = np.zeros((), FLOAT)
 ONES = np.ones(WINDOW - 1, FLOAT)
@@ -30,10 +29,10 @@ class Features:
     """
 
     names: tuple[str, ...]
-    values: Block
-    windows: Block = field(default_factory=lambda: NO_WINDOWS)
+    values: Float32Array
+    windows: Float32Array = field(default_factory=lambda: NO_WINDOWS)
 
-    def __getitem__(self, name: str) -> Block:
+    def __getitem__(self, name: str) -> Float32Array:
         """Give one variable's values, shape (n_frames,); KeyError for an unknown name."""
         try:
             return self.values[:, self.names.index(name)]
@@ -44,7 +43,7 @@ class Features:
         """Give some of the frames of the block, as a block."""
         return Features(self.names, self.values[frames], self.windows[frames])
 
-    def with_columns(self, names: tuple[str, ...], values: Block) -> "Features":
+    def with_columns(self, names: tuple[str, ...], values: Float32Array) -> "Features":
         """Give the same with more columns, shape (n_frames, n_more)."""
         return Features(_longer(self.names, names), np.concatenate((self.values, values), axis=1), self.windows)
 
@@ -53,16 +52,16 @@ class Features:
         return dict(zip(self.names, self.values[k].tolist(), strict=True))
 
 
-def zero_crossings_of(frames: Block) -> Block:
+def zero_crossings_of(frames: Float32Array) -> Float32Array:
     """Count the sign changes inside each raw frame (2048 samples); zero counts as positive. Shape (n_frames,)."""
     negative = frames < ZERO
-    counts: Block = (negative[:, 1:] != negative[:, :-1]).dot(ONES)
+    counts: Float32Array = (negative[:, 1:] != negative[:, :-1]).dot(ONES)
     return counts
 
 
-def peak_levels_of(frames: Block) -> Block:
+def peak_levels_of(frames: Float32Array) -> Float32Array:
     """Give the largest absolute sample of each frame, shape (n_frames,)."""
-    levels: Block = np.maximum.reduce(np.abs(frames), axis=1)
+    levels: Float32Array = np.maximum.reduce(np.abs(frames), axis=1)
     return levels
 
 
@@ -72,7 +71,7 @@ def _longer(names: tuple[str, ...], more: tuple[str, ...]) -> tuple[str, ...]:
     return names + more
 
 
-class BandMeter:
+class BandFeatures:
     """Measures variables on spectra, and on what denoising and normalising make of them.
 
     The maxima are written beside the bins of their spectrum, as if they were more bins. What happens to them after
@@ -85,7 +84,7 @@ class BandMeter:
     centres : frequency of each bin or band, shape (n_bins,), Hz.
     """
 
-    def __init__(self, names: tuple[str, ...], variables: Iterable[Variable], centres: NDArray[np.float64]) -> None:
+    def __init__(self, names: tuple[str, ...], variables: Iterable[Variable], centres: Float64Array) -> None:
         reaches = {v: reach for v in variables if (reach := _reach(v, centres)).stop > reach.start}
         maxima = [v for v in reaches if v.kind is Kind.MAX]
         self._n_bins, self._n_wide = len(centres), len(centres) + len(maxima)
@@ -96,22 +95,22 @@ class BandMeter:
             weight = 1 / (reach.stop - reach.start) if v.kind is Kind.MEAN else 1
             self._weights[v.source][bins, names.index(v.name)] = weight
 
-    def room_for(self, n_frames: int) -> Block:
+    def room_for(self, n_frames: int) -> Float32Array:
         """Give room for spectra and their maxima: zeros, float32, shape (n_frames, n_bins + n_maxima)."""
         return np.zeros((n_frames, self._n_wide), FLOAT)
 
-    def add_maxima(self, wide: Block) -> None:
+    def add_maxima(self, wide: Float32Array) -> None:
         """Write the maxima beside the bins."""
         wide[:, self._n_bins :] = np.maximum.reduceat(wide, self._edges, axis=1)[:, ::2]
 
-    def widen(self, spectra: Block) -> Block:
+    def widen(self, spectra: Float32Array) -> Float32Array:
         """Give spectra with their maxima beside the bins; float32, shape (n_frames, n_bins + n_maxima)."""
         wide = self.room_for(len(spectra))
         wide[:, : self._n_bins] = spectra
         self.add_maxima(wide)
         return wide
 
-    def weights(self, source: Spectrum) -> Block:
+    def weights(self, source: Spectrum) -> Float32Array:
         """Give what widened spectra are multiplied with to measure the variables of a source.
 
         Returns
@@ -121,7 +120,7 @@ class BandMeter:
         return self._weights[source]
 
 
-def _reach(variable: Variable, centres: NDArray[np.float64]) -> slice:
+def _reach(variable: Variable, centres: Float64Array) -> slice:
     if variable.source is not Spectrum.MEL:
         reach = variable.bins(len(centres))
         return slice(reach.start, max(reach.start, reach.stop))

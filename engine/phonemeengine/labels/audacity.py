@@ -6,14 +6,14 @@ passed over. A label without length is a remark at a point, not a stretch of sou
 
 from collections.abc import Sequence
 
-from phonemeengine.labels.label import Label, Mark
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.label import Label, RawLabel
 
 FREQUENCIES = "\\"
 """What a line with frequencies begins with."""
 
 
-def marks_of(text: str, file: str) -> tuple[Mark, ...]:
+def marks_of(text: str, file: str) -> tuple[RawLabel, ...]:
     """Read the stretches that have a name from the text of an exported label track.
 
     Raises
@@ -35,7 +35,7 @@ def format_audacity(labels: Sequence[Label]) -> str:
     return "".join(f"{label.start:.6f}\t{label.end:.6f}\t{label.phoneme.label}\n" for label in labels)
 
 
-def _mark_of(line: str, place: str, file: str) -> Mark:
+def _mark_of(line: str, place: str, file: str) -> RawLabel:
     start, end, name = [*line.split("\t", 2), "", ""][:3]
     try:
         times = [float(time.strip().replace(",", ".")) for time in (start, end)]
@@ -44,4 +44,4 @@ def _mark_of(line: str, place: str, file: str) -> Mark:
             f"{file}, {place}: a label of Audacity is start, end and name with tabs between them, found "
             f"{line[:40]!r}; export the label track again"
         ) from None
-    return Mark(times[0], times[1], name.strip(), place)
+    return RawLabel(times[0], times[1], name.strip(), place)

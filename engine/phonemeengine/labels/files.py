@@ -4,14 +4,13 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from phonemeengine.audio.file_access import shown_name
-from phonemeengine.labels import audacity
-from phonemeengine.labels import table
-from phonemeengine.labels.label import Label, Mark, in_order
-from phonemeengine.labels.phoneme_map import Mapping, labels_named
+from phonemeengine.audio.file_access import printable_name
+from phonemeengine.errors import CorpusError
+from phonemeengine.labels import audacity, table
+from phonemeengine.labels.label import Label, RawLabel, in_order
+from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
 from phonemeengine.labels.text_io import read_text, write_text
 from phonemeengine.labels.textgrid import Tier, format_textgrid, tiers_of
-from phonemeengine.errors import CorpusError
 
 LABEL_SUFFIXES = (".textgrid", ".csv", ".txt")
 """Endings, in small letters, of label files; where a sound has several, the first counts."""
@@ -21,7 +20,7 @@ TIER_NAMES = ("phon", "segment", "mau")
 
 
 def read_labels(
-    path: Path, mapping: Mapping | None = None, *, duration: float | None = None, tier: str | None = None
+    path: Path, mapping: PhonemeMap | None = None, *, duration: float | None = None, tier: str | None = None
 ) -> tuple[Label, ...]:
     """Read a label file: TextGrid (.TextGrid), Audacity's labels (.txt), or the corpus format (.csv).
 
@@ -34,25 +33,25 @@ def read_labels(
 
     Raises
     ------
-    UnknownPhonemes : names in it stand for no phoneme.
+    UnknownPhonemeError : names in it stand for no phoneme.
     CorpusError : it cannot be read, or says something impossible.
     """
-    mapping = mapping or Mapping()
-    name = shown_name(path)
+    mapping = mapping or PhonemeMap()
+    name = printable_name(path)
     marks = read_marks(path, mapping, duration=duration, tier=tier)
     return labels_named(marks, mapping.senses_of(names_in(marks), name))
 
 
 def read_marks(
-    path: Path, mapping: Mapping, *, duration: float | None = None, tier: str | None = None
-) -> tuple[Mark, ...]:
+    path: Path, mapping: PhonemeMap, *, duration: float | None = None, tier: str | None = None
+) -> tuple[RawLabel, ...]:
     """Read a label file as `read_labels` does, and leave its names as they are.
 
     Raises
     ------
     CorpusError : it cannot be read, or says something impossible.
     """
-    name, suffix = shown_name(path), path.suffix.lower()
+    name, suffix = printable_name(path), path.suffix.lower()
     if suffix not in LABEL_SUFFIXES:
         raise CorpusError(
             f"{name}: labels are read from .TextGrid, .txt (Audacity) and .csv files; choose one of them"
@@ -67,7 +66,7 @@ def read_marks(
     return in_order(marks, name, duration)
 
 
-def names_in(marks: Iterable[Mark]) -> Counter[str]:
+def names_in(marks: Iterable[RawLabel]) -> Counter[str]:
     """Count the names of marks."""
     return Counter(mark.name for mark in marks)
 
@@ -95,17 +94,17 @@ def write_labels(
     suffix = path.suffix.lower()
     if suffix not in LABEL_SUFFIXES:
         raise CorpusError(
-            f"{shown_name(path)}: labels are written to .TextGrid, .txt (Audacity) and .csv files; choose such a name"
+            f"{printable_name(path)}: labels are written to .TextGrid, .txt (Audacity) and .csv files; choose such a name"
         )
     if not labels:
-        raise CorpusError(f"{shown_name(path)}: there is no label to write; label something first")
+        raise CorpusError(f"{printable_name(path)}: there is no label to write; label something first")
     if suffix == ".textgrid":
         write_text(format_textgrid(labels, duration, short=short), path, encoding)
     else:
         write_text(table.format_table(labels) if suffix == ".csv" else audacity.format_audacity(labels), path)
 
 
-def _chosen(tiers: tuple[Tier, ...], mapping: Mapping, wanted: str | None, file: str) -> Tier:
+def _chosen(tiers: tuple[Tier, ...], mapping: PhonemeMap, wanted: str | None, file: str) -> Tier:
     """Give the tier of a name, or the one of whose names the most are known."""
     names = ", ".join(repr(tier.name[:40]) for tier in tiers) or "none"
     if wanted is not None:
@@ -123,5 +122,5 @@ def _chosen(tiers: tuple[Tier, ...], mapping: Mapping, wanted: str | None, file:
     return max(filled, key=lambda tier: (_known_share(tier, mapping), tier.name.lower().startswith(TIER_NAMES)))
 
 
-def _known_share(tier: Tier, mapping: Mapping) -> float:
+def _known_share(tier: Tier, mapping: PhonemeMap) -> float:
     return sum(mapping.knows(mark.name) for mark in tier.marks) / len(tier.marks)

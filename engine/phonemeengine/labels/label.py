@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import UInt8Array
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.segments import Run, runs_of
+from phonemeengine.recognition.segments import Segment, segments_of
 from phonemeengine.settings import FRAME_PERIOD
 
 CORE = "core"
@@ -47,7 +47,7 @@ class Label:
 
 
 @dataclass(frozen=True)
-class Mark:
+class RawLabel:
     """A stretch of a label file, before anybody knows what its name means.
 
     Attributes
@@ -67,7 +67,7 @@ class Mark:
     certainty: str | None = None
 
 
-def in_order(marks: Iterable[Mark], file: str, duration: float | None = None) -> tuple[Mark, ...]:
+def in_order(marks: Iterable[RawLabel], file: str, duration: float | None = None) -> tuple[RawLabel, ...]:
     """Give marks in order of time, mended where a file's rounding made them overlap or outlast the sound.
 
     Parameters
@@ -94,7 +94,7 @@ def in_order(marks: Iterable[Mark], file: str, duration: float | None = None) ->
     return tuple(ordered)
 
 
-def labels_of(phonemes: NDArray[np.uint8], duration: float | None = None) -> tuple[Label, ...]:
+def labels_of(phonemes: UInt8Array, duration: float | None = None) -> tuple[Label, ...]:
     """Join equal frames of 10 ms into labels without gaps.
 
     Parameters
@@ -103,15 +103,15 @@ def labels_of(phonemes: NDArray[np.uint8], duration: float | None = None) -> tup
     duration : length of the sound, seconds, where the last label ends; that of the frames where it is None.
     """
     seconds = len(phonemes) * FRAME_PERIOD if duration is None else duration
-    return labels_of_runs(runs_of([(phonemes, np.zeros(len(phonemes), np.float32))], seconds))
+    return labels_of_runs(segments_of([(phonemes, np.zeros(len(phonemes), np.float32))], seconds))
 
 
-def labels_of_runs(runs: Iterable[Run]) -> tuple[Label, ...]:
+def labels_of_runs(runs: Iterable[Segment]) -> tuple[Label, ...]:
     """Give stretches of recognised phonemes, in order of time, as labels."""
     return tuple(Label(run.start, run.end, run.phoneme.label, run.phoneme) for run in runs)
 
 
-def _checked(marks: Iterable[Mark], file: str) -> Iterator[Mark]:
+def _checked(marks: Iterable[RawLabel], file: str) -> Iterator[RawLabel]:
     for mark in marks:
         if not (math.isfinite(mark.start) and math.isfinite(mark.end) and mark.start >= 0):
             fault = "times must be seconds from 0"
@@ -125,7 +125,7 @@ def _checked(marks: Iterable[Mark], file: str) -> Iterator[Mark]:
         raise CorpusError(f"{file}, {mark.place}: {fault}, found {_span(mark)}; correct the label")
 
 
-def _within(mark: Mark, file: str, duration: float) -> Mark:
+def _within(mark: RawLabel, file: str, duration: float) -> RawLabel:
     if mark.end <= duration + ROUNDING:
         return mark
     if mark.start >= duration or mark.end > duration + LONGEST_OVERHANG:
@@ -136,5 +136,5 @@ def _within(mark: Mark, file: str, duration: float) -> Mark:
     return replace(mark, end=duration)
 
 
-def _span(mark: Mark) -> str:
+def _span(mark: RawLabel) -> str:
     return f"{mark.start:g}..{mark.end:g} s"

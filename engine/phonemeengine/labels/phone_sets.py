@@ -15,7 +15,7 @@ X = Phoneme.UNIDENTIFIED
 
 
 @dataclass(frozen=True)
-class Sense:
+class PhoneClass:
     """What a name stands for: a class, and how certain that is."""
 
     phoneme: Phoneme
@@ -110,21 +110,21 @@ _STRESS = re.compile(r"(?<=[A-Z])[012]$")
 _SAMPA_MARKS = re.compile(r"^[\"%']+|:|_h|_>")
 
 
-def _table(rows: tuple[Row, ...]) -> dict[str, Sense]:
-    return {name: Sense(phoneme, certainty) for phoneme, certainty, names in rows for name in names.split()}
+def _table(rows: tuple[Row, ...]) -> dict[str, PhoneClass]:
+    return {name: PhoneClass(phoneme, certainty) for phoneme, certainty, names in rows for name in names.split()}
 
 
 _SILENCES, _ARPABET, _IPA, _SAMPA = (_table(rows) for rows in (SILENCES, ARPABET, IPA, SAMPA))
-_OWN = {phoneme.label: Sense(phoneme) for phoneme in Phoneme}
+_OWN = {phoneme.label: PhoneClass(phoneme) for phoneme in Phoneme}
 
 
-def own_sense(name: str) -> Sense | None:
+def own_phone_class(name: str) -> PhoneClass | None:
     """Give what one of our own names means, or one that stands for silence in every alphabet; None for another."""
     small = name.lower()
     return _OWN.get(small) or _SILENCES.get(small)
 
 
-def senses_in_alphabets(name: str) -> tuple[Sense | None, Sense | None, Sense | None]:
+def phone_classes_in(name: str) -> tuple[PhoneClass | None, PhoneClass | None, PhoneClass | None]:
     """Give what a name means in ARPAbet, IPA and SAMPA, without marks of stress and length; None where it is none."""
     spelt = name.upper() if name.islower() and name.isascii() else name
     return (

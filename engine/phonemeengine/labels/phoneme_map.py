@@ -13,12 +13,12 @@ from pathlib import Path
 
 import tomli_w
 
-from phonemeengine.audio.file_access import shown_name
-from phonemeengine.labels.phone_sets import AFFRICATE, Sense, own_sense, senses_in_alphabets
-from phonemeengine.labels.label import Label, Mark
+from phonemeengine.audio.file_access import printable_name
+from phonemeengine.errors import CorpusError, UnknownPhonemeError
+from phonemeengine.labels.label import Label, RawLabel
+from phonemeengine.labels.phone_sets import AFFRICATE, PhoneClass, own_phone_class, phone_classes_in
 from phonemeengine.labels.table import rows_of, table_of
 from phonemeengine.labels.text_io import read_text, write_text
-from phonemeengine.errors import CorpusError, UnknownPhonemes
 from phonemeengine.phonemes import Phoneme
 
 FORMAT = "phonemeanalyser mapping 1"
@@ -30,7 +30,7 @@ _OWN = {phoneme.label: phoneme for phoneme in Phoneme}
 
 
 @dataclass(frozen=True)
-class Mapping:
+class PhonemeMap:
     """Which phoneme a foreign name stands for, as the user says; it goes before all other knowledge.
 
     Attributes
@@ -42,9 +42,9 @@ class Mapping:
 
     def knows(self, name: str) -> bool:
         """Say whether a name may stand for a phoneme."""
-        return name in self.phonemes or own_sense(name) is not None or any(senses_in_alphabets(name))
+        return name in self.phonemes or own_phone_class(name) is not None or any(phone_classes_in(name))
 
-    def senses_of(self, names: abc.Mapping[str, int], file: str) -> dict[str, Sense]:
+    def senses_of(self, names: abc.Mapping[str, int], file: str) -> dict[str, PhoneClass]:
         """Say what the names in some label files mean.
 
         Parameters
@@ -54,36 +54,36 @@ class Mapping:
 
         Raises
         ------
-        UnknownPhonemes : some are unknown, or doubtful; it holds them all.
+        UnknownPhonemeError : some are unknown, or doubtful; it holds them all.
         """
-        known = {name: Sense(phoneme) for name, phoneme in self.phonemes.items()}
-        known |= {name: own for name in names if name not in known and (own := own_sense(name))}
+        known = {name: PhoneClass(phoneme) for name, phoneme in self.phonemes.items()}
+        known |= {name: own for name in names if name not in known and (own := own_phone_class(name))}
         known |= _senses_in_the_same_alphabet([name for name in names if name not in known])
         unknown = {name: count for name, count in names.items() if name not in known}
         if unknown:
-            raise UnknownPhonemes(file, unknown)
+            raise UnknownPhonemeError(file, unknown)
         return known
 
 
-def labels_named(marks: Iterable[Mark], senses: abc.Mapping[str, Sense]) -> tuple[Label, ...]:
+def labels_named(marks: Iterable[RawLabel], senses: abc.Mapping[str, PhoneClass]) -> tuple[Label, ...]:
     """Give marks as labels; affricates become a closure, which is unidentified, and friction."""
     return tuple(label for mark in marks for label in _labels_of(mark, senses[mark.name]))
 
 
-def load_mapping(path: Path) -> Mapping:
+def load_phoneme_map(path: Path) -> PhonemeMap:
     """Load a mapping: TOML with lines ``name = "phoneme"`` in a table ``[phonemes]``, or CSV with name and phoneme.
 
     Raises
     ------
     CorpusError : it cannot be read, or names no phoneme of ours.
     """
-    file = shown_name(path)
+    file = printable_name(path)
     text = read_text(path)
     entries = _entries_of_csv(text, file) if path.suffix.lower() == ".csv" else _entries_of_toml(text, file)
-    return Mapping({name: _phoneme_of(name, phoneme, file) for name, phoneme in entries.items()})
+    return PhonemeMap({name: _phoneme_of(name, phoneme, file) for name, phoneme in entries.items()})
 
 
-def save_mapping(mapping: Mapping, path: Path) -> None:
+def save_phoneme_map(mapping: PhonemeMap, path: Path) -> None:
     """Save a mapping as CSV where the name ends in ``.csv``, else as TOML.
 
     Raises
@@ -106,9 +106,9 @@ def _phoneme_of(name: str, phoneme: object, file: str) -> Phoneme:
     return found
 
 
-def _senses_in_the_same_alphabet(names: list[str]) -> dict[str, Sense]:
+def _senses_in_the_same_alphabet(names: list[str]) -> dict[str, PhoneClass]:
     """Give what names mean in the alphabets that know the most of them; what these do not agree on is left out."""
-    found = {name: senses_in_alphabets(name) for name in names}
+    found = {name: phone_classes_in(name) for name in names}
     n_known = [sum(sense is not None for sense in column) for column in zip(*found.values(), strict=True)]
     likely = [k for k, n in enumerate(n_known) if n == max(n_known)]
     meanings = {
@@ -118,7 +118,7 @@ def _senses_in_the_same_alphabet(names: list[str]) -> dict[str, Sense]:
     return {name: sense for name, few in meanings.items() if len(few) == 1 for sense in few if sense}
 
 
-def _labels_of(mark: Mark, sense: Sense) -> tuple[Label, ...]:
+def _labels_of(mark: RawLabel, sense: PhoneClass) -> tuple[Label, ...]:
     phone = mark.name if mark.phone is None else mark.phone
     certainty = mark.certainty or sense.certainty
     if mark.certainty is not None or sense.certainty != AFFRICATE or sense.phoneme is Phoneme.P:

@@ -7,8 +7,8 @@ import csv
 import io
 from collections.abc import Iterable, Sequence
 
-from phonemeengine.labels.label import CORE, Label, Mark
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.label import CORE, Label, RawLabel
 
 COLUMNS = ("start_s", "end_s", "phone", "class", "certainty")
 
@@ -43,7 +43,7 @@ def table_of(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
     return text.getvalue()
 
 
-def marks_of(text: str, file: str) -> tuple[Mark, ...]:
+def marks_of(text: str, file: str) -> tuple[RawLabel, ...]:
     """Read the text of a label file of the corpus format.
 
     Raises
@@ -61,7 +61,7 @@ def format_table(labels: Sequence[Label]) -> str:
     )
 
 
-def _mark_of(row: dict[str, str], place: str, file: str) -> Mark:
+def _mark_of(row: dict[str, str], place: str, file: str) -> RawLabel:
     try:
         start, end = float(row["start_s"]), float(row["end_s"])
     except ValueError:
@@ -71,4 +71,4 @@ def _mark_of(row: dict[str, str], place: str, file: str) -> Mark:
         ) from None
     if not row["class"].strip():
         raise CorpusError(f"{file}, {place}: the class must be a phoneme, found nothing; fill the cell in")
-    return Mark(start, end, row["class"].strip(), place, row["phone"], row["certainty"] or CORE)
+    return RawLabel(start, end, row["class"].strip(), place, row["phone"], row["certainty"] or CORE)

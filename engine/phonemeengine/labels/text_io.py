@@ -5,9 +5,9 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from phonemeengine.audio.file_access import shown_name
-from phonemeengine.paths import reason_of
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import CorpusError
+from phonemeengine.paths import reason_of
 
 LARGEST = 64 << 20
 """Bytes of a label file at most: a day of labels has fewer."""
@@ -28,7 +28,7 @@ def read_text(path: Path) -> str:
     ------
     CorpusError : it cannot be read, is no text, or is too large.
     """
-    name = shown_name(path)
+    name = printable_name(path)
     try:
         size = path.stat().st_size
         content = path.read_bytes() if size <= LARGEST else b""
@@ -65,7 +65,7 @@ def write_text(text: str, path: Path, encoding: str = "utf-8") -> None:
         with suppress(OSError, ValueError):
             part.unlink()
         raise CorpusError(
-            f"{shown_name(path)}: it cannot be written ({reason_of(error)}); choose another folder"
+            f"{printable_name(path)}: it cannot be written ({reason_of(error)}); choose another folder"
         ) from error
 
 

@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from phonemeengine.labels.label import Label, Mark
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.label import Label, RawLabel
 from phonemeengine.own_files import begins_like
 
 INTERVALS, POINTS = "IntervalTier", "TextTier"
@@ -22,7 +22,7 @@ _WORD = re.compile(
 )
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|nan|inf(?:inity)?)", re.IGNORECASE | re.ASCII)
 
-Stretch = tuple[float, float, str]
+Interval = tuple[float, float, str]
 
 owns = begins_like(
     b"%sxmin = 0 \nxmax = [0-9.]+ \ntiers\\? <exists> \nsize = [12] \nitem \\[\\]: \n    item \\[1\\]: \n"
@@ -37,7 +37,7 @@ class Tier:
     """A tier of stretches: its name, and those stretches that have a name."""
 
     name: str
-    marks: tuple[Mark, ...]
+    marks: tuple[RawLabel, ...]
 
 
 def tiers_of(text: str, file: str) -> tuple[Tier, ...]:
@@ -154,13 +154,13 @@ def _next_tier(words: _Words, number: int) -> Tier | None:
     return Tier(name, tuple(marks)) if kind == INTERVALS else None
 
 
-def _next_mark(words: _Words, kind: str, place: str) -> Mark:
+def _next_mark(words: _Words, kind: str, place: str) -> RawLabel:
     start = words.number(f"the beginning of {place}")
     end = words.number(f"the end of {place}") if kind == INTERVALS else start
-    return Mark(start, end, words.text(f"the name of {place}").strip(), place)
+    return RawLabel(start, end, words.text(f"the name of {place}").strip(), place)
 
 
-def _lines(tiers: dict[str, list[Stretch]], end: float) -> Iterator[tuple[str, str | None]]:
+def _lines(tiers: dict[str, list[Interval]], end: float) -> Iterator[tuple[str, str | None]]:
     """Give what stands in front of each value in the long format, and the value; None where there is none."""
     yield "xmin = ", "0"
     yield "xmax = ", _seconds(end)
@@ -182,7 +182,7 @@ def _lines(tiers: dict[str, list[Stretch]], end: float) -> Iterator[tuple[str, s
             yield "            text = ", _quoted(text)
 
 
-def _filled(stretches: list[Stretch], end: float) -> Iterator[tuple[str, str, str]]:
+def _filled(stretches: list[Interval], end: float) -> Iterator[tuple[str, str, str]]:
     """Give stretches that follow each other from 0 to the end, with empty ones in between."""
     at = "0"
     for first, last, text in [*((_seconds(a), _seconds(b), text) for a, b, text in stretches)]:

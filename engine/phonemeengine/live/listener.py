@@ -11,27 +11,27 @@ from collections.abc import Callable
 from contextlib import suppress
 
 import numpy as np
-from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput, Input
-from phonemeengine.audio.level import Level, LevelMeter
+from phonemeengine.audio.level import Level, PeakMeter
 from phonemeengine.errors import DeviceError
-from phonemeengine.live.microphone_analyser import Ear, Latency
-from phonemeengine.live.reading import Heard, heard_of
+from phonemeengine.live.microphone_analyser import Latency, MicrophoneAnalyser
+from phonemeengine.live.reading import Reading, latest_reading
+from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.status import NOT_LISTENING, QUIET, Status, status_of
-from phonemeengine.live.recorder import Tape
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, WINDOW
 
-RETRY = 2.0
+RETRY_PERIOD = 2.0
 """Seconds between two tries to reach a device that gives nothing."""
 MOST_WAITING = 500
 """Blocks that wait for `take` at most; older ones are dropped and counted."""
-LETTING_GO = 5.0
+CLOSE_TIMEOUT = 5.0
 """Seconds that `close` waits for the end of the thread at most, while a microphone is open."""
-OPENING = 0.5
+OPEN_TIMEOUT = 0.5
 """The same while none is: a sound system that hangs when it is asked for one holds nobody up."""
 READ_TIMEOUT = 0.1
 """Seconds that the thread waits for sound before it looks whether all is well."""
@@ -57,9 +57,9 @@ class Listener:
 
     def __init__(
         self, preset: Preset, choice: InputChoice | None = None, *, pitch: bool = False,
-        phonemes_only: bool = False, tape: Tape | None = None,
+        phonemes_only: bool = False, tape: Recorder | None = None,
         on_heard: Callable[[Analysis], object] = lambda _analysis: None,
-        on_sound: Callable[[NDArray[np.float32], int], object] = lambda _block, _rate: None,
+        on_sound: Callable[[Float32Array, int], object] = lambda _block, _rate: None,
         open_input: Callable[[InputChoice], Input] = CardInput,
     ) -> None:  # fmt: skip
         self.choice = choice or InputChoice()
@@ -71,9 +71,9 @@ class Listener:
         self._on_sound = on_sound
         self._open_input = open_input
         self._source: Input | None = None
-        self._ear: Ear | None = None
+        self._ear: MicrophoneAnalyser | None = None
         self._newest: Analysis | None = None
-        self._meter = LevelMeter()
+        self._meter = PeakMeter()
         self._tape = tape
         self._error: Exception | None = None
         self._refusal = "opening the microphone"
@@ -91,9 +91,9 @@ class Listener:
 
     # -- what is heard ------------------------------------------------------------------------------------
 
-    def poll(self) -> Heard:
+    def poll(self) -> Reading:
         """Give the newest phoneme and intensity; silence while nothing comes."""
-        return heard_of(self._newest if time.monotonic() - self._heard_at < QUIET else None)
+        return latest_reading(self._newest if time.monotonic() - self._heard_at < QUIET else None)
 
     @property
     def level(self) -> Level:
@@ -190,7 +190,7 @@ class Listener:
         self._commands.append(self._change)
         self._pause.set()
 
-    def record(self, tape: Tape | None) -> None:
+    def record(self, tape: Recorder | None) -> None:
         """Record everything that is heard from now on; None ends that. Whoever made the tape closes it."""
         self._tape = tape
 
@@ -198,7 +198,7 @@ class Listener:
         """Stop, and let the microphone go; one that is being opened and hangs is let go when it answers."""
         self._closing = True
         self._pause.set()
-        self._thread.join(LETTING_GO if self._source is not None else OPENING)
+        self._thread.join(CLOSE_TIMEOUT if self._source is not None else OPEN_TIMEOUT)
 
     # -- the thread ---------------------------------------------------------------------------------------
 
@@ -230,7 +230,7 @@ class Listener:
             self._source = self._open_input(self.choice)
         except DeviceError as error:
             self._refusal = f"{error}; trying again every 2 s"
-            self._pause.wait(RETRY)
+            self._pause.wait(RETRY_PERIOD)
             self._pause.clear()
 
     def _listen(self, source: Input) -> None:
@@ -239,10 +239,10 @@ class Listener:
             self._follow(source, block)
         elif source.lost:
             self._let_go(f"{source.name} has gone; trying again every 2 s")
-        elif source.quiet > RETRY:
+        elif source.quiet > RETRY_PERIOD:
             self._let_go(f"nothing comes from {source.name}; trying again every 2 s")
 
-    def _follow(self, source: Input, block: NDArray[np.float32]) -> None:
+    def _follow(self, source: Input, block: Float32Array) -> None:
         now, gap = time.monotonic(), None
         if self._ear is None:
             began = now - len(block) / source.rate
@@ -261,7 +261,7 @@ class Listener:
             if tape is not None:
                 tape.follow(analysis)
 
-    def _new_ear(self, source: Input, began: float, gap: float) -> Ear:
+    def _new_ear(self, source: Input, began: float, gap: float) -> MicrophoneAnalyser:
         """Go on counting frames where the clock stands, `gap` seconds after the last sound."""
         if self._next_frame == 0:
             self._began = began
@@ -269,7 +269,7 @@ class Listener:
         if self._gap_is_loss:
             self._lost_before += gap
         self._gap_is_loss = True
-        return Ear(
+        return MicrophoneAnalyser(
             source, self.choice.channel, self._preset, pitch=self._pitch, start=start,
             phonemes_only=self._phonemes_only,
         )  # fmt: skip

@@ -5,8 +5,8 @@ import time
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput
 from phonemeengine.audio.output import CardOutput
@@ -90,17 +90,17 @@ def _click(speaker: CardOutput, microphone: CardInput) -> tuple[float, float] | 
     return arrivals[at] - played, arrivals[at] - left
 
 
-def _burst(rate: int) -> NDArray[np.float32]:
+def _burst(rate: int) -> Float32Array:
     """Give the click at a rate: the same sound at each."""
     n, seconds = round(CLICK * rate), np.arange(round(CLICK * rate)) / rate
     tones = np.random.default_rng(5).uniform(500, 6000, 40)
     phases = np.random.default_rng(6).uniform(0, 2 * np.pi, 40)
     wave = np.sin(2 * np.pi * tones * seconds[:, np.newaxis] + phases).sum(axis=1) * np.hanning(n)
-    burst: NDArray[np.float32] = (0.8 * wave / np.abs(wave).max()).astype(np.float32)
+    burst: Float32Array = (0.8 * wave / np.abs(wave).max()).astype(np.float32)
     return burst
 
 
-def _place_of(click: NDArray[np.float32], heard: NDArray[np.float32]) -> int | None:
+def _place_of(click: Float32Array, heard: Float32Array) -> int | None:
     """Find where a click begins in what was heard; None where nothing stands out."""
     if len(heard) < len(click):
         return None

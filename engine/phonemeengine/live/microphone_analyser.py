@@ -4,16 +4,15 @@ import time
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.input import Input
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, Channel
 
-Block = NDArray[np.float32]
 STEADINESS = 0.98
 """How much of what was measured before stays in a latency with each block."""
 
@@ -43,13 +42,13 @@ class Latency:
         return self.capture + self.window + self.hop + self.look_ahead + self.analysis
 
 
-def live(preset: Preset) -> Preset:
+def for_live_use(preset: Preset) -> Preset:
     """Give the preset that looks ahead only as far as it may where somebody waits for the answer."""
     settings = preset.settings
     return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, settings.live_look_ahead)))
 
 
-class Ear:
+class MicrophoneAnalyser:
     """Follows an open microphone.
 
     Parameters
@@ -70,7 +69,7 @@ class Ear:
         self._n_heard = 0
         self._spent = 0.0
         self._columns = slice(channel - 1, channel) if channel else slice(None)
-        self.analyser = Analyser(live(preset), pitch=pitch, start=start, phonemes_only=phonemes_only)
+        self.analyser = Analyser(for_live_use(preset), pitch=pitch, start=start, phonemes_only=phonemes_only)
         self._resampler = Resampler(source.rate, 1, steady=True) if source.rate != SAMPLE_RATE else None
 
     @property
@@ -97,15 +96,15 @@ class Ear:
         """Sound that the device lost since it was opened, seconds; frames are counted without it."""
         return self.source.n_lost / self.source.rate
 
-    def heard_of(self, block: Block) -> Block:
+    def heard_of(self, block: Float32Array) -> Float32Array:
         """Give the channels that are heard, shape (n, n_channels), of what the microphone gave."""
         return block[:, self._columns]
 
     def use(self, preset: Preset) -> None:
         """Recognise with another preset from the next block on."""
-        self.analyser.use(live(preset))
+        self.analyser.use(for_live_use(preset))
 
-    def follow(self, block: Block) -> Analysis:
+    def follow(self, block: Float32Array) -> Analysis:
         """Analyse what is heard, shape (n, n_channels)."""
         began = time.monotonic()
         self._n_heard += len(block)

@@ -10,7 +10,7 @@ MOST_WAITING = 1500
 """Blocks that wait at most; older ones are dropped and counted."""
 
 
-class Waiting:
+class PlaybackQueue:
     """Holds blocks until they are heard: one thread puts them in, another takes them out.
 
     Attributes

@@ -15,17 +15,17 @@ from phonemeengine.analyser import PRE_ROLL, Analyser, Analysis
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.output import ClockOutput, Output, open_output
 from phonemeengine.audio.source import Reader
-from phonemeengine.live.playback_queue import Waiting
+from phonemeengine.live.playback_queue import PlaybackQueue
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
 STEP = 2 * HOP
 """Samples that are read, played and analysed at a time."""
-RETRY = 2.0
+RETRY_PERIOD = 2.0
 """Seconds between two tries to find a sound card again."""
-PATIENCE = 1.0
+STALL_TIMEOUT = 1.0
 """Seconds that a sound card may take to open or close before that goes on without whoever asked for it."""
-WAKING = 0.3
+WAKE_TIMEOUT = 0.3
 """Seconds that a sound card is given to ask for sound."""
 
 
@@ -48,7 +48,7 @@ class Player:
         self._open_device = open_device
         self._output: Output = ClockOutput()
         self._opened = threading.Event()
-        self._next_try = time.monotonic() + RETRY
+        self._next_try = time.monotonic() + RETRY_PERIOD
         self._preset = preset
         self._analyser = Analyser(preset, pitch=True)
         self._playing = self._running = self._at_end = False
@@ -57,12 +57,12 @@ class Player:
         self._target: int | None = None
         self._error: Exception | None = None
         self._segments: tuple[tuple[int, int], ...] = ((0, 0),)
-        self._waiting = Waiting()
+        self._waiting = PlaybackQueue()
         self._commands: deque[Callable[[], None]] = deque()
         self._wake = threading.Event()
         self._thread = threading.Thread(target=self._run, name="analysis", daemon=True)
         self._thread.start()
-        self._opened.wait(PATIENCE)
+        self._opened.wait(STALL_TIMEOUT)
 
     @property
     def playing(self) -> bool:
@@ -158,7 +158,7 @@ class Player:
         """Stop, and let file and device go; a device that hangs is left to itself."""
         self._closing = True
         self._wake.set()
-        self._thread.join(timeout=PATIENCE)
+        self._thread.join(timeout=STALL_TIMEOUT)
 
     def _do(self, command: Callable[[], None]) -> None:
         self._commands.append(command)
@@ -259,9 +259,9 @@ class Player:
 
     def _look_for_card(self) -> None:
         """Go on aloud if there is a card again; one that opens and stands still is none."""
-        self._next_try = time.monotonic() + RETRY
+        self._next_try = time.monotonic() + RETRY_PERIOD
         found = self._open_device(self.reader.n_channels)
-        deadline = time.monotonic() + WAKING
+        deadline = time.monotonic() + WAKE_TIMEOUT
         while found.is_card and not found.alive and time.monotonic() < deadline:
             if self._at_end or self._output.room < STEP:
                 time.sleep(0.01)

@@ -6,15 +6,15 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.phonemes import Phoneme
 
 
-class Heard(NamedTuple):
+class Reading(NamedTuple):
     """The phoneme that is heard now, and how loud it is, 0..1."""
 
     phoneme: Phoneme = Phoneme.SILENCE
     intensity: float = 0.0
 
 
-def heard_of(newest: Analysis | None) -> Heard:
+def latest_reading(newest: Analysis | None) -> Reading:
     """Give the last frame of a block; silence where there is none yet."""
     if newest is None or len(newest) == 0:
-        return Heard()
-    return Heard(Phoneme(int(newest.phonemes[-1])), float(newest.intensities[-1]))
+        return Reading()
+    return Reading(Phoneme(int(newest.phonemes[-1])), float(newest.intensities[-1]))

@@ -8,19 +8,17 @@ from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
 from phonemeengine.analyser import Analysis
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.gaps import Gap, gaps_in_words
 from phonemeengine.audio.recording import Recording
-from phonemeengine.paths import free_path, journal_folder, recordings_folder
 from phonemeengine.errors import RecordingError
-from phonemeengine.recognition.segments import RUN_COLUMNS, Run, RunJoiner
+from phonemeengine.paths import free_path, journal_folder, recordings_folder
+from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
 
 
-class Tape:
+class Recorder:
     """Records what a listener hears.
 
     The file is begun with the first block. A microphone that comes back goes on in the same file, where the gap is
@@ -54,7 +52,7 @@ class Tape:
         self._journal = journal or journal_folder()
         self._rescue = rescue or recordings_folder()
         self._recording: Recording | None = None
-        self._phonemes: PhonemeTable | None = None
+        self._phonemes: PhonemeLog | None = None
         self._refusal: str | None = None
         self._closed = False
         self._turning = threading.Lock()
@@ -84,7 +82,7 @@ class Tape:
         """Why nothing is recorded any more, as a sentence; None while all is well."""
         return self._refusal or (self._recording.failure if self._recording else None)
 
-    def write(self, block: NDArray[np.float32], rate: int, began: float, gap: float | None = None) -> None:
+    def write(self, block: Float32Array, rate: int, began: float, gap: float | None = None) -> None:
         """Take a block.
 
         Parameters
@@ -150,17 +148,17 @@ class Tape:
             return None
         return self._recording
 
-    def _table(self, path: Path, began: float) -> "PhonemeTable":
-        return PhonemeTable(free_path(path.with_suffix(".csv")), began, self._most)
+    def _table(self, path: Path, began: float) -> "PhonemeLog":
+        return PhonemeLog(free_path(path.with_suffix(".csv")), began, self._most)
 
-    def _finish(self, recording: Recording | None, phonemes: "PhonemeTable | None") -> None:
+    def _finish(self, recording: Recording | None, phonemes: "PhonemeLog | None") -> None:
         if recording is not None:
             recording.close()
         if phonemes is not None and recording is not None:
             phonemes.close(recording.seconds)
 
 
-class PhonemeTable:
+class PhonemeLog:
     """Writes the phonemes of a recording as they are recognised; each row is on the disk when its phoneme ends.
 
     Parameters
@@ -177,12 +175,12 @@ class PhonemeTable:
     def __init__(self, path: Path, began: float, seconds: float = math.inf) -> None:
         self._began = self._lag = began
         self._most = seconds
-        self._joiner = RunJoiner()
+        self._joiner = SegmentBuilder()
         self._shift: float | None = None
         self._writing = threading.Lock()
         try:
             self._file = path.open("x", encoding="utf-8", newline="", buffering=1)
-            self._rows = csv.DictWriter(self._file, RUN_COLUMNS, lineterminator="\n")
+            self._rows = csv.DictWriter(self._file, SEGMENT_COLUMNS, lineterminator="\n")
             self._rows.writeheader()
         except OSError as error:
             raise RecordingError(
@@ -194,10 +192,10 @@ class PhonemeTable:
         place, end = round(gap.sample / rate, 6), round((gap.sample + gap.n_silent) / rate, 6)
         with self._writing:
             self._write(self._joiner.finish(place - (self._shift or 0.0)))
-            self._joiner, self._shift = RunJoiner(), None
+            self._joiner, self._shift = SegmentBuilder(), None
             self._began, self._lag = began, began - end
             with suppress(OSError):
-                self._rows.writerow(dict(zip(RUN_COLUMNS, (place, end, gap.label, 0.0), strict=True)))
+                self._rows.writerow(dict(zip(SEGMENT_COLUMNS, (place, end, gap.label, 0.0), strict=True)))
 
     def push(self, analysis: Analysis) -> None:
         """Take the next frames; those from before the recording are left out."""
@@ -215,7 +213,7 @@ class PhonemeTable:
             self._write(self._joiner.finish(duration - (self._shift or 0.0)))
             self._file.close()
 
-    def _write(self, runs: list[Run]) -> None:
+    def _write(self, runs: list[Segment]) -> None:
         """Write rows; a full disk is no matter of the table's, since the recording says so."""
         with suppress(OSError):
             for run in runs if not self._file.closed else []:

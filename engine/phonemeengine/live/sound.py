@@ -7,18 +7,16 @@ from types import TracebackType
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analysis
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.audio.output import AHEAD, Output, open_output
-from phonemeengine.dsp.spectrum import Transform
-from phonemeengine.live.reading import Heard, heard_of
+from phonemeengine.dsp.spectrum import SpectrumAnalyser
 from phonemeengine.live.player import STEP, Player
+from phonemeengine.live.reading import Reading, latest_reading
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, AnalysisSettings, Channel
-
-Block = NDArray[np.float32]
 
 N_BINS = 512
 """Bins of `Sound.spectrum`."""
@@ -26,7 +24,7 @@ KEPT = (SAMPLE_RATE + AHEAD + 2 * WINDOW) // STEP + 2
 """Blocks that are kept after they were read: what is written ahead, a card's delay of up to a second, and windows."""
 
 
-class _Tap:
+class RecentSamples:
     """Passes a reader on, and keeps what was read last."""
 
     def __init__(self, reader: SoundReader) -> None:
@@ -35,18 +33,18 @@ class _Tap:
         self.n_samples = reader.n_samples
         self.duration = reader.duration
         self._reader = reader
-        self._read: deque[tuple[int, Block]] = deque(maxlen=KEPT)
+        self._read: deque[tuple[int, Float32Array]] = deque(maxlen=KEPT)
         self.seek = reader.seek
         self.close = reader.close
 
-    def read(self, n: int) -> Block:
+    def read(self, n: int) -> Float32Array:
         """Read on."""
         start = self._reader.position
         block = self._reader.read(n)
         self._read.append((start, block))
         return block
 
-    def around(self, sample: int) -> Block:
+    def around(self, sample: int) -> Float32Array:
         """Give the window around a sample, shape (2048, n_channels); silence where nothing was read."""
         first = sample - WINDOW // 2
         window = np.zeros((WINDOW, self.n_channels), np.float32)
@@ -78,9 +76,9 @@ class Sound:
         self, path: Path, preset: Preset, channel: Channel = Channel.MIX,
         open_device: Callable[[int], Output] = open_output,
     ) -> None:  # fmt: skip
-        self._tap = _Tap(SoundReader(path, channel))
+        self._tap = RecentSamples(SoundReader(path, channel))
         self._player = Player(self._tap, preset, open_device)
-        self._transform = Transform(AnalysisSettings(filters=frozenset()))
+        self._transform = SpectrumAnalyser(AnalysisSettings(filters=frozenset()))
         self._newest: Analysis | None = None
         self._stopped = False
         self._volume = 0.0
@@ -140,7 +138,7 @@ class Sound:
         """Recognise with another preset from the next 20 ms on."""
         self._player.use(preset)
 
-    def poll(self) -> Heard:
+    def poll(self) -> Reading:
         """Give the phoneme and the intensity of what is heard now; AudioError where the file is damaged there.
 
         In a pause they stay as they were; after the end, and after `stop`, there is silence.
@@ -148,15 +146,15 @@ class Sound:
         taken = self._player.take()
         if taken:
             self._newest = taken[-1]
-        return heard_of(None if self._stopped or self._player.finished else self._newest)
+        return latest_reading(None if self._stopped or self._player.finished else self._newest)
 
-    def spectrum(self, channel: Channel = Channel.LEFT) -> Block:
+    def spectrum(self, channel: Channel = Channel.LEFT) -> Float32Array:
         """Give the amplitudes of what is heard now, 0..1, shape (512,): bin k lies at k x 21.53 Hz."""
         frames = mono_of(self._tap.around(self._at()), channel)[np.newaxis]
-        amplitudes: Block = (self._transform.magnitudes_of(frames) * self._transform.scale)[0, :N_BINS]
+        amplitudes: Float32Array = (self._transform.magnitudes_of(frames) * self._transform.scale)[0, :N_BINS]
         return amplitudes
 
-    def analysis_buffer(self, channel: Channel = Channel.LEFT) -> Block:
+    def analysis_buffer(self, channel: Channel = Channel.LEFT) -> Float32Array:
         """Give the 2048 samples around what is heard now, ±1, silence beyond the sound's ends."""
         return mono_of(self._tap.around(self._at()), channel)
 

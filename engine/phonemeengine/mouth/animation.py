@@ -5,23 +5,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import MouthError
+from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.head_motion import HeadMotion
 from phonemeengine.mouth.morpher import Detail, Morpher
-from phonemeengine.mouth.blendshape_names import EYELIDS
-from phonemeengine.mouth.utterance import Speech
 from phonemeengine.mouth.table import MouthTable
+from phonemeengine.mouth.utterance import Utterance
 
 LOWEST_RATE, HIGHEST_RATE = 1.0, 240.0
 """Frames per second."""
 
 
 @dataclass(frozen=True)
-class Life:
+class IdleMotion:
     """What a face does besides speaking, and which of all faces it is.
 
     Attributes
@@ -51,17 +51,17 @@ class Animation:
 
     rate: float
     movestates: tuple[str, ...]
-    weights: NDArray[np.float32]
-    head: NDArray[np.float32]
+    weights: Float32Array
+    head: Float32Array
 
     @property
-    def times(self) -> NDArray[np.float64]:
+    def times(self) -> Float64Array:
         """The time of each frame, seconds, shape (n_frames,)."""
         return np.arange(len(self.weights)) / self.rate
 
 
 def animation_of(
-    speech: Speech, cues: Sequence[Cue], table: MouthTable, rate: float, life: Life | None = None
+    speech: Utterance, cues: Sequence[Cue], table: MouthTable, rate: float, life: IdleMotion | None = None
 ) -> Animation:
     """Animate a face: its mouth moves along the cues with the loudness of the sound.
 
@@ -82,7 +82,7 @@ def animation_of(
             f"the frame rate must lie in {LOWEST_RATE:g}..{HIGHEST_RATE:g} frames per second, got {rate:g}; "
             "choose another"
         )
-    life = life or Life()
+    life = life or IdleMotion()
     n_frames = math.floor(speech.duration * rate + 1e-6) + 1
     weights = _mouth(speech, cues, Morpher(table, detail=life.detail, seed=life.seed), rate, n_frames)
     if life.blinks:
@@ -91,7 +91,7 @@ def animation_of(
     return Animation(rate, table.movestates, weights, head)
 
 
-def _mouth(speech: Speech, cues: Sequence[Cue], morpher: Morpher, rate: float, n_frames: int) -> NDArray[np.float32]:
+def _mouth(speech: Utterance, cues: Sequence[Cue], morpher: Morpher, rate: float, n_frames: int) -> Float32Array:
     weights = np.zeros((n_frames, len(morpher.movestates)), np.float32)
     loud, starts = speech.intensities.tolist(), speech.times.tolist()
     heard = begun = 0
@@ -107,7 +107,7 @@ def _mouth(speech: Speech, cues: Sequence[Cue], morpher: Morpher, rate: float, n
     return weights
 
 
-def _blink(weights: NDArray[np.float32], movestates: tuple[str, ...], blinker: Blinker, rate: float) -> None:
+def _blink(weights: Float32Array, movestates: tuple[str, ...], blinker: Blinker, rate: float) -> None:
     columns = [movestates.index(lid) for lid in EYELIDS if lid in movestates]
     if columns:
         closures = np.array([blinker.closure(frame / rate) for frame in range(len(weights))], np.float32)
@@ -115,7 +115,7 @@ def _blink(weights: NDArray[np.float32], movestates: tuple[str, ...], blinker: B
             weights[:, column] = np.maximum(weights[:, column], closures)
 
 
-def _head(speech: Speech, rate: float, n_frames: int, seed: int) -> NDArray[np.float32]:
+def _head(speech: Utterance, rate: float, n_frames: int, seed: int) -> Float32Array:
     motion, poses = HeadMotion(seed), np.zeros((n_frames, 3), np.float32)
     heard, starts = 0, speech.times.tolist()
     loud, pitches = speech.intensities.tolist(), speech.pitches.tolist()

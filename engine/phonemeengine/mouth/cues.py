@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.segments import Run
+from phonemeengine.recognition.segments import Segment
 
 MINIMUM = 0.06
 """Seconds that a cue lasts at least, unless told otherwise."""
@@ -48,7 +48,7 @@ class Cue:
 
 
 def cues_of(
-    runs: Iterable[Run], table: MouthTable, *, minimum: float = MINIMUM, anticipation: float = 0.0
+    runs: Iterable[Segment], table: MouthTable, *, minimum: float = MINIMUM, anticipation: float = 0.0
 ) -> tuple[Cue, ...]:
     """Make cues of the runs of a sound; they cover it from its beginning to its end, without gaps.
 

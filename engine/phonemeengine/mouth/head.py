@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import Figure
 from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import movestate_of
 
 HEAD = Path(__file__).with_name("head.npz")
@@ -21,7 +21,7 @@ OWN_LIFE = ("eye", "brow")
 """States whose names begin so are not interactable: the mouth does not push eyes and brows back."""
 
 
-def load_head() -> Figure:
+def load_head() -> MorphMesh:
     """Load the head and its movestates, whose names are those of ARKit.
 
     Raises
@@ -35,11 +35,11 @@ def load_head() -> Figure:
         raise MeshError(f"{HEAD.name}: the program's own head cannot be read; install the program again") from error
 
 
-def _figure_of(arrays: dict[str, NDArray[Any]]) -> Figure:
+def _figure_of(arrays: dict[str, NDArray[Any]]) -> MorphMesh:
     colours = (arrays["colours"] / 255).astype(np.float32)
     mesh = mesh_of(arrays["positions"], arrays["triangles"], name="head", colours=colours)
     names = [str(name) for name in arrays["names"]]
-    return Figure(
+    return MorphMesh(
         mesh,
         tuple(
             movestate_of(name, offsets.astype(np.float32), interactable=not name.startswith(OWN_LIFE))

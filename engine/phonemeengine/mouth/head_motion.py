@@ -9,9 +9,9 @@ import random
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.mouth.low_pass import Follower
+from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.mouth.low_pass import LowPass
 
 PER_SEMITONE = 0.5
 """Degrees that the head rises when the pitch lies a semitone above the usual one."""
@@ -35,7 +35,7 @@ class HeadPose:
     roll: float = 0.0
 
 
-def quaternions_of(poses: NDArray[np.float32]) -> NDArray[np.float64]:
+def quaternions_of(poses: Float32Array) -> Float64Array:
     """Give poses, shape (n, 3): yaw, pitch and roll in degrees, as quaternions x, y, z, w, shape (n, 4).
 
     The head looks along z, and its left is x. It rolls first, then nods, then turns.
@@ -52,9 +52,9 @@ class HeadMotion:
     def __init__(self, seed: int = 0) -> None:
         chance = random.Random(seed)  # noqa: S311 - nothing secret depends on it
         self._phases = [[chance.uniform(0, 2 * math.pi) for _ in periods] for periods in PERIODS]
-        self._loudness, self._rise = Follower(FOLLOWING), Follower(FOLLOWING)
-        self._speaking = Follower(1.0)
-        self._usual: Follower | None = None
+        self._loudness, self._rise = LowPass(FOLLOWING), LowPass(FOLLOWING)
+        self._speaking = LowPass(1.0)
+        self._usual: LowPass | None = None
 
     def hear(self, time: float, intensity: float, f0: float = 0.0) -> None:
         """Take loudness, 0..1, and fundamental frequency, Hz (0 where there is none), from a time on, seconds."""
@@ -63,7 +63,7 @@ class HeadMotion:
         if f0 > 0.0:
             pitch = 12.0 * math.log2(f0)
             if self._usual is None:
-                self._usual = Follower(USUAL, pitch)
+                self._usual = LowPass(USUAL, pitch)
             rise = pitch - self._usual.at(time)
             self._usual.push(time, pitch)
             self._rise.push(time, min(max(rise, -MOST_SEMITONES), MOST_SEMITONES))

@@ -3,7 +3,7 @@
 import math
 
 
-class Follower:
+class LowPass:
     """Approaches a goal by the exact answer of a low-pass of first order: it does not matter how often one looks.
 
     Parameters

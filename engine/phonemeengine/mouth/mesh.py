@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, UInt32Array
 from phonemeengine.errors import MeshError
 
 MOST_VERTICES = 1 << 20
@@ -18,9 +19,6 @@ MOST_MATERIALS = 1 << 12
 FARTHEST = 1e9
 """The largest coordinate; beyond it a float32 has no room for the offsets of a face."""
 GREY = (0.8, 0.8, 0.8)
-
-Vectors = NDArray[np.float32]
-Numbers = NDArray[np.uint32]
 
 
 @dataclass(frozen=True)
@@ -47,24 +45,24 @@ class Mesh:
     """
 
     name: str
-    positions: Vectors
-    triangles: Numbers
-    normals: Vectors
-    colours: Vectors
+    positions: Float32Array
+    triangles: UInt32Array
+    normals: Float32Array
+    colours: Float32Array
     materials: tuple[Material, ...]
     material_of: NDArray[np.uint16]
 
     def __len__(self) -> int:
         return len(self.positions)
 
-    def vertices(self, numbers: ArrayLike) -> Vectors:
+    def vertices(self, numbers: ArrayLike) -> Float32Array:
         """Give where some vertices are, float32, shape (n, 3); shape (3,) for a single number.
 
         Raises
         ------
         MeshError : there is no such vertex; here and below.
         """
-        found: Vectors = self.positions[self._checked(numbers)].copy()
+        found: Float32Array = self.positions[self._checked(numbers)].copy()
         return found
 
     def with_vertices(self, numbers: ArrayLike, positions: ArrayLike) -> "Mesh":
@@ -94,12 +92,12 @@ class Mesh:
         """Give a mesh with some vertices moved by one offset, shape (3,), or by one each, shape (n, 3)."""
         return self.with_vertices(numbers, self.vertices(numbers) + np.asarray(offsets, np.float32))
 
-    def within(self, centre: ArrayLike, radius: float) -> Numbers:
+    def within(self, centre: ArrayLike, radius: float) -> UInt32Array:
         """Give the numbers of all vertices within a sphere, uint32, ascending; those on its surface are in it."""
         apart = np.linalg.norm(self.positions.astype(np.float64) - np.asarray(centre, np.float64), axis=1)
         return np.flatnonzero(apart <= radius).astype(np.uint32)
 
-    def _checked(self, numbers: ArrayLike) -> NDArray[np.intp]:
+    def _checked(self, numbers: ArrayLike) -> IndexArray:
         asked = np.asarray(numbers)
         if asked.size and (asked.dtype.kind not in "iu" or not 0 <= asked.min() <= asked.max() < len(self)):
             worst = asked.max() if asked.dtype.kind not in "iu" or asked.min() >= 0 else asked.min()
@@ -112,8 +110,8 @@ def mesh_of(
     triangles: ArrayLike = (),
     *,
     name: str = "",
-    normals: Vectors | None = None,
-    colours: Vectors | None = None,
+    normals: Float32Array | None = None,
+    colours: Float32Array | None = None,
     materials: Sequence[Material] = (),
     material_of: ArrayLike | None = None,
 ) -> Mesh:
@@ -153,7 +151,7 @@ def mesh_of(
     return Mesh(name, *arrays[:4], made, kinds)
 
 
-def normals_of(positions: Vectors, triangles: Numbers) -> Vectors:
+def normals_of(positions: Float32Array, triangles: UInt32Array) -> Float32Array:
     """Compute the normals of vertices: the sum of those of their triangles, weighed by area.
 
     Returns
@@ -165,13 +163,13 @@ def normals_of(positions: Vectors, triangles: Numbers) -> Vectors:
     return _unit(summed_at(triangles.ravel(), np.repeat(faces, 3, axis=0), len(positions)))
 
 
-def summed_at(numbers: NDArray[np.integer], vectors: NDArray[np.floating], n: int) -> NDArray[np.float64]:
+def summed_at(numbers: NDArray[np.integer], vectors: NDArray[np.floating], n: int) -> Float64Array:
     """Add vectors, shape (m, 3), at the vertices that `numbers`, shape (m,), gives; shape (n, 3)."""
     columns = [np.bincount(numbers, vectors[:, axis], minlength=n)[:n] for axis in range(3)]
     return np.stack(columns, axis=1)
 
 
-def _look_at(points: Vectors, corners: NDArray[np.generic]) -> None:
+def _look_at(points: Float32Array, corners: NDArray[np.generic]) -> None:
     if not 0 < len(points) <= MOST_VERTICES:
         raise MeshError(f"a mesh has 1..{MOST_VERTICES} vertices, this has {len(points)}; choose another file")
     if len(corners) > MOST_TRIANGLES:
@@ -185,7 +183,7 @@ def _look_at(points: Vectors, corners: NDArray[np.generic]) -> None:
         raise MeshError(f"a triangle names vertex {worst}, and there are {len(points)}; export it again")
 
 
-def _unit_normals(points: Vectors, corners: Numbers, given: Vectors | None) -> Vectors:
+def _unit_normals(points: Float32Array, corners: UInt32Array, given: Float32Array | None) -> Float32Array:
     if given is None or not np.all(np.abs(given) <= FARTHEST):
         return normals_of(points, corners)
     lengths = np.linalg.norm(given, axis=1)
@@ -194,17 +192,19 @@ def _unit_normals(points: Vectors, corners: Numbers, given: Vectors | None) -> V
     return _unit(np.where(lengths[:, np.newaxis] > 0, given, normals_of(points, corners)).astype(np.float64))
 
 
-def _unit(vectors: NDArray[np.float64]) -> Vectors:
+def _unit(vectors: Float64Array) -> Float32Array:
     lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
     ahead = np.array([0.0, 0.0, 1.0])
     return np.where(lengths > 0, vectors / np.where(lengths > 0, lengths, 1), ahead).astype(np.float32)
 
 
-def _colours(given: Vectors) -> Vectors:
+def _colours(given: Float32Array) -> Float32Array:
     return np.clip(np.nan_to_num(given, nan=GREY[0]), 0, 1).astype(np.float32)
 
 
-def _colours_by(materials: tuple[Material, ...], kinds: NDArray[np.uint16], corners: Numbers, n: int) -> Vectors:
+def _colours_by(
+    materials: tuple[Material, ...], kinds: NDArray[np.uint16], corners: UInt32Array, n: int
+) -> Float32Array:
     colours = np.tile(np.array(GREY, np.float32), (n, 1))
     if materials:
         table = np.array([material.colour for material in materials], np.float32)

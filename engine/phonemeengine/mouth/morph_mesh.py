@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from phonemeengine.arrays import Float32Array, UInt32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh, Numbers, Vectors
+from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh
 from phonemeengine.mouth.movestate import Movestate, movestate_at
 
 MOST_STATES = 1024
@@ -17,7 +18,7 @@ MOST_NEAR = 1 << 22
 
 
 @dataclass(frozen=True, eq=False)
-class Figure:
+class MorphMesh:
     """A mesh and its movestates."""
 
     mesh: Mesh
@@ -25,7 +26,7 @@ class Figure:
 
 
 @dataclass(frozen=True, eq=False)
-class Face:
+class MorphTargets:
     """Movestates, and where the vertices that they move are in the mesh: what a .3dm file holds.
 
     Attributes
@@ -36,11 +37,11 @@ class Face:
     """
 
     states: tuple[Movestate, ...]
-    numbers: Numbers
-    positions: Vectors
+    numbers: UInt32Array
+    positions: Float32Array
 
 
-def face_of(mesh: Mesh, states: Sequence[Movestate]) -> Face:
+def morph_targets_of(mesh: Mesh, states: Sequence[Movestate]) -> MorphTargets:
     """Give what a .3dm file holds of a mesh and its movestates.
 
     Raises
@@ -55,10 +56,10 @@ def face_of(mesh: Mesh, states: Sequence[Movestate]) -> Face:
         raise MeshError(
             f"the movestates move vertex {numbers[-1]}, and the mesh has {len(mesh)}; choose the mesh of theirs"
         )
-    return checked(Face(tuple(states), numbers, mesh.positions[numbers]))
+    return checked(MorphTargets(tuple(states), numbers, mesh.positions[numbers]))
 
 
-def checked(face: Face) -> Face:
+def checked(face: MorphTargets) -> MorphTargets:
     """Give a face after looking at whether its parts fit together.
 
     Raises
@@ -85,7 +86,7 @@ def checked(face: Face) -> Face:
     return face
 
 
-def fitted(face: Face, mesh: Mesh, tolerance: float = TOLERANCE) -> Face:
+def matched(face: MorphTargets, mesh: Mesh, tolerance: float = TOLERANCE) -> MorphTargets:
     """Give a face the numbers of a mesh: as it is where its vertices are in their places, else reorganised.
 
     Raises
@@ -98,10 +99,10 @@ def fitted(face: Face, mesh: Mesh, tolerance: float = TOLERANCE) -> Face:
         apart = np.linalg.norm(mesh.positions[face.numbers] - face.positions, axis=1)
         if float(apart.max()) <= tolerance:
             return face
-    return reorganise(face, mesh, tolerance)
+    return remap_vertices(face, mesh, tolerance)
 
 
-def reorganise(face: Face, mesh: Mesh, tolerance: float = TOLERANCE) -> Face:
+def remap_vertices(face: MorphTargets, mesh: Mesh, tolerance: float = TOLERANCE) -> MorphTargets:
     """Renumber the vertices of a face by where they are, for a mesh whose exporter changed their order.
 
     A vertex that the exporter split moves in all its copies. Of several vertices at one place the first becomes the
@@ -116,12 +117,12 @@ def reorganise(face: Face, mesh: Mesh, tolerance: float = TOLERANCE) -> Face:
     for old, new in _pairs(near):
         by_place[old].append(new)
     places = {int(number): place for place, number in enumerate(face.numbers)}
-    return face_of(
+    return morph_targets_of(
         mesh, [_renumbered(state, [by_place[places[n]] for n in state.numbers.tolist()]) for state in face.states]
     )
 
 
-def _near(face: Face, mesh: Mesh, tolerance: float) -> list[list[int]]:
+def _near(face: MorphTargets, mesh: Mesh, tolerance: float) -> list[list[int]]:
     """Give the vertices of the mesh that are where each vertex of the face was."""
     from scipy.spatial import cKDTree  # noqa: PLC0415 - takes 200 ms, which only who reorganises should wait for
 

@@ -18,9 +18,9 @@ from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.mouth.low_pass import Follower
+from phonemeengine.arrays import Float32Array
+from phonemeengine.mouth.low_pass import LowPass
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 
@@ -28,8 +28,6 @@ HALF_OPEN = 0.6
 """How far a mouth of two states opens, as a share of the shape of a."""
 MOST_MOVEMENTS = 64
 """Movements that are remembered at once: more than fit into the longest one would be forgotten, oldest first."""
-
-Weights = NDArray[np.float32]
 
 
 class Detail(Enum):
@@ -69,7 +67,7 @@ class Morpher:
         self._firm = {*table.firm, Phoneme.SILENCE}
         self._movements = deque([_Movement(-math.inf, 0.0, Phoneme.SILENCE, True, 1.0)], maxlen=MOST_MOVEMENTS)
         self._code = int(Phoneme.SILENCE)
-        self._loudness = Follower(self._manner.loudness)
+        self._loudness = LowPass(self._manner.loudness)
 
     @property
     def movestates(self) -> tuple[str, ...]:
@@ -99,7 +97,7 @@ class Morpher:
         """Take the loudness alone, 0..1, from a time on: the phoneme goes on."""
         self._loudness.push(time, min(max(intensity, 0.0), 1.0))
 
-    def weights(self, time: float) -> Weights:
+    def weights(self, time: float) -> Float32Array:
         """Give the weights at a time, float32, shape (n_movestates,), 1 for the whole movement.
 
         Movements that have ended by this time are forgotten: times may be looked at in order only.
@@ -119,7 +117,7 @@ class Morpher:
                 while movements[0] is not movement:
                     movements.popleft()
                 break
-        weights: Weights = np.array(shares, np.float32) @ self._rows[rows]
+        weights: Float32Array = np.array(shares, np.float32) @ self._rows[rows]
         return weights
 
     def _movement(self, time: float, code: int) -> _Movement:
@@ -145,7 +143,7 @@ def _followed(phoneme: int, detail: Detail, firm: set[Phoneme]) -> int:
     return int(Phoneme.SILENCE if closed else Phoneme.A)
 
 
-def _rows_of(table: MouthTable, detail: Detail, chance: random.Random) -> Weights:
+def _rows_of(table: MouthTable, detail: Detail, chance: random.Random) -> Float32Array:
     """Give the weights of every phoneme with the habits of one mouth; lips that meet do so in every mouth."""
     rows, spread = table.weights(), table.manner.randomness
     habits = np.array([chance.uniform(-spread, 0.0) for _ in table.movestates], np.float32)
@@ -156,7 +154,7 @@ def _rows_of(table: MouthTable, detail: Detail, chance: random.Random) -> Weight
     return rows
 
 
-def _alike_on_both_sides(habits: Weights, movestates: tuple[str, ...]) -> Weights:
+def _alike_on_both_sides(habits: Float32Array, movestates: tuple[str, ...]) -> Float32Array:
     """Draw the right half of a face towards its left one: a habit is no paralysis."""
     columns = {name: k for k, name in enumerate(movestates)}
     for name, k in columns.items():

@@ -21,7 +21,7 @@ PART = math.acos(1 - 2 * NEARLY) / math.pi
 
 
 @dataclass(frozen=True)
-class Times:
+class TransitionTimes:
     """How fast the mouth is for one sound.
 
     Parameters
@@ -50,13 +50,13 @@ class Times:
         """The whole time of the movement back, seconds."""
         return self.release / PART
 
-    def scaled(self, attack: float, release: float) -> "Times":
+    def scaled(self, attack: float, release: float) -> "TransitionTimes":
         """Give both times multiplied by factors above 0, as far as their limits allow."""
-        return Times(_limited("attack", attack * self.attack), _limited("release", release * self.release))
+        return TransitionTimes(_limited("attack", attack * self.attack), _limited("release", release * self.release))
 
 
 @dataclass(frozen=True)
-class Manner:
+class MotionSettings:
     """The ways of one mouth.
 
     Parameters

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from phonemeengine.arrays import Float32Array, UInt32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Numbers, Vectors
+from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES
 
 LEAST_MOVE = 0.0001
 """A vertex that moves no farther than this is left out, in units of the mesh."""
@@ -28,8 +29,8 @@ class Movestate:
     """
 
     name: str
-    numbers: Numbers
-    offsets: Vectors
+    numbers: UInt32Array
+    offsets: Float32Array
     interactable: bool = True
 
     def __len__(self) -> int:
@@ -88,7 +89,7 @@ def check_name(name: str) -> None:
         )
 
 
-def _sorted(name: str, numbers: NDArray[np.generic], offsets: Vectors) -> tuple[Numbers, Vectors]:
+def _sorted(name: str, numbers: NDArray[np.generic], offsets: Float32Array) -> tuple[UInt32Array, Float32Array]:
     """Give the numbers ascending, after looking whether each is a vertex and comes once."""
     if len(numbers) and not 0 <= int(numbers.min()) <= int(numbers.max()) < MOST_VERTICES:
         raise MeshError(

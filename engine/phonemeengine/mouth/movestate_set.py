@@ -4,8 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.mesh import Mesh, Vectors
+from phonemeengine.mouth.mesh import Mesh
 from phonemeengine.mouth.movestate import Movestate
 from phonemeengine.mouth.percentages import Percentages
 
@@ -38,7 +39,7 @@ class MovestateSet(Percentages[str]):
     def __getitem__(self, name: str) -> Movestate:
         return self.states[self._place(name)]
 
-    def morphed(self) -> Vectors:
+    def morphed(self) -> Float32Array:
         """Give the mesh's positions, each moved by its share of every state.
 
         Returns
@@ -76,7 +77,7 @@ class _Run:
         self._offsets = np.zeros((last + 1 - first, 3), np.float32)
         self._offsets[state.numbers - np.uint32(first)] = state.offsets
 
-    def add(self, out: Vectors, weight: np.float32, room: Vectors) -> None:
+    def add(self, out: Float32Array, weight: np.float32, room: Float32Array) -> None:
         part, moved = out[self._where], room[: len(self._offsets)]
         np.multiply(self._offsets, weight, out=moved)
         np.add(part, moved, out=part)
@@ -89,7 +90,7 @@ class _Scattered:
         self._where = state.numbers.astype(np.intp)
         self._offsets = state.offsets
 
-    def add(self, out: Vectors, weight: np.float32, room: Vectors) -> None:
+    def add(self, out: Float32Array, weight: np.float32, room: Float32Array) -> None:
         moved = room[: len(self._offsets)]
         np.multiply(self._offsets, weight, out=moved)
         moved += out[self._where]

@@ -27,9 +27,9 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.errors import MouthError
-from phonemeengine.mouth.viseme_override import AskedVisemes
 from phonemeengine.mouth.morpher import Detail, Morpher
 from phonemeengine.mouth.table import MouthTable
+from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -39,7 +39,7 @@ REPEAT = 0.1
 """Seconds after which a phoneme that stays is sent again: messages may get lost, and receivers come late."""
 QUIET = 0.5
 """Seconds without a frame after which the mouth closes."""
-SHUT = 10.0
+CLOSE_AFTER = 10.0
 """Seconds after which every mouth has closed."""
 IN_A_PACKET = 24
 """Movestates in one packet: it fits into an Ethernet frame of 1500 bytes."""
@@ -104,7 +104,7 @@ class OscMouth:
         self.n_sent = 0
         self._socket, self._receiver = _opened(address)
         self._table = table
-        self._morpher, self._visemes = Morpher(table, detail=detail, seed=seed), AskedVisemes(table)
+        self._morpher, self._visemes = Morpher(table, detail=detail, seed=seed), VisemeOverride(table)
         self._asked: tuple[dict[Phoneme, float], float] = LEFT_TO_SPEECH
         self._columns = np.flatnonzero(np.any(table.weights() != 0, axis=0)).tolist()
         self._frames: deque[tuple[float, int, float]] = deque(maxlen=MOST_WAITING)
@@ -144,7 +144,7 @@ class OscMouth:
         self._asked = LEFT_TO_SPEECH
         now = time.monotonic()
         self._hear(now, int(Phoneme.SILENCE), 0.0)
-        self._send_picture(now + SHUT)
+        self._send_picture(now + CLOSE_AFTER)
         self._socket.close()
 
     def _hear_waiting(self) -> None:

@@ -6,8 +6,8 @@ from enum import StrEnum
 from typing import Generic, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import BoolArray, Float32Array
 from phonemeengine.errors import MeshError
 
 MOST_PERCENT = 1000.0
@@ -63,7 +63,7 @@ class Percentages(Generic[Name]):
         return dict(zip(self._places, self._percentages.tolist(), strict=True))
 
     @property
-    def weights(self) -> NDArray[np.float32]:
+    def weights(self) -> Float32Array:
         """How far each state is on, in order, float32, 1.0 for 100 %: what a shader wants."""
         return (self._percentages / 100).astype(np.float32)
 
@@ -116,12 +116,12 @@ class Percentages(Generic[Name]):
         """Set all states to 0 %; those that are not interactable only by force."""
         self._percentages[self._affected(Mode.FORCE_RESET if force else Mode.RESET)] = 0
 
-    def _affected(self, mode: Mode) -> NDArray[np.bool_]:
+    def _affected(self, mode: Mode) -> BoolArray:
         if mode == Mode.NONE:
             return np.zeros(len(self), bool)
         return np.ones(len(self), bool) if mode == Mode.FORCE_RESET else self._interactable.copy()
 
-    def _shrinking(self, place: int, percent: float, others: NDArray[np.bool_]) -> float:
+    def _shrinking(self, place: int, percent: float, others: BoolArray) -> float:
         total = float(np.abs(self._percentages[others]).sum())
         if not self._interactable[place] or total == 0:
             return 1.0

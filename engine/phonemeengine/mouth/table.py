@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.audio.file_access import shown_name
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import MouthError
-from phonemeengine.mouth.motion_settings import LIMITS, Manner, Times
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
+from phonemeengine.mouth.motion_settings import LIMITS, MotionSettings, TransitionTimes
 from phonemeengine.phonemes import Phoneme
 
 FORMAT = "phonemeanalyser mouth 1"
@@ -63,12 +63,12 @@ class MouthTable:
     movestates: tuple[str, ...]
     phonemes: Mapping[Phoneme, str]
     shapes: Mapping[str, Mapping[str, float]]
-    times: Mapping[Phoneme, Times]
+    times: Mapping[Phoneme, TransitionTimes]
     firm: frozenset[Phoneme] = frozenset({Phoneme.M, Phoneme.P})
-    manner: Manner = field(default_factory=Manner)
+    manner: MotionSettings = field(default_factory=MotionSettings)
     notes: str = ""
 
-    def weights(self) -> NDArray[np.float32]:
+    def weights(self) -> Float32Array:
         """Give the weights of every phoneme's shape, shape (11, n_movestates), 1 for the whole movement."""
         columns = {name: k for k, name in enumerate(self.movestates)}
         rows = np.zeros((len(Phoneme), len(columns)), np.float32)
@@ -98,7 +98,7 @@ def load_table(name: str | Path) -> MouthTable:
     """
     shipped = TABLES / f"{name}.toml"
     path = shipped if str(name) in shipped_tables() else Path(name)
-    shown = shown_name(path)
+    shown = printable_name(path)
     try:
         return table_of(_text_of(path))
     except MouthError as error:
@@ -223,7 +223,9 @@ def _phoneme(name: Any, place: str) -> Phoneme:
     return _PHONEMES[name]
 
 
-def _times_of(entry: dict[str, Any], general: Mapping[str, float], firm: Collection[Phoneme]) -> dict[Phoneme, Times]:
+def _times_of(
+    entry: dict[str, Any], general: Mapping[str, float], firm: Collection[Phoneme]
+) -> dict[Phoneme, TransitionTimes]:
     """Give the times of every phoneme: its own, else those of [manner] for all, else the usual ones."""
     own = {_phoneme(name, "[times]"): _own_times(name, times) for name, times in entry.items()}
     if Phoneme.SILENCE in own:
@@ -231,12 +233,12 @@ def _times_of(entry: dict[str, Any], general: Mapping[str, float], firm: Collect
             "[times] silence has none: the mouth closes in the release of what was said before; remove it"
         )
     used: set[str] = set()
-    times: dict[Phoneme, Times] = {}
+    times: dict[Phoneme, TransitionTimes] = {}
     for phoneme in SPEAKING:
         sources = {"attack": "closing" if phoneme in firm else "attack", "release": "release"}
         used |= {source for name, source in sources.items() if name not in own.get(phoneme, {})}
         usual = {name: general.get(source, USUAL_TIMES[source]) for name, source in sources.items()}
-        times[phoneme] = Times(**usual | own.get(phoneme, {}))
+        times[phoneme] = TransitionTimes(**usual | own.get(phoneme, {}))
     if entry and (idle := [name for name in general if name not in used]):
         raise MouthError(f"[manner] {idle[0]} acts on nothing, since [times] names every phoneme; remove one of them")
     return times
@@ -251,16 +253,16 @@ def _own_times(phoneme: str, entry: Any) -> dict[str, float]:
     return _seconds(place, entry)
 
 
-def _manner_of(entry: dict[str, Any]) -> tuple[dict[str, float], Manner]:
+def _manner_of(entry: dict[str, Any]) -> tuple[dict[str, float], MotionSettings]:
     """Give the times for all phonemes that [times] leaves out, and the manner."""
-    known = [*USUAL_TIMES, *(f.name for f in fields(Manner))]
+    known = [*USUAL_TIMES, *(f.name for f in fields(MotionSettings))]
     for name in entry:
         if name not in known:
             raise MouthError(f"[manner] does not know {_shown(name)}; known are {', '.join(known)}")
     general = _seconds("[manner]", {name: entry[name] for name in USUAL_TIMES if name in entry})
     rest = {name: _number("[manner]", name, value) for name, value in entry.items() if name not in general}
     try:
-        return general, Manner(**rest)
+        return general, MotionSettings(**rest)
     except MouthError as error:
         raise MouthError(f"[manner] {error}") from error
 

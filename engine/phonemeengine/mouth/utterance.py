@@ -5,18 +5,18 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analysis
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.features.front_end import F0
-from phonemeengine.recognition.segments import Run, RunJoiner
+from phonemeengine.recognition.segments import Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
 
 NOTHING = np.zeros(0, np.float32)
 
 
 @dataclass(frozen=True, eq=False)
-class Speech:
+class Utterance:
     """What was said in a sound.
 
     Attributes
@@ -31,24 +31,24 @@ class Speech:
 
     name: str
     duration: float
-    runs: tuple[Run, ...] = ()
-    intensities: NDArray[np.float32] = field(default_factory=lambda: NOTHING)
-    pitches: NDArray[np.float32] = field(default_factory=lambda: NOTHING)
+    runs: tuple[Segment, ...] = ()
+    intensities: Float32Array = field(default_factory=lambda: NOTHING)
+    pitches: Float32Array = field(default_factory=lambda: NOTHING)
     path: Path | None = None
 
     @property
-    def times(self) -> NDArray[np.float64]:
+    def times(self) -> Float64Array:
         """When the frames begin, seconds, shape (n_frames,)."""
         return np.arange(len(self.intensities), dtype=float) * FRAME_PERIOD
 
 
-def speech_of(analyses: Iterable[Analysis], name: str, duration: float, path: Path | None = None) -> Speech:
+def utterance_of(analyses: Iterable[Analysis], name: str, duration: float, path: Path | None = None) -> Utterance:
     """Collect what was said from the consecutive analyses of a sound of `duration` seconds; `path` is its file."""
-    joiner, runs = RunJoiner(), []
+    joiner, runs = SegmentBuilder(), []
     loud, pitches = [NOTHING], [NOTHING]
     for analysis in analyses:
         runs += joiner.push(analysis.phonemes, analysis.intensities)
         loud.append(analysis.intensities)
         pitches.append(np.array(analysis.features.values[:, F0], np.float32))
     runs += joiner.finish(duration)
-    return Speech(name, duration, tuple(runs), np.concatenate(loud), np.concatenate(pitches), path)
+    return Utterance(name, duration, tuple(runs), np.concatenate(loud), np.concatenate(pitches), path)

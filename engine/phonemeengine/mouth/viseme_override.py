@@ -6,7 +6,7 @@ from enum import Enum
 
 import numpy as np
 
-from phonemeengine.mouth.morpher import Weights
+from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.percentages import Mode, Percentages
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
@@ -26,7 +26,7 @@ class Others(Enum):
 LEFT_TO_SPEECH: dict[str | Others, float] = dict.fromkeys(Others, 100.0)
 
 
-class AskedVisemes:
+class VisemeOverride:
     """Holds how far each shape of a table is asked for, beside the speech and the blinks, and moves the mouth there.
 
     As long as no shape is asked for, speech and blinks are whole.
@@ -113,7 +113,7 @@ class AskedVisemes:
         self._percentages.reset_all()
         self._percentages.set_percentages(LEFT_TO_SPEECH)
 
-    def mixed(self, spoken: Weights, now: float) -> Weights:
+    def mixed(self, spoken: Float32Array, now: float) -> Float32Array:
         """Give the weights of the mouth, shape (n_movestates,): what is asked for, and the speech's share of its own.
 
         They get there smoothly; times never go back.
@@ -124,5 +124,5 @@ class AskedVisemes:
         if np.abs(self._at - goal).max() < UNSEEN:
             self._at = goal
         *shares, speech, _ = self._at
-        mixed: Weights = speech * spoken + np.array(shares, np.float32) @ self._rows
+        mixed: Float32Array = speech * spoken + np.array(shares, np.float32) @ self._rows
         return mixed

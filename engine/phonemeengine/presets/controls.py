@@ -14,7 +14,7 @@ from phonemeengine.features.variables import DEFICITS, SCORES, Spectrum
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS, PhonemeData, Thresholds
-from phonemeengine.recognition.recogniser import HEARERS, RECOGNISERS, Recogniser
+from phonemeengine.recognition.recogniser import NEED_WAVEFORM, RECOGNISERS, Recogniser
 from phonemeengine.recognition.rules import CONDITIONS, RULES, Condition, Rule, RuleRecogniser
 from phonemeengine.recognition.scores import MOST_LOG_ODDS, deficits_of
 from phonemeengine.settings import BIN_WIDTH, LIMITS, Filter
@@ -145,7 +145,7 @@ def unused_settings(preset: Preset) -> frozenset[str]:
     that is known is that it neither looks ahead nor says by how much a phoneme falls short.
     """
     unused: set[str] = set() if preset.recogniser == "learned" else {"look_ahead"}
-    if preset.recogniser in HEARERS:
+    if preset.recogniser in NEED_WAVEFORM:
         return frozenset(unused | {step.value for step in Filter})
     if preset.recogniser not in RECOGNISERS:
         return frozenset(unused | {"hysteresis"})

@@ -4,17 +4,19 @@ import os
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
+from importlib import resources
 from pathlib import Path
 
-from phonemeengine.paths import presets_folder
 from phonemeengine.errors import EngineError, ModelError, PresetError
+from phonemeengine.paths import presets_folder
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
 from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model, load_model, save_model
 
-FACTORY = Path(__file__).resolve().parents[2] / "presets"
-"""The folder of the presets that ship with the program."""
+_SHIPPED = Path(str(resources.files("phonemeengine.presets"))) / "factory"
+FACTORY = _SHIPPED if _SHIPPED.is_dir() else Path(__file__).resolve().parents[3] / "presets"
+"""The folder of the presets that ship with the program: inside an installed package, at the top of a checkout."""
 DEFAULT_PRESET = FACTORY / "learned.toml"
 THESIS_PRESET = FACTORY / "thesis.toml"
 _NAMES = ("learned", "extended", "templates", "thesis", "thesis-calm", "thesis-anti-aliased")

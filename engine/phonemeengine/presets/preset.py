@@ -8,7 +8,7 @@ from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_use
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, Thresholds
-from phonemeengine.recognition.recogniser import Tuning, check_recogniser
+from phonemeengine.recognition.recogniser import RecogniserConfig, check_recogniser
 from phonemeengine.recognition.rules import Rule
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, check_sensitivities
 from phonemeengine.recognition.smoothing import SUCCESSORS
@@ -71,10 +71,12 @@ class Preset:
         return self.notes.strip().partition("\n")[0]
 
     @property
-    def tuning(self) -> Tuning:
+    def tuning(self) -> RecogniserConfig:
         """What the recogniser is made from."""
         look_ahead = self.settings.look_ahead
-        return Tuning(self.thresholds, self.rules, self.model, self.templates, look_ahead, self.sensitivities)
+        return RecogniserConfig(
+            self.thresholds, self.rules, self.model, self.templates, look_ahead, self.sensitivities
+        )
 
     @property
     def phoneme_data(self) -> PhonemeData:

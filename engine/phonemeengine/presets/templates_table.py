@@ -5,9 +5,9 @@ from typing import Any
 
 from phonemeengine.errors import PresetError
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.templates import WITHOUT, Templates
+from phonemeengine.recognition.templates import UNTEMPLATED, Templates
 
-_PHONEMES = {p.label: p for p in Phoneme if p not in WITHOUT}
+_PHONEMES = {p.label: p for p in Phoneme if p not in UNTEMPLATED}
 _NUMBERS = ("spread", "silence_below")
 
 

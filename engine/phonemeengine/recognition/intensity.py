@@ -3,20 +3,20 @@
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-Block = NDArray[np.float32]
+from phonemeengine.arrays import Float32Array
+
 ONE = np.ones((), np.float32)
 
 
-def intensities_of(levels: Block, low: float, high: float) -> Block:
+def intensities_of(levels: Float32Array, low: float, high: float) -> Float32Array:
     """Map peak levels (0..1) to intensities: 0 at `low` dB below full scale, 1 at `high`, linear in dB."""
     gain, slope = _line_of(low, high)
-    intensities: Block = np.minimum(np.log10(np.maximum(levels * gain, ONE)) * slope, ONE)
+    intensities: Float32Array = np.minimum(np.log10(np.maximum(levels * gain, ONE)) * slope, ONE)
     return intensities
 
 
 @lru_cache(maxsize=8)
-def _line_of(low: float, high: float) -> tuple[Block, Block]:
+def _line_of(low: float, high: float) -> tuple[Float32Array, Float32Array]:
     gain, slope = 10 ** (-low / 20), 20 / max(high - low, 1e-6)
     return np.array(gain, np.float32), np.array(slope, np.float32)

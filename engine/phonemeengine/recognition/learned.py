@@ -3,20 +3,24 @@
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.dsp.log_mel import N_BANDS, log_mels_of, silence_of
+from phonemeengine.arrays import Float32Array
+from phonemeengine.dsp.log_mel import N_BANDS, log_mels, silent_log_mels
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.network import Network
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import NO_SENSITIVITIES, SCORES, Sensitivity, shortfalls_of_scores, trace_of_scores
+from phonemeengine.recognition.scores import (
+    NO_SENSITIVITIES,
+    SCORES,
+    Sensitivity,
+    deficits_of_scores,
+    trace_of_scores,
+)
 from phonemeengine.recognition.trace import Trace
-from phonemeengine.recognition.vtln import TractJudge
+from phonemeengine.recognition.vtln import VtlnMixer
 from phonemeengine.settings import FRAME_PERIOD
-
-Block = NDArray[np.float32]
 
 NOTHING = Recognition(np.zeros(0, np.uint8), np.zeros((0, len(SCORES)), np.float32))
 """What is said of no frames."""
@@ -41,8 +45,8 @@ class LearnedRecogniser:
         self.look_ahead = min(int(look_ahead / FRAME_PERIOD + 1e-6), len(model.heads) - 1)
         self._head = model.heads[self.look_ahead]
         self._warps = model.warps
-        self._network = Network(model.layers, silence_of(len(model.warps)))
-        self._judge = TractJudge(len(model.warps))
+        self._network = Network(model.layers, silent_log_mels(len(model.warps)))
+        self._judge = VtlnMixer(len(model.warps))
         self._sensitivity = Sensitivity(sensitivities)
         self._n_early = self.look_ahead
 
@@ -50,7 +54,7 @@ class LearnedRecogniser:
         """Recognise the next frames; the answers are about those `look_ahead` frames before."""
         if not len(features.windows):
             return NOTHING
-        found = self._network.push(log_mels_of(features.windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
+        found = self._network.push(log_mels(features.windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
         if self._n_early:
             n_early = min(self._n_early, len(found))
             found, self._n_early = found[n_early:], self._n_early - n_early
@@ -59,18 +63,18 @@ class LearnedRecogniser:
         scores = self._sensitivity.apply(self._judge.mix(self._shares_of(found)))
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
 
-    def _shares_of(self, found: Block) -> Block:
+    def _shares_of(self, found: Float32Array) -> Float32Array:
         """Give how likely each phoneme is with each vocal tract, shape (n, n_warps, n_phonemes)."""
-        scores: Block = found.reshape(-1, found.shape[2]).dot(self._head.weights)
+        scores: Float32Array = found.reshape(-1, found.shape[2]).dot(self._head.weights)
         scores += self._head.bias
         scores -= np.maximum.reduce(scores, axis=1, keepdims=True)
         np.exp(scores, out=scores)
         scores /= np.add.reduce(scores, axis=1, keepdims=True)
         return scores.reshape(len(found), len(self._warps), -1)
 
-    def shortfalls(self, features: Features) -> Block | None:
+    def shortfalls(self, features: Features) -> Float32Array | None:
         """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
-        return shortfalls_of_scores(features)
+        return deficits_of_scores(features)
 
     def explain(self, features: Features, k: int) -> Trace:
         """Say how likely the likeliest phonemes of frame `k` are."""

@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import ModelError
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.npz import arrays_in
 from phonemeengine.recognition.network import TAPS, Layer
+from phonemeengine.recognition.npz import read_npz
 
 FORMAT = 1
 """The version of the file's layout; a newer one is refused."""
@@ -25,11 +26,9 @@ MOST_WARPS, LEAST_WARP, MOST_WARP = 8, 0.5, 2.0
 MOST_FRAMES_AHEAD = 5
 """Frames of 10 ms that the longest look-ahead has."""
 
-Block = NDArray[np.float32]
-
 
 @dataclass(frozen=True)
-class Head:
+class OutputHead:
     """Turns what the network found into a score for each phoneme.
 
     Attributes
@@ -38,8 +37,8 @@ class Head:
     bias : float32, shape (n_phonemes,).
     """
 
-    weights: Block
-    bias: Block
+    weights: Float32Array
+    bias: Float32Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,9 +57,9 @@ class Model:
     """
 
     layers: tuple[Layer, ...]
-    heads: tuple[Head, ...]
+    heads: tuple[OutputHead, ...]
     warps: tuple[float, ...] = (1.0,)
-    anchors: Block = field(default_factory=lambda: np.zeros((0, 0, N_BANDS), np.float32))
+    anchors: Float32Array = field(default_factory=lambda: np.zeros((0, 0, N_BANDS), np.float32))
     about: dict[str, Any] = field(default_factory=dict)
 
     @cached_property
@@ -74,7 +73,7 @@ class Model:
     def rounded(self) -> "Model":
         """Give the model with the precision of its file, so that saving it changes nothing."""
         layers = tuple(Layer(_halved(layer.weights), layer.bias, layer.dilation) for layer in self.layers)
-        heads = tuple(Head(_halved(h.weights), h.bias) for h in self.heads)
+        heads = tuple(OutputHead(_halved(h.weights), h.bias) for h in self.heads)
         return replace(self, layers=layers, heads=heads, anchors=_halved(self.anchors))
 
     def __eq__(self, other: object) -> bool:
@@ -118,7 +117,7 @@ def load_model(path: Path) -> Model:
                 f"{path.name}: a model is smaller than 8 MB, this has {path.stat().st_size / 1e6:.0f} MB; "
                 "choose another"
             )
-        return _model_of(arrays_in(path, LARGEST_FILE))
+        return _model_of(read_npz(path, LARGEST_FILE))
     except OSError as error:
         raise ModelError(
             f"{path.name}: the model cannot be read ({error.strerror}); put it beside its preset"
@@ -165,7 +164,7 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
             raise ModelError("its layers do not fit together; get it anew")
         width = len(bias)
     heads = tuple(
-        Head(
+        OutputHead(
             _checked(arrays[f"head_{k}_weights"], (width, len(Phoneme))),
             _checked(arrays[f"head_{k}_bias"], (len(Phoneme),)),
         )
@@ -182,11 +181,11 @@ def _warps_of(array: NDArray[Any]) -> tuple[float, ...]:
     return tuple(array.tolist())
 
 
-def _halved(array: Block) -> Block:
+def _halved(array: Float32Array) -> Float32Array:
     return array.astype(np.float16).astype(np.float32)
 
 
-def _checked(array: NDArray[Any], shape: tuple[int | None, ...]) -> Block:
+def _checked(array: NDArray[Any], shape: tuple[int | None, ...]) -> Float32Array:
     """Give an array as float32, after looking at its shape and its numbers."""
     fits = array.ndim == len(shape) and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True))
     if not fits or array.dtype.kind != "f" or array.size > MOST_CHANNELS**2 * TAPS or not np.all(np.isfinite(array)):

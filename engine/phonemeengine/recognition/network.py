@@ -9,9 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.lib.stride_tricks import as_strided
-from numpy.typing import NDArray
 
-Block = NDArray[np.float32]
+from phonemeengine.arrays import Float32Array
 
 TAPS = 3
 """Frames that a layer looks at."""
@@ -33,8 +32,8 @@ class Layer:
     dilation : frames from one tap to the next.
     """
 
-    weights: Block
-    bias: Block
+    weights: Float32Array
+    bias: Float32Array
     dilation: int
 
     @property
@@ -43,7 +42,7 @@ class Layer:
         return (TAPS - 1) * self.dilation
 
 
-class Delayed:
+class StreamingLayer:
     """One layer at work: remembers the frames that it looks back to.
 
     Parameters
@@ -53,7 +52,7 @@ class Delayed:
         worked on side by side.
     """
 
-    def __init__(self, layer: Layer, before: Block) -> None:
+    def __init__(self, layer: Layer, before: Float32Array) -> None:
         self._weights, self._bias = layer.weights, layer.bias
         self._reach, self._step = layer.reach, layer.dilation
         self._seen = np.empty((self._reach + ROOM, *before.shape), np.float32)
@@ -61,13 +60,13 @@ class Delayed:
         self._taps = _taps_of(self._seen, self._step)
         self._end = self._reach
 
-    def push(self, block: Block) -> Block:
+    def push(self, block: Float32Array) -> Float32Array:
         """Take the next frames, shape (n, ..., n_in), and give what it finds in them, shape (n, ..., n_out)."""
         found = self._few(block) if len(block) <= FEW else self._many(block)
         found += self._bias
         return np.maximum(found, ZERO, out=found)
 
-    def _few(self, block: Block) -> Block:
+    def _few(self, block: Float32Array) -> Float32Array:
         n, seen, end = len(block), self._seen, self._end
         if end + n > len(seen):
             seen[: self._reach] = seen[end - self._reach : end]
@@ -75,18 +74,18 @@ class Delayed:
         first, self._end = end - self._reach, end + n
         seen[end : end + n] = block
         taps = self._taps[first : first + n].reshape(-1, 1, len(self._weights))
-        found: Block = np.matmul(taps, self._weights)
+        found: Float32Array = np.matmul(taps, self._weights)
         return found.reshape(*block.shape[:-1], -1)
 
-    def _many(self, block: Block) -> Block:
+    def _many(self, block: Float32Array) -> Float32Array:
         n = len(block)
         seen = np.concatenate((self._seen[self._end - self._reach : self._end], block))
         self._seen[: self._reach], self._end = seen[n:], self._reach
-        found: Block = _taps_of(seen, self._step).reshape(-1, len(self._weights)).dot(self._weights)
+        found: Float32Array = _taps_of(seen, self._step).reshape(-1, len(self._weights)).dot(self._weights)
         return found.reshape(*block.shape[:-1], -1)
 
 
-def _taps_of(seen: Block, step: int) -> Block:
+def _taps_of(seen: Float32Array, step: int) -> Float32Array:
     """Give a view of frames in which those that an answer looks at lie beside each other, shape (n, ..., 3, n_in)."""
     n_answers, (frame, *lanes, value) = len(seen) - (TAPS - 1) * step, seen.strides
     shape = (n_answers, *seen.shape[1:-1], TAPS, seen.shape[-1])
@@ -99,14 +98,14 @@ class Network:
     Parameters
     ----------
     layers : the layers, the first one on the input.
-    before : the input before the sound began, shape (n_in,); or (n_lanes, n_in), see `Delayed`.
+    before : the input before the sound began, shape (n_in,); or (n_lanes, n_in), see `StreamingLayer`.
     """
 
-    def __init__(self, layers: tuple[Layer, ...], before: Block) -> None:
+    def __init__(self, layers: tuple[Layer, ...], before: Float32Array) -> None:
         nothing = np.zeros((*before.shape[:-1], len(layers[0].bias)), np.float32)
-        self._stack = [Delayed(layer, nothing if k else before) for k, layer in enumerate(layers)]
+        self._stack = [StreamingLayer(layer, nothing if k else before) for k, layer in enumerate(layers)]
 
-    def push(self, block: Block) -> Block:
+    def push(self, block: Float32Array) -> Float32Array:
         """Take the next frames, shape (n, ..., n_in), and give what the last layer makes of them, (n, ..., n_out)."""
         hidden = self._stack[0].push(block)
         for layer in self._stack[1:]:

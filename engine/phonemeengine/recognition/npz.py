@@ -21,7 +21,7 @@ MOST_ARRAYS = 1024
 PACKED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
 
 
-def arrays_in(path: Path, largest: int) -> dict[str, NDArray[Any]]:
+def read_npz(path: Path, largest: int) -> dict[str, NDArray[Any]]:
     """Read all arrays of an archive; those that NumPy's `savez` wrote, with numbers in them.
 
     Parameters

@@ -20,7 +20,7 @@ from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.trace import Comparison, Trace
+from phonemeengine.recognition.trace import RuleComparison, Trace
 
 GROUP = "phonemeanalyser.recognisers"
 """The group of entry points in which packages offer recognisers."""
@@ -149,9 +149,9 @@ def _checked(trace: Any) -> Trace:
     return Trace(Phoneme(trace.phoneme), str(trace.rule), tuple(_comparisons(trace.comparisons)))
 
 
-def _comparisons(comparisons: Iterable[Any]) -> Iterable[Comparison]:
+def _comparisons(comparisons: Iterable[Any]) -> Iterable[RuleComparison]:
     for c in comparisons:
-        yield Comparison(
+        yield RuleComparison(
             rule=str(c.rule),
             variable=str(c.variable),
             value=float(c.value),

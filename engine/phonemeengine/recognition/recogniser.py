@@ -4,9 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import PresetError, RecogniserError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
@@ -22,7 +20,7 @@ from phonemeengine.recognition.trace import Trace
 
 
 @dataclass(frozen=True)
-class Tuning:
+class RecogniserConfig:
     """All that a recogniser may be made from.
 
     Attributes
@@ -68,7 +66,7 @@ class Recogniser(Protocol):
         """
         ...
 
-    def shortfalls(self, features: Features) -> NDArray[np.float32] | None:
+    def shortfalls(self, features: Features) -> Float32Array | None:
         """Say by how much each phoneme falls short of being named, shape (n_frames, n_phonemes), or None."""
         ...
 
@@ -77,14 +75,14 @@ class Recogniser(Protocol):
         ...
 
 
-RECOGNISERS: dict[str, Callable[[Tuning], Recogniser]] = {
+RECOGNISERS: dict[str, Callable[[RecogniserConfig], Recogniser]] = {
     "thesis": lambda tuning: ThesisRules(tuning.thresholds),
     "learned": lambda tuning: LearnedRecogniser(_model_of(tuning), tuning.look_ahead, tuning.sensitivities),
     "rules": lambda tuning: RuleRecogniser(tuning.rules, tuning.thresholds),
     "templates": lambda tuning: TemplateRecogniser(_templates_of(tuning), tuning.sensitivities),
 }
 """The recognisers that come with the program; no other package can take their names."""
-HEARERS = frozenset({"learned", "templates"})
+NEED_WAVEFORM = frozenset({"learned", "templates"})
 """Those that listen to the windows themselves, and need no variables."""
 
 
@@ -97,7 +95,7 @@ def takes_own_variables(name: str) -> bool:
     return name == "rules" or name not in RECOGNISERS
 
 
-def _model_of(tuning: Tuning) -> Model:
+def _model_of(tuning: RecogniserConfig) -> Model:
     if tuning.model is None:
         raise PresetError(
             "the recogniser 'learned' needs a model, and this preset names none; begin with the preset learned.toml"
@@ -105,7 +103,7 @@ def _model_of(tuning: Tuning) -> Model:
     return tuning.model
 
 
-def _templates_of(tuning: Tuning) -> Templates:
+def _templates_of(tuning: RecogniserConfig) -> Templates:
     if tuning.templates is None:
         raise PresetError(
             "the recogniser 'templates' needs templates, and this preset has none; begin with the preset "
@@ -140,7 +138,7 @@ def check_recogniser(name: str) -> None:
         raise RecogniserError(f"the recogniser {name!r} is offered twice, by {packages}; uninstall one of them")
 
 
-def recogniser_of(name: str, tuning: Tuning) -> Recogniser:
+def recogniser_of(name: str, tuning: RecogniserConfig) -> Recogniser:
     """Give the recogniser that a preset names; one of another package is made when it is first asked.
 
     Raises

@@ -2,8 +2,7 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
+from phonemeengine.arrays import Float32Array, UInt8Array
 
 
 @dataclass(frozen=True)
@@ -17,5 +16,5 @@ class Recognition:
         names none.
     """
 
-    phonemes: NDArray[np.uint8]
-    scores: NDArray[np.float32] | None = None
+    phonemes: UInt8Array
+    scores: Float32Array | None = None

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, IndexArray
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.trace import Comparison, Trace
+from phonemeengine.recognition.trace import RuleComparison, Trace
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ RULES: tuple[Rule, ...] = (
 CONDITIONS: tuple[Condition, ...] = tuple(dict.fromkeys(c for rule in RULES for c in rule.conditions))
 """Every comparison of the thesis rules once."""
 
-OTHERWISE = Rule(Phoneme.UNIDENTIFIED, ())
+DEFAULT_RULE = Rule(Phoneme.UNIDENTIFIED, ())
 """What fires where no other rule does."""
 
 _SIGNS = {">": 1, "<": -1}
@@ -100,7 +100,7 @@ class RuleRecogniser:
     scores: tuple[str, ...] = ()
 
     def __init__(self, rules: Sequence[Rule], thresholds: Thresholds) -> None:
-        self._rules = (*rules, OTHERWISE)
+        self._rules = (*rules, DEFAULT_RULE)
         self._conditions = tuple(dict.fromkeys(c for rule in rules for c in rule.conditions))
         self._limits_of = {c: _limit_of(c, thresholds) for c in self._conditions}
         self._asked = self._columns_of_rules()
@@ -132,7 +132,7 @@ class RuleRecogniser:
         failures = (self._compared(features) <= self._limits).dot(self._members)
         return Recognition(self._phonemes[failures.argmin(axis=1)])
 
-    def shortfalls(self, features: Features) -> NDArray[np.float32]:
+    def shortfalls(self, features: Features) -> Float32Array:
         """Say how much the limits would have to give way until each phoneme is named, as a share of them.
 
         For a rule to fire, its own comparisons must hold, and of each rule before it one must fail; the phoneme that
@@ -154,13 +154,13 @@ class RuleRecogniser:
         A frame on which a variable of the rules was not measured yet is unidentified without comparisons.
         """
         if not {c.variable for c in self._conditions} <= set(features.names):
-            return Trace(OTHERWISE.phoneme, OTHERWISE.phoneme.label, ())
+            return Trace(DEFAULT_RULE.phoneme, DEFAULT_RULE.phoneme.label, ())
         row = Features(features.names, features.values[k : k + 1])
         margins = (self._compared(row) - self._limits)[0]
         fired = int((margins <= 0).dot(self._members).argmin())
         values, of_condition = row.frame(0), dict(zip(self._conditions, margins.tolist(), strict=True))
         comparisons = tuple(
-            Comparison(
+            RuleComparison(
                 rule=self._labels[number],
                 variable=c.variable,
                 value=values[c.variable],
@@ -174,7 +174,7 @@ class RuleRecogniser:
         )
         return Trace(self._rules[fired].phoneme, self._labels[fired], comparisons)
 
-    def _columns_of_rules(self) -> NDArray[np.intp]:
+    def _columns_of_rules(self) -> IndexArray:
         """Give the conditions of each rule by number, shape (n_rules, n_asked); the last number always holds."""
         numbers = {c: k for k, c in enumerate(self._conditions)}
         columns = np.full((len(self._rules), max(1, *(len(r.conditions) for r in self._rules))), len(numbers))
@@ -188,7 +188,7 @@ class RuleRecogniser:
         same = [k for k, rule in enumerate(self._rules) if rule.phoneme is phoneme]
         return phoneme.label if len(same) == 1 else f"{phoneme.label} {same.index(number) + 1}"
 
-    def _compared(self, features: Features) -> NDArray[np.float32]:
+    def _compared(self, features: Features) -> Float32Array:
         """What must exceed the limits for a comparison to hold: values, those of `<` with their sign turned.
 
         Shape (n_frames, n_conditions).
@@ -199,7 +199,7 @@ class RuleRecogniser:
             for k, c in enumerate(self._conditions):
                 self._signed[features.names.index(c.variable), k] = _SIGNS[c.sign]
             self._limits = np.array([[_SIGNS[c.sign] * self._limits_of[c] for c in self._conditions]], np.float32)
-        compared: NDArray[np.float32] = features.values.dot(self._signed)
+        compared: Float32Array = features.values.dot(self._signed)
         return compared
 
 

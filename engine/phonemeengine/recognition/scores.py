@@ -8,17 +8,16 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import SCORES
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.trace import Comparison, Trace
+from phonemeengine.recognition.trace import RuleComparison, Trace
 
-__all__ = ["SCORES", "Sensitivity", "check_sensitivities", "scores_in", "shortfalls_of_scores", "trace_of_scores"]
+__all__ = ["SCORES", "Sensitivity", "check_sensitivities", "deficits_of_scores", "scores_in", "trace_of_scores"]
 
-Block = NDArray[np.float32]
 
 N_NEAREST = 5
 """How many phonemes a trace compares."""
@@ -41,7 +40,7 @@ class Sensitivity:
         self._factors = np.exp([sensitivities.get(p, 0.0) for p in Phoneme]).astype(np.float32)
         self._acts = bool((self._factors != 1).any())
 
-    def apply(self, scores: Block) -> Block:
+    def apply(self, scores: Float32Array) -> Float32Array:
         """Return the probabilities, shape (n_frames, n_phonemes), with the sensitivities; each frame adds up to 1."""
         if not self._acts:
             return scores
@@ -69,7 +68,7 @@ LEAST_PROBABILITY = 1e-9
 """Below it a logarithm means nothing: float32 probabilities add up to 1 within some 1e-7."""
 
 
-def deficits_of(scores: Block, phoneme: Phoneme) -> Block:
+def deficits_of(scores: Float32Array, phoneme: Phoneme) -> Float32Array:
     """Return by how much a phoneme falls short of the likeliest other one, shape (n_frames,), in nats of log-odds.
 
     Where it is below 0 the phoneme is named; a sensitivity above it would have named it.
@@ -80,11 +79,11 @@ def deficits_of(scores: Block, phoneme: Phoneme) -> Block:
     phoneme : which one.
     """
     logs = np.log(np.maximum(scores, np.float32(LEAST_PROBABILITY)))
-    deficits: Block = np.delete(logs, phoneme, axis=1).max(axis=1) - logs[:, phoneme]
+    deficits: Float32Array = np.delete(logs, phoneme, axis=1).max(axis=1) - logs[:, phoneme]
     return deficits
 
 
-def scores_in(features: Features) -> NDArray[np.float32] | None:
+def scores_in(features: Features) -> Float32Array | None:
     """Give the columns of the scores, shape (n_frames, n_phonemes), or None where nobody has measured them yet."""
     if SCORES[0] not in features.names:
         return None
@@ -92,12 +91,12 @@ def scores_in(features: Features) -> NDArray[np.float32] | None:
     return features.values[:, first : first + len(SCORES)]
 
 
-def shortfalls_of_scores(features: Features) -> NDArray[np.float32] | None:
+def deficits_of_scores(features: Features) -> Float32Array | None:
     """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
     scores = scores_in(features)
     if scores is None:
         return None
-    shortfalls: NDArray[np.float32] = scores.max(axis=1, keepdims=True) - scores
+    shortfalls: Float32Array = scores.max(axis=1, keepdims=True) - scores
     return shortfalls
 
 
@@ -115,6 +114,6 @@ def trace_of_scores(features: Features, k: int) -> Trace:
     return Trace(best, best.label, tuple(_compared(row, p, order[1] if p is best else best) for p in order))
 
 
-def _compared(row: NDArray[np.float32], phoneme: Phoneme, rival: Phoneme) -> Comparison:
+def _compared(row: Float32Array, phoneme: Phoneme, rival: Phoneme) -> RuleComparison:
     value, limit = float(row[phoneme]), float(row[rival])
-    return Comparison(phoneme.label, SCORES[phoneme], value, ">", SCORES[rival], limit, value - limit)
+    return RuleComparison(phoneme.label, SCORES[phoneme], value, ">", SCORES[rival], limit, value - limit)

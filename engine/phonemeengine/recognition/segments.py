@@ -4,18 +4,16 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
-RUN_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
+SEGMENT_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
 """The columns of a table of runs."""
 
 
 @dataclass(frozen=True)
-class Run:
+class Segment:
     """A stretch of one phoneme: seconds from the sound's beginning, and its mean intensity 0..1."""
 
     start: float
@@ -26,16 +24,16 @@ class Run:
     def row(self) -> dict[str, Any]:
         """Give it as a row of a table, in seconds to the microsecond."""
         values = (round(self.start, 6), round(self.end, 6), self.phoneme.label, round(self.intensity, 3))
-        return dict(zip(RUN_COLUMNS, values, strict=True))
+        return dict(zip(SEGMENT_COLUMNS, values, strict=True))
 
 
-class RunJoiner:
+class SegmentBuilder:
     """Joins equal frames into runs, as the frames come."""
 
     def __init__(self) -> None:
         self._code, self._first, self._frame, self._total = -1, 0, 0, 0.0
 
-    def push(self, phonemes: NDArray[np.uint8], intensities: NDArray[np.float32]) -> list[Run]:
+    def push(self, phonemes: UInt8Array, intensities: Float32Array) -> list[Segment]:
         """Take the next frames, both of shape (n_frames,), and give the runs that ended."""
         runs = []
         for code, intensity in zip(phonemes.tolist(), intensities.tolist(), strict=True):
@@ -47,16 +45,16 @@ class RunJoiner:
             self._frame += 1
         return runs
 
-    def finish(self, duration: float) -> list[Run]:
+    def finish(self, duration: float) -> list[Segment]:
         """Give the run that is still open, which ends where the sound does, at `duration` seconds."""
         return [self._run(duration)] if self._frame > self._first else []
 
-    def _run(self, end: float) -> Run:
+    def _run(self, end: float) -> Segment:
         mean = self._total / (self._frame - self._first)
-        return Run(self._first * FRAME_PERIOD, end, Phoneme(self._code), mean)
+        return Segment(self._first * FRAME_PERIOD, end, Phoneme(self._code), mean)
 
 
-def runs_of(blocks: Iterable[tuple[NDArray[np.uint8], NDArray[np.float32]]], duration: float) -> Iterator[Run]:
+def segments_of(blocks: Iterable[tuple[UInt8Array, Float32Array]], duration: float) -> Iterator[Segment]:
     """Join equal frames into runs that cover a sound from 0 to its end without gaps.
 
     Parameters
@@ -64,7 +62,7 @@ def runs_of(blocks: Iterable[tuple[NDArray[np.uint8], NDArray[np.float32]]], dur
     blocks : phonemes and intensities of consecutive blocks of frames, each of shape (n_frames,).
     duration : seconds of the whole sound, where the last run ends.
     """
-    joiner = RunJoiner()
+    joiner = SegmentBuilder()
     for phonemes, intensities in blocks:
         yield from joiner.push(phonemes, intensities)
     yield from joiner.finish(duration)

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -36,7 +36,7 @@ UNREPLACED: Mapping[Phoneme, Phoneme] = MappingProxyType(dict.fromkeys(Phoneme, 
 """The table that leaves unidentified frames alone, for recognisers who know what is another sound."""
 
 
-class Statistics:
+class PhonemeSmoother:
     """Calms a stream of phonemes; looks only back.
 
     Parameters
@@ -56,11 +56,11 @@ class Statistics:
         self._steady = int(Phoneme.SILENCE)
         self._held = self._least
 
-    def wavers(self, phonemes: NDArray[np.uint8]) -> bool:
+    def wavers(self, phonemes: UInt8Array) -> bool:
         """Say whether hysteresis has anything to decide about the next phonemes: mostly none changes."""
         return self.hysteresis > 0 and bool((phonemes != self._steady).any())
 
-    def push(self, phonemes: NDArray[np.uint8], shortfalls: NDArray[np.float32] | None = None) -> NDArray[np.uint8]:
+    def push(self, phonemes: UInt8Array, shortfalls: Float32Array | None = None) -> UInt8Array:
         """Take the next phonemes, shape (n_frames,), and give the calmed ones.
 
         `shortfalls` says by how much each phoneme falls short of being named, shape (n_frames, n_phonemes); without
@@ -70,7 +70,7 @@ class Statistics:
             phonemes = self._steadied(phonemes.tolist(), (shortfalls <= self.hysteresis).tolist())
         return self._held_on(phonemes)
 
-    def _steadied(self, phonemes: list[int], may_stay: list[list[bool]]) -> NDArray[np.uint8]:
+    def _steadied(self, phonemes: list[int], may_stay: list[list[bool]]) -> UInt8Array:
         steady, out = self._steady, []
         for raw, stays in zip(phonemes, may_stay, strict=True):
             steady = steady if stays[steady] else raw
@@ -78,7 +78,7 @@ class Statistics:
         self._steady = steady
         return np.array(out, np.uint8)
 
-    def _held_on(self, phonemes: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    def _held_on(self, phonemes: UInt8Array) -> UInt8Array:
         current, held, identified = self._current, self._held, self._identified
         unidentified = int(Phoneme.UNIDENTIFIED)
         out = []

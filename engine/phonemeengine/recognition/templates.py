@@ -5,26 +5,30 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.cepstra import N_CEPSTRA, cepstra_of
-from phonemeengine.dsp.log_mel import log_mels_of
+from phonemeengine.dsp.log_mel import log_mels
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import LARGEST
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import NO_SENSITIVITIES, SCORES, Sensitivity, shortfalls_of_scores, trace_of_scores
+from phonemeengine.recognition.scores import (
+    NO_SENSITIVITIES,
+    SCORES,
+    Sensitivity,
+    deficits_of_scores,
+    trace_of_scores,
+)
 from phonemeengine.recognition.trace import Trace
 
-WITHOUT = (Phoneme.SILENCE, Phoneme.UNIDENTIFIED)
+UNTEMPLATED = (Phoneme.SILENCE, Phoneme.UNIDENTIFIED)
 """What has no template."""
 SOFTNESS = 3.0
 """By how much the squared distance grows, in squared spreads, where a phoneme is e times less likely."""
 RAMP = 1.5
 """Decibels around the level of silence over which silence becomes e times less likely."""
-
-Block = NDArray[np.float32]
 
 
 @dataclass(frozen=True)
@@ -53,7 +57,7 @@ class Templates:
             )
         for name, row in {**{p.label: row for p, row in self.means.items()}, "spread": self.spread}.items():
             _check_row(name, row)
-        for phoneme in WITHOUT:
+        for phoneme in UNTEMPLATED:
             if phoneme in self.means:
                 raise SettingsError(f"{phoneme.label} has no template; leave it out")
         if min(self.spread) <= 0:
@@ -84,7 +88,7 @@ class TemplateRecogniser:
 
     def recognise(self, features: Features) -> Recognition:
         """Recognise a block."""
-        log_mels = log_mels_of(features.windows)
+        log_mels = log_mels(features.windows)
         scores = np.zeros((len(log_mels), len(Phoneme)), np.float32)
         loud = 1 / (1 + np.exp(np.clip((self._silence_below - levels_of(log_mels)) / RAMP, -60, 60)))
         scores[:, self._phonemes] = self._likenesses(cepstra_of(log_mels)) * loud[:, np.newaxis]
@@ -92,19 +96,19 @@ class TemplateRecogniser:
         scores = self._sensitivity.apply(scores)
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
 
-    def shortfalls(self, features: Features) -> Block | None:
+    def shortfalls(self, features: Features) -> Float32Array | None:
         """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
-        return shortfalls_of_scores(features)
+        return deficits_of_scores(features)
 
     def explain(self, features: Features, k: int) -> Trace:
         """Say how likely the nearest phonemes of frame `k` are."""
         return trace_of_scores(features, k)
 
-    def _likenesses(self, cepstra: Block) -> Block:
+    def _likenesses(self, cepstra: Float32Array) -> Float32Array:
         """Turn distances from the templates into shares of 1, shape (n_frames, n_templates)."""
         places = (cepstra * self._scale)[:, np.newaxis]
         distances = ((places - self._means) ** 2).sum(axis=2)
-        likenesses: Block = np.exp((distances.min(axis=1, keepdims=True) - distances) / np.float32(SOFTNESS))
+        likenesses: Float32Array = np.exp((distances.min(axis=1, keepdims=True) - distances) / np.float32(SOFTNESS))
         likenesses /= likenesses.sum(axis=1, keepdims=True)
         return likenesses
 
@@ -117,20 +121,20 @@ def _check_row(name: str, row: tuple[float, ...]) -> None:
             raise SettingsError(f"{name} must hold finite numbers within ±3.4e38 in templates, got {value}")
 
 
-def levels_of(log_mels: Block) -> Block:
+def levels_of(log_mels: Float32Array) -> Float32Array:
     """Give the level of frames from the logarithms of their mel powers, dB, shape (n_frames,).
 
     A full-scale sine has about 0 dB; digital silence some -94 dB.
     """
-    levels: Block = 10 * np.log10((10**log_mels).sum(axis=1))
+    levels: Float32Array = 10 * np.log10((10**log_mels).sum(axis=1))
     return levels
 
 
-def rounded_templates(means: Mapping[Phoneme, Block], spread: Block, silence_below: float) -> Templates:
+def rounded_templates(means: Mapping[Phoneme, Float32Array], spread: Float32Array, silence_below: float) -> Templates:
     """Give templates with few digits, as a file shows them."""
     rows = {phoneme: _rounded(mean) for phoneme, mean in means.items()}
     return Templates(rows, _rounded(np.maximum(spread, 1e-3)), float(math.floor(10 * silence_below) / 10))
 
 
-def _rounded(values: Block) -> tuple[float, ...]:
+def _rounded(values: Float32Array) -> tuple[float, ...]:
     return tuple(round(float(value), 4) for value in values)

@@ -6,7 +6,7 @@ from phonemeengine.phonemes import Phoneme
 
 
 @dataclass(frozen=True)
-class Comparison:
+class RuleComparison:
     """One question that a recogniser asked of a frame.
 
     Attributes
@@ -33,4 +33,4 @@ class Trace:
 
     phoneme: Phoneme
     rule: str
-    comparisons: tuple[Comparison, ...]
+    comparisons: tuple[RuleComparison, ...]

@@ -8,12 +8,10 @@ Processing 6(1), 1998). What they say is mixed; those that were sure count more.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
-
-Block = NDArray[np.float32]
 
 MEMORY = 10.0
 """Seconds over which sureness is remembered, so that another speaker may come."""
@@ -24,7 +22,7 @@ again and again."""
 _KEPT = math.exp(-FRAME_PERIOD / MEMORY)
 
 
-class TractJudge:
+class VtlnMixer:
     """Mixes what was heard with several vocal tracts, and remembers which of them were sure.
 
     Parameters
@@ -35,14 +33,14 @@ class TractJudge:
     def __init__(self, n_tracts: int) -> None:
         self._evidence = [0.0] * n_tracts
 
-    def mix(self, shares: Block) -> Block:
+    def mix(self, shares: Float32Array) -> Float32Array:
         """Take the probabilities of the next frames, shape (n, n_tracts, n_phonemes); gives (n, n_phonemes)."""
         if shares.shape[1] == 1:
             return shares[:, 0]
         sure = np.maximum.reduce(shares, axis=2).tolist()
         silent = shares[:, :, Phoneme.SILENCE].tolist()
         weights = np.array([self._weigh(*frame) for frame in zip(sure, silent, strict=True)], np.float32)
-        mixed: Block = np.matmul(weights[:, np.newaxis], shares)
+        mixed: Float32Array = np.matmul(weights[:, np.newaxis], shares)
         return mixed[:, 0]
 
     def _weigh(self, sure: list[float], silent: list[float]) -> list[float]:

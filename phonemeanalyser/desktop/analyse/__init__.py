@@ -1,1 +1,1 @@
-""" """
+"""The Analyse page: plots, filters, thresholds and transport."""

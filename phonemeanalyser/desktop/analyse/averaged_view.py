@@ -4,17 +4,17 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from numpy.typing import NDArray
+from phonemeengine.arrays import Float64Array
+from phonemeengine.averaged_spectrum import AveragedSpectrum
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
-from phonemeengine.averaged_spectrum import Curve
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
+from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
 from phonemeanalyser.desktop.session.averages import AveragesModel
 from phonemeanalyser.desktop.theme import CURVE_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.plot import switch
-from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
+from phonemeanalyser.desktop.widgets.plot import toggle_button
 
 TIP = (
     "The mean of all spectra that were heard since Play, Record or Clear; when other filters are heard, a new mean "
@@ -70,7 +70,7 @@ class AveragedView(SpectrumView):
         self._entries = QHBoxLayout(self._legend)
         self._names: list[LegendEntry] = []
         self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"), movable=False)
-        self.measure = switch(
+        self.measure = toggle_button(
             "variable",
             "Mark a range of frequencies as a variable of your own (V): drag anywhere in the plot",
         )
@@ -91,7 +91,7 @@ class AveragedView(SpectrumView):
         ):
             label.setText(curve.name if np.isnan(distance) else f"{curve.name} Δ {distance:.1f} dB")
 
-    def _tell_since(self, current: Curve) -> None:
+    def _tell_since(self, current: AveragedSpectrum) -> None:
         seconds = current.n_frames * FRAME_PERIOD
         text = f"mean of {seconds:.1f} s since {current.since.partition(' at ')[0]}" if current.n_frames else ""
         if text != self._since.text():
@@ -100,7 +100,7 @@ class AveragedView(SpectrumView):
             of = f"<p>Now: {_told(current)}</p>" if current.n_frames else ""
             self.heading.setToolTip(f"<p>{TIP}.</p>{of}")
 
-    def _columns(self) -> dict[str, NDArray[np.float64]]:
+    def _columns(self) -> dict[str, Float64Array]:
         curves, columns = self._averages.curves, super()._columns()
         finest = max([columns["frequency (Hz)"], *(c.frequencies for c in curves)], key=len)
         short = len(finest) - len(self._amplitudes)
@@ -192,6 +192,6 @@ class AveragedView(SpectrumView):
         return label
 
 
-def _told(curve: Curve) -> str:
+def _told(curve: AveragedSpectrum) -> str:
     since = f" since {curve.since}" if curve.since else ""
     return f"{curve.n_frames} frames{since}; {curve.front_end}"

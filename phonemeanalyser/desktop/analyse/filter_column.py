@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from phonemeengine.presets.controls import unused_settings
+from phonemeengine.settings import LIMITS, QUANTISATIONS, SAMPLE_RATE, Decimation, Filter, WindowFunction
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -18,11 +20,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeengine.presets.controls import unused_settings
-from phonemeengine.settings import LIMITS, QUANTISATIONS, SAMPLE_RATE, Decimation, Filter, WindowFunction
 from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS, PresetModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.key_filters import KeysOfNumbers
+from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 
 
@@ -218,7 +218,7 @@ class FilterColumn(QScrollArea):
             widget.setSingleStep(field.step)
             widget.setSuffix(f" {unit}" if unit else "")
             widget.setKeyboardTracking(False)
-            widget.installEventFilter(KeysOfNumbers(widget))
+            widget.installEventFilter(NumberFieldKeys(widget))
             widget.valueChanged.connect(lambda value: self._edit(name, value))
             widget.editingFinished.connect(self._preset.end_edit)
         widget.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)

@@ -4,14 +4,14 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QAbstractButton, QSplitter
 
+from phonemeanalyser.desktop.analyse.averaged_view import AveragedView
+from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
+from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
+from phonemeanalyser.desktop.analyse.waveform_view import WaveformView
 from phonemeanalyser.desktop.session.history import shown_spectra
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.analyse.averaged_view import AveragedView
-from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
-from phonemeanalyser.desktop.analyse.scroll_view import TimeView
-from phonemeanalyser.desktop.analyse.waveform_view import WaveformView
 
 
 class AnalysisPage(QSplitter):
@@ -35,7 +35,7 @@ class AnalysisPage(QSplitter):
         self.spectrum = SpectrumView("Spectrum", tip, theme)
         self.averaged = AveragedView(session.averages, theme)
         self.waveform = WaveformView(theme)
-        self.time_view = TimeView(session.history, preset, theme)
+        self.time_view = ScrollView(session.history, preset, theme)
         self.spectra = QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()
         for view in (self.spectrum, self.averaged, self.waveform, self.time_view):

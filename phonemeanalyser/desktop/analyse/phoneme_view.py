@@ -2,13 +2,13 @@
 
 from typing import Any
 
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.trace import RuleComparison, Trace
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.trace import Comparison, Trace
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, set_size, write
+from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, set_size
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 
@@ -87,7 +87,7 @@ class PhonemeView(QWidget):
         painter.fillRect(box, QColor(colour.red(), colour.green(), colour.blue(), 50))
         painter.fillRect(QRectF(box.left(), box.top(), 5, box.height()), colour)
         name = "nothing comes" if self.deaf else self.phoneme.label
-        write(painter, box, name, self._theme.text, 42 if len(name) < 4 else 30, CENTRED)
+        draw_text(painter, box, name, self._theme.text, 42 if len(name) < 4 else 30, CENTRED)
 
     def _paint_intensity(self, painter: QPainter, box: QRectF) -> None:
         painter.fillRect(box, QColor(self._theme.raised))
@@ -95,16 +95,16 @@ class PhonemeView(QWidget):
         accent = QColor(self._theme.accent)
         painter.fillRect(bar, QColor(accent.red(), accent.green(), accent.blue(), 110))
         inner = box.adjusted(5, 0, -5, 0)
-        write(painter, inner, f"intensity {self.intensity:.2f}", self._theme.text, 10)
+        draw_text(painter, inner, f"intensity {self.intensity:.2f}", self._theme.text, 10)
         if self.changes is not None:
-            write(painter, inner, f"{self.changes:.1f} changes/s", self._theme.text, 10, AT_RIGHT)
+            draw_text(painter, inner, f"{self.changes:.1f} changes/s", self._theme.text, 10, AT_RIGHT)
 
     def _paint_meters(self, painter: QPainter, box: QRectF) -> None:
         cell = box.width() / len(METERS)
         for k, (name, _, _) in enumerate(METERS):
             place = QRectF(box.left() + k * cell, box.top(), cell, box.height())
-            write(painter, place.adjusted(0, 0, 0, -16), name, self._theme.faint, 10)
-            write(painter, place.adjusted(0, 14, 0, 0), self.meters.get(name, "–"), self._theme.text, 14)
+            draw_text(painter, place.adjusted(0, 0, 0, -16), name, self._theme.faint, 10)
+            draw_text(painter, place.adjusted(0, 14, 0, 0), self.meters.get(name, "–"), self._theme.text, 14)
 
     def _paint_trace(self, painter: QPainter, trace: Trace, line: QRectF) -> None:
         rows = rows_of(trace)
@@ -114,27 +114,29 @@ class PhonemeView(QWidget):
         for comparison, asked, fired in rows:
             colour = self._theme.text if fired else self._theme.faint
             mark = self._theme.good if comparison.margin > 0 else self._theme.bad
-            write(painter, line, "✓" if comparison.margin > 0 else "✗", mark, 11)
+            draw_text(painter, line, "✓" if comparison.margin > 0 else "✗", mark, 11)
             words = QRectF(line.left() + indent, line.top(), line.width() - indent - MARGIN_WIDTH, ROW)
-            write(painter, QRectF(line.left() + MARK_WIDTH, line.top(), indent - MARK_WIDTH, ROW), asked, colour, 11)
-            write(painter, words, _words(comparison), colour, 11)
-            write(painter, line, _signed(comparison.margin), mark, 11, AT_RIGHT)
+            draw_text(
+                painter, QRectF(line.left() + MARK_WIDTH, line.top(), indent - MARK_WIDTH, ROW), asked, colour, 11
+            )
+            draw_text(painter, words, _words(comparison), colour, 11)
+            draw_text(painter, line, _signed(comparison.margin), mark, 11, AT_RIGHT)
             line = line.translated(0, ROW)
         if not trace.comparisons:
-            write(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), trace.rule, self._theme.text, 11)
+            draw_text(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), trace.rule, self._theme.text, 11)
             line = line.translated(0, ROW)
         if self.recognised is not self.phoneme:
             calmed = f"statistics: {self.recognised.label} → {self.phoneme.label}"
-            write(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), calmed, self._theme.accent, 11)
+            draw_text(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), calmed, self._theme.accent, 11)
 
 
-def rows_of(trace: Trace) -> list[tuple[Comparison, str, bool]]:
+def rows_of(trace: Trace) -> list[tuple[RuleComparison, str, bool]]:
     """Give a line for each rule that failed (its first failed comparison) and all of the one that fired.
 
     Where these are more than there is room for, only those rules are told that failed by the least share of a limit,
     each with the comparison that failed by the most.
     """
-    failed: dict[str, list[Comparison]] = {}
+    failed: dict[str, list[RuleComparison]] = {}
     for comparison in trace.comparisons:
         if comparison.rule != trace.rule and comparison.margin <= 0:
             failed.setdefault(comparison.rule, []).append(comparison)
@@ -148,11 +150,11 @@ def rows_of(trace: Trace) -> list[tuple[Comparison, str, bool]]:
     return [(c, rule, fired) for c, rule, fired in rows if fired or told.get(rule) is c][:N_ROWS]
 
 
-def _share(comparison: Comparison) -> float:
+def _share(comparison: RuleComparison) -> float:
     return comparison.margin / max(abs(comparison.limit), 1e-9)
 
 
-def _words(comparison: Comparison) -> str:
+def _words(comparison: RuleComparison) -> str:
     """Say what was compared; a variable that ends with its rule's name, such as `p_silence`, need not repeat it."""
     variable = comparison.variable.removesuffix(f"_{comparison.rule}")
     return f"{variable} {_short(comparison.value)} {comparison.sign} {_short(comparison.limit)}"

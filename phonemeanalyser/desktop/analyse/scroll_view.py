@@ -7,6 +7,10 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
+from phonemeengine.arrays import Float32Array
+from phonemeengine.features.variables import BUILT_IN_NAMES, unit_of
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import (
     QComboBox,
@@ -18,18 +22,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeengine.features.variables import BUILT_IN_NAMES, unit_of
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
+from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, SPAN, PhonemeLane, SonagramItem, colours_of
 from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.colour_bar import ColourBar
-from phonemeanalyser.desktop.widgets.key_filters import KeysOfNumbers
+from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
-from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, switch
+from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
-from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, SPAN, PhonemeLane, SonagramItem, colours_of
 
 LANE_HEIGHT = 22
 COURSE_HEIGHT = 110
@@ -37,7 +38,7 @@ AXIS_WIDTH = 52
 SECONDS_SHOWN = 6.0
 
 
-class TimeView(QWidget):
+class ScrollView(QWidget):
     """Three plots over the same seconds before now; 0 is what is heard."""
 
     def __init__(self, history: History, preset: PresetModel, theme: Theme) -> None:
@@ -52,7 +53,7 @@ class TimeView(QWidget):
         self._limits: list[pg.InfiniteLine] = []
         self._course_range = (0.0, 0.0)
         self._n_bins = 0
-        self.decibels = switch("dB", "Brightness in dB, or linear")
+        self.decibels = toggle_button("dB", "Brightness in dB, or linear")
         self.low, self.high = NumberField(), NumberField()
         self.colours = QComboBox()
         self.variable = QComboBox()
@@ -153,7 +154,7 @@ class TimeView(QWidget):
             box.setRange(-120, 0)
             box.setValue(value)
             box.setSuffix(" dB")
-            box.installEventFilter(KeysOfNumbers(box))
+            box.installEventFilter(NumberFieldKeys(box))
             box.setToolTip(tip)
         self.colours.addItems(COLOUR_MAPS)
         self.colours.setToolTip("Colour map")
@@ -258,7 +259,7 @@ class TimeView(QWidget):
         self._course.setData((np.arange(len(at)) - len(at) + 0.5) * FRAME_PERIOD, values, connect="finite")
         self._fit_course(name, values)
 
-    def _fit_course(self, name: str, drawn: NDArray[np.float32]) -> None:
+    def _fit_course(self, name: str, drawn: Float32Array) -> None:
         highest, _, lowest = self._history.extremes(name) or (0.0, 0.0, 0.0)
         wanted = (float(np.fmin.reduce(drawn, initial=min(0.0, lowest))),
                   _round_up(float(np.fmax.reduce(drawn, initial=highest))))  # fmt: skip

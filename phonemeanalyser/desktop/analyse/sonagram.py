@@ -5,11 +5,12 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
+from phonemeengine.arrays import UInt8Array, UInt32Array
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.session.history import CAPACITY, MOST_BINS, NOWHERE, History
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
@@ -23,7 +24,7 @@ LETTER = 8
 """Pixels of a letter."""
 
 
-def colours_of(name: str) -> NDArray[np.uint32]:
+def colours_of(name: str) -> UInt32Array:
     """Give a colour map as 256 pixels of a QImage, 0xffRRGGBB."""
     if name == "grey":
         rgb = np.repeat(np.arange(256, dtype=np.uint32)[:, None], 3, axis=1)
@@ -55,7 +56,7 @@ class SonagramItem(pg.GraphicsObject):
         self._low, self._high = -60.0, 0.0
         self.recolour()
 
-    def set_colours(self, colours: NDArray[np.uint32], in_decibels: bool, low: float, high: float) -> None:
+    def set_colours(self, colours: UInt32Array, in_decibels: bool, low: float, high: float) -> None:
         """Choose colours, and the amplitudes (0..1 or dB) of the darkest and the brightest."""
         self._colours, self._in_decibels, self._low, self._high = colours, in_decibels, low, high
         self.recolour()
@@ -103,7 +104,7 @@ class SonagramItem(pg.GraphicsObject):
             self._pixels[:, at[self._history.frames[at] == NOWHERE]] = self._nothing
         self.update()
 
-    def _levels_of(self, spectra: NDArray[np.float16]) -> NDArray[np.uint8]:
+    def _levels_of(self, spectra: NDArray[np.float16]) -> UInt8Array:
         amplitudes = spectra.astype(np.float32)
         if self._in_decibels:
             amplitudes = 20 * np.log10(np.maximum(amplitudes, np.float32(1e-6)))
@@ -139,7 +140,7 @@ class PhonemeLane(pg.GraphicsObject):
         painter.drawImage(QRectF(-len(row) * FRAME_PERIOD, 0, len(row) * FRAME_PERIOD, 1), image)
         self._paint_names(painter, codes)
 
-    def _paint_names(self, painter: QPainter, codes: NDArray[np.uint8]) -> None:
+    def _paint_names(self, painter: QPainter, codes: UInt8Array) -> None:
         edges = np.flatnonzero(np.diff(codes, prepend=255, append=255))
         transform = painter.transform()
         room = np.diff(edges) * FRAME_PERIOD * transform.m11()

@@ -4,13 +4,13 @@ import math
 
 import numpy as np
 import pyqtgraph as pg
-from numpy.typing import NDArray
+from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSlider
 
-from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, switch
+from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 
 COARSE = 8
@@ -29,17 +29,17 @@ class SpectrumView(Plot):
     def __init__(self, title: str, tip: str, theme: Theme) -> None:
         super().__init__(title, tip, (("frequency", "Hz"), ("amplitude", "")), self._describe, theme)
         self.menu = PlotMenu(self.graphics, title.lower(), lambda _at: table_of(self._columns()), self.reset_zoom)
-        self._frequencies: NDArray[np.float64] = np.zeros(0)
+        self._frequencies: Float64Array = np.zeros(0)
         self._amplitudes = np.zeros(0, np.float32)
         self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
         self.item.addItem(self._curve)
-        self.coarse = switch("coarse", "Coarse display: the highest of eight neighbouring bins as one step")
-        self.decibels = switch("dB", "Amplitude axis in dB")
+        self.coarse = toggle_button("coarse", "Coarse display: the highest of eight neighbouring bins as one step")
+        self.decibels = toggle_button("dB", "Amplitude axis in dB")
         self.scale = QSlider(Qt.Orientation.Horizontal)
         self._add_controls()
         self.reset_zoom()
 
-    def draw(self, amplitudes: NDArray[np.float32]) -> None:
+    def draw(self, amplitudes: Float32Array) -> None:
         """Draw a spectrum, shape (n_bins,); bin k lies at k x 21.53 Hz."""
         self._amplitudes = amplitudes
         if len(self._frequencies) != len(amplitudes):
@@ -56,7 +56,7 @@ class SpectrumView(Plot):
         """Draw nothing."""
         self.draw(np.zeros(0, np.float32))
 
-    def heights_of(self, amplitudes: NDArray[np.float64] | NDArray[np.float32]) -> NDArray[np.float64]:
+    def heights_of(self, amplitudes: Float64Array | Float32Array) -> Float64Array:
         """Give amplitudes as they are drawn: as they are, or in dB."""
         if not self.in_decibels:
             return np.asarray(amplitudes, float)
@@ -92,7 +92,7 @@ class SpectrumView(Plot):
         self.item.setYRange(low, high + (high - low) * 0.03, padding=0)
         self.item.setLabel("left", "level (dB)" if self.in_decibels else "amplitude")
 
-    def _columns(self) -> dict[str, NDArray[np.float64]]:
+    def _columns(self) -> dict[str, Float64Array]:
         """Give what is drawn as columns, each under its name and unit."""
         amplitudes = self._amplitudes.astype(float)
         with np.errstate(divide="ignore"):

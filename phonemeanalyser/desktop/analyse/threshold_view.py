@@ -6,6 +6,9 @@ from functools import partial
 from html import escape
 from typing import Any
 
+from phonemeengine.errors import EngineError
+from phonemeengine.features.measure import Features
+from phonemeengine.presets.controls import Control, ControlGroup, Moment
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
 from PySide6.QtWidgets import (
@@ -18,13 +21,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeengine.errors import EngineError
-from phonemeengine.features.measure import Features
-from phonemeengine.presets.controls import Control, ControlGroup, Moment
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.key_filters import KeysOfNumbers
+from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 
 LABEL_WIDTH = 104
@@ -247,7 +247,7 @@ class ThresholdView(QScrollArea):
         number.setDecimals(control.decimals)
         number.setButtonSymbols(NumberField.ButtonSymbols.NoButtons)
         number.setKeyboardTracking(False)
-        number.installEventFilter(KeysOfNumbers(number))
+        number.installEventFilter(NumberFieldKeys(number))
         number.setFixedWidth(60)
         number.setSingleStep((control.high - control.low) / 100)
         number.setAccessibleName(control.name)

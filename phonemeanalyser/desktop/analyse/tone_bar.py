@@ -4,12 +4,12 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
+from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWELS, Tone, ToneKind, vowel_of
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
 
-from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWELS, Tone, ToneKind, vowel_of
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.key_filters import KeysOfNumbers
+from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 
 
@@ -111,7 +111,7 @@ class ToneBar(QWidget):
         else:
             box.setSuffix(f" {unit}")
         box.setKeyboardTracking(False)
-        box.installEventFilter(KeysOfNumbers(box))
+        box.installEventFilter(NumberFieldKeys(box))
         box.setToolTip(f"{look.tip}, {low:g}..{high:g} {unit}")
         box.setAccessibleName(look.tip)
         box.valueChanged.connect(lambda value: self._edit(name, value))

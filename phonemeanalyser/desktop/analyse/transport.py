@@ -1,5 +1,6 @@
 """The bar above the views: source, play, stop, record, loop, volume, and what belongs to the source."""
 
+from phonemeengine.settings import Channel
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
@@ -14,13 +15,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeengine.settings import Channel
-from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, Source
-from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.analyse.microphone_bar import MicrophoneBar
 from phonemeanalyser.desktop.analyse.record_button import RecordButton
-from phonemeanalyser.desktop.session.position_slider import TimeLine, clock_of
 from phonemeanalyser.desktop.analyse.tone_bar import ToneBar
+from phonemeanalyser.desktop.session.position_slider import PositionSlider, clock_of
+from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundSource
+from phonemeanalyser.desktop.theme import Theme
 
 
 class Pages(QStackedWidget):
@@ -60,7 +60,7 @@ class Transport(QWidget):
         self.record = RecordButton(session, theme)
         self.loop = self._button(pixmap.SP_BrowserReload, "Begin again at the end (L)")
         self.source = QComboBox()
-        self.time_line = TimeLine(session, theme)
+        self.time_line = PositionSlider(session, theme)
         self.microphone = MicrophoneBar(session.microphone, theme)
         self.tone = ToneBar(theme)
         self.tone.show_tone(session.tone)
@@ -80,10 +80,10 @@ class Transport(QWidget):
         """Show where the sound is, and how loud the microphone."""
         session = self._session
         self.time_line.refresh()
-        if session.source is Source.MICROPHONE:
+        if session.source is SoundSource.MICROPHONE:
             self.microphone.refresh()
         text = clock_of(session.position, True)
-        if session.source is Source.FILE:
+        if session.source is SoundSource.FILE:
             text += f" / {clock_of(session.duration, True)}"
         recording = session.microphone.recording
         if recording:
@@ -110,7 +110,7 @@ class Transport(QWidget):
         self.channel.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.channel.setToolTip("Which channel of the file is analysed")
         self.channel.setAccessibleName("channel of the file")
-        for source in Source:
+        for source in SoundSource:
             self.source.addItem(source.value, source)
         self.source.setToolTip("Where the sound comes from")
         self.source.setAccessibleName("source")
@@ -164,7 +164,7 @@ class Transport(QWidget):
         self.record.clicked.connect(session.toggle_recording)
         self.record.folder_asked.connect(self.folder_asked)
         self.loop.toggled.connect(session.set_loop)
-        self.source.activated.connect(lambda k: session.set_source(Source(self.source.itemData(k))))
+        self.source.activated.connect(lambda k: session.set_source(SoundSource(self.source.itemData(k))))
         self.time_line.sought.connect(session.seek)
         self.tone.tone_changed.connect(session.set_tone)
         self.volume.valueChanged.connect(session.set_volume)
@@ -177,7 +177,7 @@ class Transport(QWidget):
         session = self._session
         icon = QStyle.StandardPixmap.SP_MediaPause if session.playing else QStyle.StandardPixmap.SP_MediaPlay
         self.play.setIcon(tinted_icon(self.style(), icon, self._theme))
-        tip = "Listen, or let the microphone go" if session.source is Source.MICROPHONE else "Play or pause"
+        tip = "Listen, or let the microphone go" if session.source is SoundSource.MICROPHONE else "Play or pause"
         self.play.setToolTip(f"{tip} (Space)")
         self.volume.setToolTip(f"Volume {session.volume:.0f} dB" if session.volume > QUIETEST_DB else "Silent")
         with QSignalBlocker(self.volume), QSignalBlocker(self.loop):
@@ -204,19 +204,19 @@ class Transport(QWidget):
     def _show_page(self) -> None:
         """Show the controls of the source in use."""
         source = self._session.source
-        pages: dict[Source, QWidget] = {
-            Source.FILE: self.time_line, Source.MICROPHONE: self.microphone, Source.TONE: self.tone
+        pages: dict[SoundSource, QWidget] = {
+            SoundSource.FILE: self.time_line, SoundSource.MICROPHONE: self.microphone, SoundSource.TONE: self.tone
         }  # fmt: skip
         self.pages.setCurrentWidget(pages[source])
         self.pages.updateGeometry()
         of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
         for widget in of_file:
-            widget.setVisible(source is Source.FILE)
+            widget.setVisible(source is SoundSource.FILE)
         for widget in (self.volume_label, self.volume):
-            widget.setVisible(source is not Source.MICROPHONE)
+            widget.setVisible(source is not SoundSource.MICROPHONE)
         needing_a_file: tuple[QWidget, ...] = (self.play, self.stop, self.time_line)
         for widget in needing_a_file:
-            widget.setEnabled(source is not Source.FILE or self._session.path is not None)
+            widget.setEnabled(source is not SoundSource.FILE or self._session.path is not None)
 
 
 def tinted_icon(style: QStyle, icon: QStyle.StandardPixmap, theme: Theme) -> QIcon:

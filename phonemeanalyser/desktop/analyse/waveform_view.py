@@ -3,12 +3,13 @@
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
+from phonemeengine.arrays import Float32Array
+from phonemeengine.settings import SAMPLE_RATE, WINDOW
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QSlider
 
-from phonemeengine.settings import SAMPLE_RATE, WINDOW
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, switch
+from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 
 COARSE = 8
@@ -26,13 +27,13 @@ class WaveformView(Plot):
         self._wave = np.zeros(0, np.float32)
         self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
         self.item.addItem(self._curve)
-        self.coarse = switch("coarse", "Coarse display: lowest and highest of eight neighbouring samples")
+        self.coarse = toggle_button("coarse", "Coarse display: lowest and highest of eight neighbouring samples")
         self.scale = QSlider(Qt.Orientation.Horizontal)
         self._add_controls()
         self.reset_zoom()
         self.item.vb.setLimits(xMin=0, xMax=LENGTH_MS, yMin=-1.1, yMax=1.1)
 
-    def draw(self, wave: NDArray[np.float32]) -> None:
+    def draw(self, wave: Float32Array) -> None:
         """Draw a window, shape (n_samples,), full scale ±1; it always spans 46.4 ms."""
         self._wave = wave
         y = wave

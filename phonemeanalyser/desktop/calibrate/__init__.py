@@ -1,1 +1,1 @@
-""" """
+"""The Calibrate page: takes, thresholds, fits and the guided calibration."""

@@ -4,19 +4,24 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import Signal
-
-from phonemeengine.calibration.workbench.distributions import Distribution, RankedVariable, distribution_of, ranked_variables
-from phonemeengine.calibration.workbench.labelled_features import Workbench
 from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
-from phonemeengine.progress import Heed
-from phonemeengine.calibration.scores.confusion import Confusion, Passage
+from phonemeengine.calibration.scores.confusion import ConfusedSegment, Confusion
 from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.workbench.distributions import (
+    Distribution,
+    RankedVariable,
+    distribution_of,
+    ranked_variables,
+)
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import DEFICITS, Variable
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.progress import Progress
+from PySide6.QtCore import Signal
+
+from phonemeanalyser.desktop.background_model import BackgroundModel
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.background_model import Workplace
 
 Pair = tuple[Phoneme, Phoneme | None]
 
@@ -39,7 +44,7 @@ class Line:
     value: float
 
 
-class BenchModel(Workplace):
+class BenchModel(BackgroundModel):
     """Measures what is loaded, and follows the preset: what a threshold changes is known at the next `see`.
 
     It is busy while recordings are being measured.
@@ -59,7 +64,7 @@ class BenchModel(Workplace):
 
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
-        self.workbench: Workbench | None = None
+        self.workbench: LabelledFeatures | None = None
         self.confusion: Confusion | None = None
         self.distribution: Distribution | None = None
         self.ranking: tuple[RankedVariable, ...] = ()
@@ -69,7 +74,7 @@ class BenchModel(Workplace):
         self._preset = preset
         self._utterances: tuple[Utterance, ...] = ()
         self._stale = False
-        self._ranked_for: Workbench | None = None
+        self._ranked_for: LabelledFeatures | None = None
         self._looked_with: Mapping[Phoneme, float] = {}
         self._measuring, self._looking, self._searching = self._room(), self._room(), self._room()
         preset.changed.connect(self._follow_preset)
@@ -122,7 +127,7 @@ class BenchModel(Workplace):
         """End a drag: undo takes it back as a whole."""
         self._preset.end_edit()
 
-    def passages(self, truth: Phoneme, answer: Phoneme) -> list[Passage]:
+    def passages(self, truth: Phoneme, answer: Phoneme) -> list[ConfusedSegment]:
         """Give the stretches of a cell of the confusion matrix, the longest first."""
         found = self.confusion.frames_in(truth, answer) if self.confusion else ()
         return sorted(found, key=lambda p: p.start - p.end)
@@ -186,9 +191,11 @@ class BenchModel(Workplace):
             self._measuring.cancel()
             self._take_up(None)
             return
-        self._measuring.instead(lambda heed: Workbench(utterances, preset, known=known, heed=heed), self._take_up)
+        self._measuring.instead(
+            lambda heed: LabelledFeatures(utterances, preset, known=known, heed=heed), self._take_up
+        )
 
-    def _take_up(self, workbench: Workbench | None) -> None:
+    def _take_up(self, workbench: LabelledFeatures | None) -> None:
         self.workbench = workbench
         if self.preview is not None and (workbench is None or self.preview.variable.name in workbench.variables):
             self.variable, self.preview = self.preview.variable.name, None
@@ -231,7 +238,7 @@ class BenchModel(Workplace):
         own = Phoneme(DEFICITS.index(self.variable))
         return {p: s for p, s in self._preset.in_force.sensitivities.items() if p is not own}
 
-    def _take_look(self, bench: Workbench, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
+    def _take_look(self, bench: LabelledFeatures, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
         self.distribution, self.ranking = found
         self._ranked_for = bench
         self.distribution_changed.emit()
@@ -245,10 +252,10 @@ class BenchModel(Workplace):
 
 
 def _looked_at(
-    bench: Workbench,
+    bench: LabelledFeatures,
     variable: str,
     sensitivities: Mapping[Phoneme, float],
     ranking: tuple[RankedVariable, ...],
-    heed: Heed,
+    heed: Progress,
 ) -> tuple[Distribution, tuple[RankedVariable, ...]]:
     return distribution_of(bench, variable, sensitivities), ranking or ranked_variables(bench, heed=heed)

@@ -7,15 +7,15 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QTabWidget, QVBoxLayout, QWidget
 
-from phonemeanalyser.desktop.calibrate.model import Calibration
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.calibrate.compare_panel import ComparePanel
 from phonemeanalyser.desktop.calibrate.confusion_view import ConfusionView
+from phonemeanalyser.desktop.calibrate.distribution import DistributionView
 from phonemeanalyser.desktop.calibrate.fit_panel import FitPanel
-from phonemeanalyser.desktop.calibrate.timeline import LanesView
-from phonemeanalyser.desktop.calibrate.compare_panel import RivalPanel
-from phonemeanalyser.desktop.calibrate.distribution import SpreadView
-from phonemeanalyser.desktop.calibrate.segment_list import Row, StretchList
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
+from phonemeanalyser.desktop.calibrate.timeline import TimelineView
 from phonemeanalyser.desktop.calibrate.variables_panel import VariablesPanel
+from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.scrolled import Scrolled
 
 TABS_WIDTH = 250
@@ -34,20 +34,20 @@ class BenchView(QWidget):
     play_asked = Signal(Path, float, float)
     picture_asked = Signal(QPixmap, str)
 
-    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme
         bench = calibration.bench
         self.variables = VariablesPanel(bench, theme)
-        self.spread = SpreadView(bench, theme)
+        self.spread = DistributionView(bench, theme)
         self.confusion = ConfusionView(theme)
         self.figures, self.cell = QLabel(), QLabel()
-        self.stretches = StretchList("stretches of the cell", "")
+        self.stretches = SegmentList("stretches of the cell", "")
         self.fit = FitPanel(calibration.fit, theme)
-        self.rival = RivalPanel(calibration.rival, theme)
+        self.rival = ComparePanel(calibration.rival, theme)
         self.tabs = QTabWidget()
-        self.lanes = LanesView(theme)
+        self.lanes = TimelineView(theme)
         self.rows, self.columns = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()
         self._connect()
@@ -165,7 +165,7 @@ class BenchView(QWidget):
             f"<b>{truth.label}</b> recognised as <b>{answer.label}</b>: {len(found)} stretches, {seconds:.2f} s"
         )
         paths = [u.path for u in bench.utterances]
-        self.stretches.show_rows([Row(paths[p.recording], p.start, p.end) for p in found[:1000]])
+        self.stretches.show_rows([SegmentRow(paths[p.recording], p.start, p.end) for p in found[:1000]])
 
     def _play_passage(self, recording: int, start: float, end: float) -> None:
         self._calibration.play(self._calibration.bench.utterances[recording].path, start, end)

@@ -2,20 +2,20 @@
 
 from pathlib import Path
 
+from phonemeengine.calibration.scores.comparison import DifferingSegment
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QTabWidget, QVBoxLayout, QWidget
 
-from phonemeengine.calibration.scores.comparison import Stretch
-from phonemeanalyser.desktop.calibrate.fit_model import RivalModel
-from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
-from phonemeanalyser.desktop.widgets.phoneme_keys import LettersPassed
-from phonemeanalyser.desktop.calibrate.segment_list import Row, StretchList
+from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel
+from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 
 NONE, OTHER = "choose a preset …", "another file …"
 
 
-class RivalPanel(QWidget):
+class ComparePanel(QWidget):
     """The second preset, both presets' figures, and what only one of them gets right.
 
     Signals
@@ -27,15 +27,15 @@ class RivalPanel(QWidget):
     file_asked = Signal()
     play_asked = Signal(Path, float, float)
 
-    def __init__(self, rival: RivalModel, theme: Theme) -> None:
+    def __init__(self, rival: ComparisonModel, theme: Theme) -> None:
         super().__init__()
         self._rival = rival
         self.box = QComboBox()
         self.state = QLabel()
         self.difference = QCheckBox("difference in the matrix")
         self.figures = FiguresTable(("in use", "second"), theme)
-        self.own = StretchList("only the preset in use is right", "said, not")
-        self.others = StretchList("only the second preset is right", "said, not")
+        self.own = SegmentList("only the preset in use is right", "said, not")
+        self.others = SegmentList("only the second preset is right", "said, not")
         self.tabs = QTabWidget()
         self._lay_out()
         self._connect()
@@ -61,7 +61,7 @@ class RivalPanel(QWidget):
         self.box.addItem(OTHER, "")
         self.box.setToolTip("Preset to compare with, on the same takes and recordings")
         self.box.setAccessibleName(self.box.toolTip())
-        self.box.installEventFilter(LettersPassed(self.box))
+        self.box.installEventFilter(LetterPassthrough(self.box))
         self.difference.setToolTip("Show in the matrix how much more often the preset in use gives each answer")
         self.tabs.addTab(self.figures, "figures")
         self.tabs.addTab(self.own, "only this right")
@@ -109,6 +109,6 @@ class RivalPanel(QWidget):
             self.tabs.setTabText(k, f"{name} right: {int(counts.sum()) / 100:.1f} s")
 
 
-def _row_of(stretch: Stretch) -> Row:
+def _row_of(stretch: DifferingSegment) -> SegmentRow:
     words = f"{stretch.label.label}, {stretch.wrong.label}"
-    return Row(stretch.utterance.path, stretch.start, stretch.end, words)
+    return SegmentRow(stretch.utterance.path, stretch.start, stretch.end, words)

@@ -4,18 +4,19 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from phonemeengine.arrays import Int64Array
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from phonemeengine.calibration.scores.scoring import TEN, Counts
-from phonemeengine.phonemes import Phoneme
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, write
+from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 
 LEFT, TOP = 62, 34
-SAID, TAKEN = TEN, (*TEN, Phoneme.UNIDENTIFIED)
+SAID, TAKEN = SCORED_PHONEMES, (*SCORED_PHONEMES, Phoneme.UNIDENTIFIED)
 SHORT = {Phoneme.UNIDENTIFIED: "?", Phoneme.SILENCE: "sil."}
 WIDE, TALL = 58, 27
 """Pixels from which on a cell has room for the count beside the percentage, or below it; else its tip tells it."""
@@ -34,8 +35,8 @@ class ConfusionView(QWidget):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self.counts: Counts | None = None
-        self.difference: Counts | None = None
+        self.counts: Int64Array | None = None
+        self.difference: Int64Array | None = None
         self.cell: tuple[int, int] | None = None
         self.setMinimumSize(LEFT + 11 * 32, TOP + 10 * 17)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -43,7 +44,7 @@ class ConfusionView(QWidget):
         self.setAccessibleName("confusion matrix")
         self.menu = PlotMenu(self, "confusion matrix", lambda _at: table_of(self._columns()))
 
-    def show_counts(self, counts: Counts | None, against: Counts | None = None) -> None:
+    def show_counts(self, counts: Int64Array | None, against: Int64Array | None = None) -> None:
         """Show frames by label (row) and answer (column); with others, how much more of each row these are."""
         self.counts, self.difference = counts, against
         self.update()
@@ -62,16 +63,18 @@ class ConfusionView(QWidget):
         """Paint headings and cells."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(self._theme.base))
-        write(painter, QRectF(LEFT, 1, self.width() - LEFT, 15), "recognised as →", self._theme.faint, 10, CENTRED)
-        write(painter, QRectF(6, TOP - 17, LEFT, 15), "said ↓", self._theme.faint, 10, Qt.AlignmentFlag.AlignLeft)
+        draw_text(
+            painter, QRectF(LEFT, 1, self.width() - LEFT, 15), "recognised as →", self._theme.faint, 10, CENTRED
+        )
+        draw_text(painter, QRectF(6, TOP - 17, LEFT, 15), "said ↓", self._theme.faint, 10, Qt.AlignmentFlag.AlignLeft)
         for column, phoneme in enumerate(TAKEN):
             box = self.cell_rect(0, column)
             heading = QRectF(box.left(), TOP - 18, box.width(), 16)
-            write(painter, heading, SHORT.get(phoneme, phoneme.label), self._theme.text, 12, CENTRED)
+            draw_text(painter, heading, SHORT.get(phoneme, phoneme.label), self._theme.text, 12, CENTRED)
         for row, phoneme in enumerate(SAID):
             box = self.cell_rect(row, 0)
             place = QRectF(6, box.top(), LEFT - 10, box.height())
-            write(painter, place, phoneme.label, self._theme.text, 12)
+            draw_text(painter, place, phoneme.label, self._theme.text, 12)
             for column in range(len(TAKEN)):
                 self._paint_cell(painter, row, column)
         if self.cell is not None:
@@ -105,13 +108,13 @@ class ConfusionView(QWidget):
         percent = f"{100 * share:.0f}" if self.difference is None else f"{100 * share:+.0f}"
         if self.difference is None and box.height() >= TALL:
             upper, lower = box.adjusted(0, 1, 0, -box.height() / 2 + 3), box.adjusted(0, box.height() / 2 - 2, 0, 0)
-            write(painter, upper, f"{percent} %", colour, 12, CENTRED)
-            write(painter, lower, str(count), colour, 9, CENTRED)
+            draw_text(painter, upper, f"{percent} %", colour, 12, CENTRED)
+            draw_text(painter, lower, str(count), colour, 9, CENTRED)
         elif self.difference is None and box.width() >= WIDE:
-            write(painter, box.adjusted(4, 0, 0, 0), f"{percent} %", colour, 11)
-            write(painter, box.adjusted(0, 0, -3, 0), str(count), colour, 8, AT_RIGHT)
+            draw_text(painter, box.adjusted(4, 0, 0, 0), f"{percent} %", colour, 11)
+            draw_text(painter, box.adjusted(0, 0, -3, 0), str(count), colour, 8, AT_RIGHT)
         else:
-            write(painter, box, percent if percent not in {"0", "+0", "-0"} else "·", colour, 11, CENTRED)
+            draw_text(painter, box, percent if percent not in {"0", "+0", "-0"} else "·", colour, 11, CENTRED)
 
     # -- choosing -----------------------------------------------------------------------------------------
 
@@ -167,7 +170,7 @@ class ConfusionView(QWidget):
         return None
 
 
-def _share(counts: Counts | None, row: int, column: int) -> float:
+def _share(counts: Int64Array | None, row: int, column: int) -> float:
     if counts is None:
         return 0.0
     of_row = counts[SAID[row]]

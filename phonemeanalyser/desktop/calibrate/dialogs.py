@@ -5,8 +5,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from phonemeanalyser.desktop.calibrate.model import Calibration
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 
 PROJECT, SPEAKER = "calibration/project", "calibration/speaker"
 PRESETS = "Presets (*.toml *.phonemedata *.txt)"
@@ -15,7 +15,7 @@ PRESETS = "Presets (*.toml *.phonemedata *.txt)"
 class CalibrationDialogs(QObject):
     """Asks, passes the answers to the models, and keeps project and speaker for the next start."""
 
-    def __init__(self, window: QWidget, calibration: Calibration, settings: QSettings) -> None:
+    def __init__(self, window: QWidget, calibration: CalibrationModel, settings: QSettings) -> None:
         super().__init__(window)
         self._window = window
         self._calibration = calibration

@@ -5,15 +5,15 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from phonemeengine.calibration.workbench.distributions import Distribution, Quartiles
+from phonemeengine.features.variables import unit_of
+from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from phonemeengine.calibration.workbench.distributions import Distribution, Spread
-from phonemeengine.features.variables import unit_of
-from phonemeengine.phonemes import Phoneme
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, write
 from phonemeanalyser.desktop.calibrate.bench_model import BenchModel, Line
+from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 
@@ -23,7 +23,7 @@ NEAR = 6
 COLUMNS = ("min", "median", "max")
 
 
-class SpreadView(QWidget):
+class DistributionView(QWidget):
     """A row for each phoneme: its histogram, mirrored, with quartiles, median and ends; and its numbers."""
 
     def __init__(self, bench: BenchModel, theme: Theme) -> None:
@@ -88,7 +88,7 @@ class SpreadView(QWidget):
                 if self._bench.busy
                 else "Record takes, or load labelled recordings, to see how they are spread"
             )
-            write(painter, QRectF(self.rect()), words, self._theme.faint, 13, CENTRED)
+            draw_text(painter, QRectF(self.rect()), words, self._theme.faint, 13, CENTRED)
             return
         self._paint_axis(painter, distribution)
         height = (self.height() - TOP - BOTTOM) / max(1, len(distribution.spreads))
@@ -100,12 +100,12 @@ class SpreadView(QWidget):
             self._paint_best(painter, self._bench.preview.threshold)
 
     def _paint_row(
-        self, painter: QPainter, distribution: Distribution, phoneme: Phoneme, spread: Spread, top: float,
+        self, painter: QPainter, distribution: Distribution, phoneme: Phoneme, spread: Quartiles, top: float,
         height: float,
     ) -> None:  # fmt: skip
         colour, middle = QColor(PHONEME_COLOURS[phoneme]), top + height / 2
         row = QRectF(0, top, self.width(), height)
-        write(painter, row.adjusted(8, 0, 0, 0), phoneme.label, self._theme.text, 12)
+        draw_text(painter, row.adjusted(8, 0, 0, 0), phoneme.label, self._theme.text, 12)
         self._paint_histogram(painter, distribution, spread, colour, middle, 0.46 * height)
         painter.setPen(QColor(self._theme.text))
         low, high = self.x_of(spread.minimum), self.x_of(spread.maximum)
@@ -119,10 +119,10 @@ class SpreadView(QWidget):
         x = self.x_of(spread.median)
         painter.fillRect(QRectF(x - 1.5, middle - half - 2, 3, 2 * half + 4), QColor(self._theme.text))
         for k, value in enumerate((spread.minimum, spread.median, spread.maximum)):
-            write(painter, self._cell(k, top, height), short(value), self._theme.text, 11, AT_RIGHT)
+            draw_text(painter, self._cell(k, top, height), short(value), self._theme.text, 11, AT_RIGHT)
 
     def _paint_histogram(
-        self, painter: QPainter, distribution: Distribution, spread: Spread, colour: QColor, middle: float,
+        self, painter: QPainter, distribution: Distribution, spread: Quartiles, colour: QColor, middle: float,
         most: float,
     ) -> None:  # fmt: skip
         heights = most * spread.counts / max(1, int(spread.counts.max()))
@@ -140,13 +140,13 @@ class SpreadView(QWidget):
         for value in _ticks(distribution):
             x = self.x_of(value)
             painter.fillRect(QRectF(x, TOP, 1, bottom - TOP), QColor(self._theme.raised))
-            write(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
+            draw_text(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
         scale = ", logarithmic scale" if distribution.logarithmic else ""
         label = QRectF(LEFT, bottom + 15, self.width() - LEFT - RIGHT, 16)
         text = f"{distribution.variable} ({self._unit_of(distribution)}){scale}"
-        write(painter, label, text, self._theme.text, 11, CENTRED)
+        draw_text(painter, label, text, self._theme.text, 11, CENTRED)
         for k, name in enumerate(COLUMNS):
-            write(painter, self._cell(k, TOP - 18, 16), name, self._theme.faint, 10, AT_RIGHT)
+            draw_text(painter, self._cell(k, TOP - 18, 16), name, self._theme.faint, 10, AT_RIGHT)
 
     def _paint_line(self, painter: QPainter, k: int, line: Line) -> None:
         x, colour = self.x_of(line.value), QColor(self._theme.bad)
@@ -163,7 +163,7 @@ class SpreadView(QWidget):
         text = f"{line.sign} {short(line.value)}  {line.label}"
         box = QRectF(x - 75, 1 + 13 * (k % 2), 150, 13)
         box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
-        write(painter, box, text, self._theme.bad, 10, CENTRED)
+        draw_text(painter, box, text, self._theme.bad, 10, CENTRED)
 
     def _paint_best(self, painter: QPainter, threshold: float) -> None:
         """Paint where a suggested variable parts best; it is no threshold of the preset, and cannot be dragged."""
@@ -172,7 +172,7 @@ class SpreadView(QWidget):
         painter.drawLine(QPointF(x, TOP - 4), QPointF(x, self.height() - BOTTOM))
         box = QRectF(x - 75, 1, 150, 13)
         box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
-        write(painter, box, f"parts best at {short(threshold)}", self._theme.accent, 10, CENTRED)
+        draw_text(painter, box, f"parts best at {short(threshold)}", self._theme.accent, 10, CENTRED)
 
     def _unit_of(self, distribution: Distribution) -> str:
         return unit_of(distribution.variable, self._bench.own_variables)

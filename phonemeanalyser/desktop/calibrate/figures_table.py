@@ -3,11 +3,11 @@
 import math
 from collections.abc import Sequence
 
+from phonemeengine.calibration.scores.scoring import Scores
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from phonemeengine.calibration.scores.scoring import Scores
 from phonemeanalyser.desktop.theme import Theme
 
 ROWS: tuple[tuple[str, str, bool, str], ...] = (

@@ -4,27 +4,27 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import Signal
-
-from phonemeengine.calibration.workbench.labelled_features import Workbench
 from phonemeengine.calibration.fits.fitting import FITTED, FitReport, fit_preset
-from phonemeengine.progress import Heed, part_of
-from phonemeengine.calibration.scores.comparison import Comparison, compare
+from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance
-from phonemeengine.calibration.scores.evaluation import Answers, CorpusScores, group_scores_of
+from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, subrange
+from PySide6.QtCore import Signal
+
+from phonemeanalyser.desktop.background_model import BackgroundModel
 from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.background_model import Workplace
 
 MOST_STRETCHES = 200
 """Stretches that are listed of each preset."""
 
 
-class FitModel(Workplace):
+class FitModel(BackgroundModel):
     """Fits in the background; what was found is accepted or refused.
 
     Signals
@@ -86,7 +86,7 @@ class FitModel(Workplace):
         self.changed.emit()
 
 
-class RivalModel(Workplace):
+class ComparisonModel(BackgroundModel):
     """A second preset on the same recordings, compared with the one in use whenever that changes.
 
     Signals
@@ -100,7 +100,7 @@ class RivalModel(Workplace):
         super().__init__()
         self.preset: Preset | None = None
         self.confusion: Confusion | None = None
-        self.comparison: Comparison | None = None
+        self.comparison: PresetComparison | None = None
         self._own = preset
         self._bench = bench
         self._measuring = self._room()
@@ -131,7 +131,7 @@ class RivalModel(Workplace):
             self.changed.emit()
             return
         self._measuring.instead(
-            lambda heed: Workbench(utterances, preset, heed=heed).confusion(preset), self._take_confusion
+            lambda heed: LabelledFeatures(utterances, preset, heed=heed).confusion(preset), self._take_confusion
         )
 
     def _take_confusion(self, confusion: Confusion) -> None:
@@ -150,15 +150,17 @@ class RivalModel(Workplace):
             self._take_comparison,
         )
 
-    def _take_comparison(self, comparison: Comparison) -> None:
+    def _take_comparison(self, comparison: PresetComparison) -> None:
         self.comparison = comparison
         self.changed.emit()
 
 
-def _fitted(utterances: tuple[Utterance, ...], known: Workbench | None, preset: Preset, heed: Heed) -> FitReport:
+def _fitted(
+    utterances: tuple[Utterance, ...], known: LabelledFeatures | None, preset: Preset, heed: Progress
+) -> FitReport:
     """Fit on a workbench of its own, since the window asks the other one meanwhile."""
-    bench = Workbench(utterances, preset, known=known, heed=part_of(heed, 0.0, 0.05))
-    return fit_preset(bench, preset, part_of(heed, 0.05, 1.0))
+    bench = LabelledFeatures(utterances, preset, known=known, heed=subrange(heed, 0.0, 0.05))
+    return fit_preset(bench, preset, subrange(heed, 0.05, 1.0))
 
 
 def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance, ...]) -> CorpusScores:
@@ -168,5 +170,5 @@ def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance
         span = slice(int(confusion.edges[k]), int(confusion.edges[k + 1]))
         labels = FrameLabels(confusion.labels.phonemes[span], confusion.labels.certain[span])
         codes = confusion.answers[span]
-        answers.append(Answers(utterance, labels, codes, np.zeros(len(codes), np.float32)))
+        answers.append(Predictions(utterance, labels, codes, np.zeros(len(codes), np.float32)))
     return CorpusScores(preset, 0, 0.0, tuple(answers), group_scores_of(answers), {}, {})

@@ -3,9 +3,9 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
+from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 from phonemeanalyser.desktop.calibrate.fit_model import FitModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 
 
 class FitPanel(QWidget):

@@ -7,25 +7,24 @@ Time is told by the sound that comes, not by a clock: where the microphone stand
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
-import numpy as np
-from numpy.typing import NDArray
-from PySide6.QtCore import QObject, Signal
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.calibrate import Outcome, calibrate
-from phonemeengine.progress import Heed
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.sentences import SENTENCES, Sentence
-from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.onset import onset_in, quiet_at_end
+from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.room_noise import RoomNoise, measure_room
 from phonemeengine.calibration.takes.spoken import keep_sentence
 from phonemeengine.errors import EngineError, TakeError
 from phonemeengine.phonemes import Phoneme
-from phonemeanalyser.desktop.tasks import Backroom
+from phonemeengine.progress import Progress
+from PySide6.QtCore import QObject, Signal
+
 from phonemeanalyser.desktop.calibrate.takes_model import UNNAMED, TakesModel
-from phonemeanalyser.desktop.session.capture import in_house_form
+from phonemeanalyser.desktop.session.capture import to_mono_44k
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.tasks import TaskQueue
 
 ABOVE_ROOM = 4.0
 """A voice begins where it is so many times as loud as the room."""
@@ -92,7 +91,7 @@ class Phase(StrEnum):
     DONE = "done"
 
 
-class Guide(QObject):
+class GuideModel(QObject):
     """Leads through all sounds; `tick` moves it on.
 
     Signals
@@ -120,8 +119,8 @@ class Guide(QObject):
         self._awaited: list[int] = []
         self._pause = 0.0
         self._voice_at: float | None = None
-        self._work = Backroom(self._refuse)
-        self._checks = Backroom(self._ask_again)
+        self._work = TaskQueue(self._refuse)
+        self._checks = TaskQueue(self._ask_again)
         takes.added.connect(self._note_take)
         takes.failed.connect(self._note_refusal)
 
@@ -285,8 +284,8 @@ class Guide(QObject):
         room, sentence, folder = self.room.level if self.room else 0.0, self.sentence, self._takes.folder
         speaker = self._takes.speaker.strip() or UNNAMED
 
-        def keep(_heed: Heed) -> Utterance:
-            mono = in_house_form(samples, rate)
+        def keep(_heed: Progress) -> Utterance:
+            mono = to_mono_44k(samples, rate)
             for fault in check_take(mono, room, Phoneme.A).faults.values():
                 raise TakeError(fault)
             if folder is None:
@@ -317,7 +316,7 @@ class Guide(QObject):
         catch, phoneme = self._session.microphone.catch, self.step.phoneme
         samples, rate = catch.end()
         samples = samples[round(max(0.0, (self._voice_at or 0.0) - BEFORE) * rate) :]
-        mono = in_house_form(samples, rate)
+        mono = to_mono_44k(samples, rate)
         report = check_take(mono, self.room.level if self.room is not None else 0.0, phoneme)
         faults = list(report.faults.values())
         if phoneme is Phoneme.SILENCE:
@@ -327,7 +326,7 @@ class Guide(QObject):
             self._awaited.append(self.index)
         self._tell_checked(faults[0] if faults else "")
 
-    def _measure_room(self, sound: NDArray[np.float32]) -> list[str]:
+    def _measure_room(self, sound: Float32Array) -> list[str]:
         try:
             room = measure_room(sound, self._preset.in_force)
         except EngineError as error:

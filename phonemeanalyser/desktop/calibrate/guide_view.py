@@ -3,19 +3,19 @@
 import math
 from typing import Any
 
+from phonemeengine.calibration.sentences import SENTENCES
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from phonemeengine.calibration.sentences import SENTENCES
-from phonemeanalyser.desktop.painting import CENTRED, size_that_fills, write
-from phonemeanalyser.desktop.calibrate.model import Calibration
-from phonemeanalyser.desktop.calibrate.guide_model import N_STEPS, READING, STEPS, Phase
-from phonemeanalyser.desktop.talk.model import Talking
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
+from phonemeanalyser.desktop.calibrate.guide_model import N_STEPS, READING, STEPS, Phase
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.painting import CENTRED, draw_text, size_that_fills
+from phonemeanalyser.desktop.session.level_meter import LevelMeterView
 from phonemeanalyser.desktop.talk.head_view import HeadView
-from phonemeanalyser.desktop.session.level_meter import LevelMeter
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 
 RING = 15
 """Width of the ring in pixels."""
@@ -23,10 +23,10 @@ SIZES = (12, 64)
 """Least and largest of the letters in it, pixels."""
 
 
-class Ring(QWidget):
+class CountdownRing(QWidget):
     """A ring that fills while the sound is heard, around what is to be said."""
 
-    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
         super().__init__()
         self._guide = calibration.guide
         self._theme = theme
@@ -51,7 +51,7 @@ class Ring(QWidget):
         painter.drawArc(box, 90 * 16, -round(360 * 16 * share))
         words = self._words()
         size = size_that_fills(painter, words, side - 3 * RING, *SIZES)
-        write(painter, box, words, self._theme.text, size, CENTRED)
+        draw_text(painter, box, words, self._theme.text, size, CENTRED)
 
     def _words(self) -> str:
         guide = self._guide
@@ -69,7 +69,7 @@ class Ring(QWidget):
 class StepsLine(QWidget):
     """All sounds in a row, and the sentence: done, at hand, and to come."""
 
-    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
         super().__init__()
         self._guide = calibration.guide
         self._theme = theme
@@ -91,7 +91,7 @@ class StepsLine(QWidget):
             painter.fillRect(QRectF(box.left() + 4, box.bottom() - 5, box.width() - 8, 3), QColor(line))
             colour = self._theme.text if here or done else self._theme.faint
             words = f"✓ {name}" if done else name
-            write(painter, box.adjusted(0, 0, 0, -5), words, colour, 12, CENTRED)
+            draw_text(painter, box.adjusted(0, 0, 0, -5), words, colour, 12, CENTRED)
 
 
 class GuideView(QWidget):
@@ -104,14 +104,14 @@ class GuideView(QWidget):
 
     save_asked = Signal()
 
-    def __init__(self, calibration: Calibration, talking: Talking, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme
         self.title, self.hint, self.advice, self.room = QLabel(), QLabel(), QLabel(), QLabel()
         self.steps = StepsLine(calibration, theme)
-        self.ring = Ring(calibration, theme)
-        self.meter = LevelMeter(calibration.session.microphone, theme)
+        self.ring = CountdownRing(calibration, theme)
+        self.meter = LevelMeterView(calibration.session.microphone, theme)
         self.figures = FiguresTable(("before", "after"), theme)
         self.head = HeadView(talking, theme)
         self.language = QComboBox()

@@ -1,5 +1,6 @@
 """Asks which of our phonemes the unknown names in label files stand for."""
 
+from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QComboBox,
@@ -11,8 +12,6 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
-
-from phonemeengine.phonemes import Phoneme
 
 
 class MappingDialog(QDialog):

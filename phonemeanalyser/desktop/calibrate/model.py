@@ -2,19 +2,19 @@
 
 from pathlib import Path
 
+from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QObject, Signal
 
-from phonemeengine.phonemes import Phoneme
 from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
-from phonemeanalyser.desktop.calibrate.fit_model import FitModel, RivalModel
-from phonemeanalyser.desktop.calibrate.guide_model import Guide
+from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel, FitModel
+from phonemeanalyser.desktop.calibrate.guide_model import GuideModel
 from phonemeanalyser.desktop.calibrate.recordings_model import RecordingsModel
 from phonemeanalyser.desktop.calibrate.room_model import RoomModel
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
 from phonemeanalyser.desktop.calibrate.undo import UndoOrder
-from phonemeanalyser.desktop.session.capture import Catch
+from phonemeanalyser.desktop.session.capture import SampleCapture
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session, Source
+from phonemeanalyser.desktop.session.session import Session, SoundSource
 
 AROUND = 0.15
 """What is played before and after a stretch that is hardly audible by itself, seconds."""
@@ -22,7 +22,7 @@ TAKES_FOLDER = "Takes"
 """The project where no other was chosen, in the folder of recordings."""
 
 
-class Calibration(QObject):
+class CalibrationModel(QObject):
     """Joins what the page shows; `tick` moves it on.
 
     Signals
@@ -46,8 +46,8 @@ class Calibration(QObject):
         self.recordings = RecordingsModel()
         self.bench = BenchModel(preset)
         self.fit = FitModel(preset, self.bench)
-        self.rival = RivalModel(preset, self.bench)
-        self.guide = Guide(session, preset, self.takes)
+        self.rival = ComparisonModel(preset, self.bench)
+        self.guide = GuideModel(session, preset, self.takes)
         self.room = RoomModel(session, preset, self.takes)
         self.edits = UndoOrder(self, self.takes, preset.undo_stack)
         self.phoneme: Phoneme | None = None
@@ -66,7 +66,7 @@ class Calibration(QObject):
     # -- takes from microphone and file -------------------------------------------------------------------
 
     @property
-    def catch(self) -> Catch:
+    def catch(self) -> SampleCapture:
         """What the microphone hears while a phoneme is held."""
         return self.session.microphone.catch
 
@@ -75,7 +75,7 @@ class Calibration(QObject):
         session = self.session
         if self.phoneme is not None or self.guide.running or self.room.listening:
             return
-        if session.source is Source.FILE and session.path is not None and (session.playing or self.stretch):
+        if session.source is SoundSource.FILE and session.path is not None and (session.playing or self.stretch):
             if self.stretch is not None and not session.playing:
                 self.takes.add_stretch(session.path, session.channel, *self.stretch, phoneme)
                 self._forget_stretch()
@@ -121,7 +121,7 @@ class Calibration(QObject):
 
     def listen(self) -> None:
         """Have the microphone listen, whatever was in hand."""
-        self.session.set_source(Source.MICROPHONE)
+        self.session.set_source(SoundSource.MICROPHONE)
         if not self.session.playing:
             self.session.play()
 
@@ -132,7 +132,7 @@ class Calibration(QObject):
 
     def mark(self, *, end: bool) -> None:
         """Mark where the stretch of the opened file begins, or ends: where the file stands."""
-        if self.session.source is not Source.FILE or self.session.path is None:
+        if self.session.source is not SoundSource.FILE or self.session.path is None:
             self.failed.emit("There is no file in hand; open one to mark a stretch of it.")
             return
         start, stop = self.stretch or (0.0, self.session.duration)
@@ -159,7 +159,7 @@ class Calibration(QObject):
     def play(self, path: Path, start: float, end: float, *, around: float = AROUND) -> None:
         """Play a stretch of a file, in seconds."""
         session = self.session
-        if (session.source is not Source.FILE or session.path != path) and not session.open(path):
+        if (session.source is not SoundSource.FILE or session.path != path) and not session.open(path):
             return
         session.pause()
         session.seek(max(0.0, start - around))
@@ -181,7 +181,7 @@ class Calibration(QObject):
         if self._until is not None:
             path, end = self._until
             session = self.session
-            if session.path != path or not session.playing or session.source is not Source.FILE:
+            if session.path != path or not session.playing or session.source is not SoundSource.FILE:
                 self._until = None
             elif session.position >= end:
                 self._until = None

@@ -2,14 +2,14 @@
 
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QWidget
 
-from phonemeanalyser.desktop.calibrate.model import Calibration
-from phonemeanalyser.desktop.talk.model import Talking
-from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.calibrate.bench_view import BenchView
 from phonemeanalyser.desktop.calibrate.guide_view import GuideView
-from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.takes_panel import TakesPanel
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.pages import PageStack
+from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
 
 
 class CalibrationPage(QWidget):
@@ -20,7 +20,7 @@ class CalibrationPage(QWidget):
     keys : to be installed as an event filter of the window.
     """
 
-    def __init__(self, calibration: Calibration, talking: Talking, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme

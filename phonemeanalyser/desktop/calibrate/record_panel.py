@@ -1,16 +1,16 @@
 """A button for each phoneme: held down, it records a take."""
 
+from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from phonemeengine.phonemes import Phoneme
-from phonemeanalyser.desktop.painting import CENTRED, write
-from phonemeanalyser.desktop.calibrate.model import Calibration
-from phonemeanalyser.desktop.session.session import Source
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.painting import CENTRED, draw_text
+from phonemeanalyser.desktop.session.position_slider import clock_of
+from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
-from phonemeanalyser.desktop.session.position_slider import clock_of
 
 COLUMNS = 5
 
@@ -47,17 +47,17 @@ class PhonemeButton(QToolButton):
         text = QColor("#ffffff" if down and self._theme.name == "light" else self._theme.text)
         name = self.phoneme.label
         inner = self.rect().adjusted(5, 2, -5, -3)
-        write(painter, inner.adjusted(-5, 0, 5, 0), name, text, 15 if len(name) < 4 else 12, CENTRED)
+        draw_text(painter, inner.adjusted(-5, 0, 5, 0), name, text, 15 if len(name) < 4 else 12, CENTRED)
         faint = text if down else QColor(self._theme.faint)
-        write(painter, inner, KEYS[self.phoneme], faint, 10, Qt.AlignmentFlag.AlignLeft)
+        draw_text(painter, inner, KEYS[self.phoneme], faint, 10, Qt.AlignmentFlag.AlignLeft)
         if self.n_takes:
-            write(painter, inner, f"×{self.n_takes}", faint, 10, Qt.AlignmentFlag.AlignRight)
+            draw_text(painter, inner, f"×{self.n_takes}", faint, 10, Qt.AlignmentFlag.AlignRight)
 
 
 class RecordPanel(QWidget):
     """Records takes, of the microphone or of the file that plays, and marks stretches of it."""
 
-    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme
@@ -73,7 +73,7 @@ class RecordPanel(QWidget):
         """Say what holding a button does now."""
         session, stretch = self._calibration.session, self._calibration.stretch
         held = self._calibration.phoneme
-        of_file = session.source is Source.FILE and session.path is not None
+        of_file = session.source is SoundSource.FILE and session.path is not None
         if held is not None:
             text = f"<b>Taking {held.label}</b>: let go when it is said"
         elif of_file and stretch is not None and not session.playing:

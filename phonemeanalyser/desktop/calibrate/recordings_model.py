@@ -4,13 +4,13 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
+from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
+from phonemeengine.errors import AudioError, UnknownPhonemeError
+from phonemeengine.labels.phoneme_map import PhonemeMap
+from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QObject, Signal
 
-from phonemeengine.labels.phoneme_map import Mapping
-from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
-from phonemeengine.errors import AudioError, UnknownPhonemes
-from phonemeengine.phonemes import Phoneme
-from phonemeanalyser.desktop.tasks import Backroom
+from phonemeanalyser.desktop.tasks import TaskQueue
 
 Read = tuple[tuple[Utterance, ...], list[str]]
 """What was read, and the sentences about what could not be."""
@@ -36,8 +36,8 @@ class RecordingsModel(QObject):
         super().__init__()
         self.utterances: tuple[Utterance, ...] = ()
         self.sources: list[Path] = []
-        self.mapping = Mapping()
-        self._reading = Backroom(self.failed.emit)
+        self.mapping = PhonemeMap()
+        self._reading = TaskQueue(self.failed.emit)
 
     @property
     def busy(self) -> bool:
@@ -57,7 +57,7 @@ class RecordingsModel(QObject):
 
     def map(self, phonemes: dict[str, Phoneme], sources: Sequence[Path]) -> None:
         """Say what names stand for, and read again what they stood in."""
-        self.mapping = Mapping({**self.mapping.phonemes, **phonemes})
+        self.mapping = PhonemeMap({**self.mapping.phonemes, **phonemes})
         self.load(sources)
 
     def clear(self) -> None:
@@ -91,7 +91,7 @@ class RecordingsModel(QObject):
             self.told.emit(f"{len(fresh)} labelled recordings were loaded.")
 
 
-def _read(sources: Sequence[Path], mapping: Mapping) -> Read | dict[str, int]:
+def _read(sources: Sequence[Path], mapping: PhonemeMap) -> Read | dict[str, int]:
     """Read recordings; where names are unknown, give those of all of them."""
     utterances: list[Utterance] = []
     refusals: list[AudioError] = []
@@ -99,6 +99,6 @@ def _read(sources: Sequence[Path], mapping: Mapping) -> Read | dict[str, int]:
     for source in sources:
         try:
             utterances += read_recordings(source, mapping, passed_over=refusals.append)
-        except UnknownPhonemes as error:
+        except UnknownPhonemeError as error:
             unknown = dict(Counter(unknown) + Counter(error.counts))
     return unknown or (tuple(utterances), [str(refusal) for refusal in refusals])

@@ -2,23 +2,24 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Signal
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.calibration.takes.room_noise import RoomNoise, Sureness, measure_room
+from phonemeengine.calibration.takes.room_noise import RoomNoise, SilenceAccuracy, measure_room
 from phonemeengine.calibration.takes.room_takes import speech_in
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.preset import Preset
-from phonemeanalyser.desktop.tasks import Backroom
+from PySide6.QtCore import QObject, Signal
+
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
-from phonemeanalyser.desktop.session.capture import Block, in_house_form
+from phonemeanalyser.desktop.session.capture import to_mono_44k
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.tasks import TaskQueue
 
 SECONDS = 2.0
 """How long the room is heard."""
 
-Found = tuple[RoomNoise, Preset, Sureness]
+Found = tuple[RoomNoise, Preset, SilenceAccuracy]
 
 
 class RoomModel(QObject):
@@ -41,7 +42,7 @@ class RoomModel(QObject):
         self._session = session
         self._preset = preset
         self._takes = takes
-        self._work = Backroom(self.failed.emit)
+        self._work = TaskQueue(self.failed.emit)
 
     def begin(self) -> None:
         """Hear the room for two seconds; the microphone listens already."""
@@ -92,7 +93,7 @@ class RoomModel(QObject):
         self.changed.emit()
 
 
-def _found_in(samples: Block, rate: int, preset: Preset, takes: tuple[Utterance, ...]) -> Found:
-    room, speech = measure_room(in_house_form(samples, rate), preset), speech_in(takes)
+def _found_in(samples: Float32Array, rate: int, preset: Preset, takes: tuple[Utterance, ...]) -> Found:
+    room, speech = measure_room(to_mono_44k(samples, rate), preset), speech_in(takes)
     found = room.thresholds(preset, speech)
     return room, found, room.sureness(found, speech)

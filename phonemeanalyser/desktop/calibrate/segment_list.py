@@ -7,14 +7,14 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from phonemeanalyser.desktop.widgets.phoneme_keys import LettersPassed
+from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 
 MOST = 500
 """Rows that are shown at most."""
 
 
 @dataclass(frozen=True)
-class Row:
+class SegmentRow:
     """A stretch in a list: the file, its seconds, and what is told of it."""
 
     path: Path
@@ -23,7 +23,7 @@ class Row:
     words: str = ""
 
 
-class StretchList(QTableWidget):
+class SegmentList(QTableWidget):
     """Shows stretches; a click, or Return, plays one.
 
     Signals
@@ -35,7 +35,7 @@ class StretchList(QTableWidget):
 
     def __init__(self, name: str, words: str) -> None:
         super().__init__(0, 4)
-        self.rows: list[Row] = []
+        self.rows: list[SegmentRow] = []
         self.setHorizontalHeaderLabels(["recording", "from (s)", "ms", words])
         self.setAccessibleName(name)
         self.setToolTip("Click a stretch to hear it, or choose one and press Return")
@@ -55,11 +55,11 @@ class StretchList(QTableWidget):
         self.setShowGrid(False)
         self.setTabKeyNavigation(False)
         self.setMinimumHeight(60)
-        self.installEventFilter(LettersPassed(self))
+        self.installEventFilter(LetterPassthrough(self))
         self.cellClicked.connect(lambda row, _column: self._play(row))
         self.cellActivated.connect(lambda row, _column: self._play(row))
 
-    def show_rows(self, rows: Sequence[Row]) -> None:
+    def show_rows(self, rows: Sequence[SegmentRow]) -> None:
         """Show stretches, as many as there is use for."""
         if list(rows[:MOST]) == self.rows:
             return

@@ -2,14 +2,14 @@
 
 from typing import Any
 
+from phonemeengine.calibration.takes.take import Take
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from phonemeengine.calibration.takes.take import Take
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import LettersPassed
+from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 
 HEADINGS = ("sound", "speaker", "s", "dB", "check")
 TIPS = (
@@ -19,7 +19,7 @@ TIPS = (
 NUMBER = Qt.ItemDataRole.UserRole
 
 
-class TakesList(QTableWidget):
+class TakeListView(QTableWidget):
     """Shows all takes; Delete deletes, X excludes, Return plays.
 
     Signals
@@ -38,7 +38,7 @@ class TakesList(QTableWidget):
         self._theme = theme
         self._filling = False
         self._style()
-        self.installEventFilter(LettersPassed(self))
+        self.installEventFilter(LetterPassthrough(self))
         self.currentCellChanged.connect(self._choose)
         self.cellDoubleClicked.connect(lambda row, _column: self.play_asked.emit(self._number_at(row)))
         takes.changed.connect(self._fill)

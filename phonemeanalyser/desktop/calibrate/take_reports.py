@@ -3,19 +3,15 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
-from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.take import Take
 from phonemeengine.phonemes import Phoneme
 
-Block = NDArray[np.float32]
 
-
-def sound_in(path: Path) -> Block:
+def sound_in(path: Path) -> Float32Array:
     """Read a whole sound, of one channel, shape (n,)."""
     with SoundReader(path) as reader:
         return mono_of(reader.read(reader.n_samples), reader.channel)

@@ -3,13 +3,13 @@
 from typing import Any
 
 import numpy as np
+from phonemeengine.settings import SAMPLE_RATE
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from phonemeengine.settings import SAMPLE_RATE
-from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
+from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 
 HEADING = 15
@@ -20,7 +20,7 @@ LEAST = 0.03
 """What counts lasts at least so long, seconds."""
 
 
-class TakeWave(QWidget):
+class TakeWaveform(QWidget):
     """Draws a take, and lets its ends be moved with the mouse, or with arrow keys (Shift: the other end).
 
     Signals

@@ -5,22 +5,20 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
-from PySide6.QtCore import QObject, Signal
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.take import Take
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE, Channel
-from phonemeanalyser.desktop.tasks import Backroom
-from phonemeanalyser.desktop.session.capture import in_house_form
+from PySide6.QtCore import QObject, Signal
+
 from phonemeanalyser.desktop.calibrate.take_labels import write_labels_of
 from phonemeanalyser.desktop.calibrate.take_reports import noise_in, report_of, reports_of, sound_in
-
-Block = NDArray[np.float32]
+from phonemeanalyser.desktop.session.capture import to_mono_44k
+from phonemeanalyser.desktop.tasks import TaskQueue
 
 LEAST_SECONDS = 0.05
 """What is shorter was no take but a slip of the finger, seconds."""
@@ -74,12 +72,12 @@ class TakesModel(QObject):
         self.speaker = UNNAMED
         self.now = Snapshot()
         self.selected: int | None = None
-        self.sound: Block = np.zeros(0, np.float32)
+        self.sound: Float32Array = np.zeros(0, np.float32)
         self._default_folder = default_folder
         self._project: TakeProject | None = None
         self._shown: Path | None = None
         self._reports: dict[int, TakeReport] = {}
-        self._disk = Backroom(self.failed.emit)
+        self._disk = TaskQueue(self.failed.emit)
 
     # -- what there is ------------------------------------------------------------------------------------
 
@@ -135,7 +133,7 @@ class TakesModel(QObject):
     # -- changes ------------------------------------------------------------------------------------------
 
     def add(
-        self, samples: Block, rate: int, phoneme: Phoneme, device: str, *, instead_of: int | None = None
+        self, samples: Float32Array, rate: int, phoneme: Phoneme, device: str, *, instead_of: int | None = None
     ) -> None:  # fmt: skip
         """Keep a new take, shape (n, n_channels), and check it; it may take the place of another."""
         if len(samples) < LEAST_SECONDS * rate:
@@ -146,7 +144,7 @@ class TakesModel(QObject):
         speaker = self.speaker.strip() or UNNAMED
 
         def act(project: TakeProject) -> Take:
-            report = check_take(in_house_form(samples, rate), self._noise_now(project), phoneme)
+            report = check_take(to_mono_44k(samples, rate), self._noise_now(project), phoneme)
             take = project.add(samples, speaker, phoneme, rate=rate, report=report, device=device)
             self._reports[take.number] = report
             if instead_of is not None:
@@ -169,7 +167,7 @@ class TakesModel(QObject):
             if channel is not Channel.MIX:
                 samples = mono_of(samples, channel)[:, np.newaxis]
             marked = samples[round(before * SAMPLE_RATE) : round((before + end - start) * SAMPLE_RATE)]
-            report = check_take(in_house_form(marked, SAMPLE_RATE), self._noise_now(project), phoneme)
+            report = check_take(to_mono_44k(marked, SAMPLE_RATE), self._noise_now(project), phoneme)
             take = project.add(
                 samples,
                 self.speaker.strip() or UNNAMED,
@@ -296,7 +294,7 @@ class TakesModel(QObject):
         for sentence in list(report.faults.values())[:1]:
             self.failed.emit(f"{take.name}: {sentence}")
 
-    def _show_sound(self, number: int | None, sound: Block) -> None:
+    def _show_sound(self, number: int | None, sound: Float32Array) -> None:
         if number == self.selected:
             self.sound = sound
             self.sound_read.emit()

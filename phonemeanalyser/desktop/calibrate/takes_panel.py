@@ -7,13 +7,13 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QMenu, QToolButton, QVBoxLayout, QWidget
 
-from phonemeanalyser.desktop.calibrate.model import Calibration
-from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LettersPassed
-from phonemeanalyser.desktop.calibrate.take_list import TakesList
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.record_panel import RecordPanel
-from phonemeanalyser.desktop.calibrate.take_waveform import TakeWave
+from phonemeanalyser.desktop.calibrate.take_list import TakeListView
+from phonemeanalyser.desktop.calibrate.take_waveform import TakeWaveform
 from phonemeanalyser.desktop.session.status_line import ElidedLabel
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
 
 WIDTH = 330
 
@@ -32,7 +32,7 @@ class TakesPanel(QWidget):
     import_asked = Signal(bool)
     guide_asked = Signal()
 
-    def __init__(self, calibration: Calibration, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme
@@ -41,8 +41,8 @@ class TakesPanel(QWidget):
         self.speaker = QLineEdit(calibration.takes.speaker)
         self.guide, self.room = QToolButton(), QToolButton()
         self.record = RecordPanel(calibration, theme)
-        self.list = TakesList(calibration.takes, theme)
-        self.wave = TakeWave(calibration.takes, theme)
+        self.list = TakeListView(calibration.takes, theme)
+        self.wave = TakeWaveform(calibration.takes, theme)
         self.play, self.exclude, self.delete = QToolButton(), QToolButton(), QToolButton()
         self.phoneme = QComboBox()
         self._fill()
@@ -91,7 +91,7 @@ class TakesPanel(QWidget):
         self.speaker.setAccessibleName("speaker")
         self.phoneme.setToolTip("What the chosen take is: choose another sound to relabel it")
         self.phoneme.setAccessibleName("sound of the take")
-        self.phoneme.installEventFilter(LettersPassed(self.phoneme))
+        self.phoneme.installEventFilter(LetterPassthrough(self.phoneme))
         for phoneme in KEYS:
             self.phoneme.addItem(phoneme.label, phoneme)
 

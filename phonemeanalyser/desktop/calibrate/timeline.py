@@ -4,15 +4,15 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from phonemeengine.arrays import UInt8Array
+from phonemeengine.calibration.scores.confusion import Confusion
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QMouseEvent, QPainter, QWheelEvent
 from PySide6.QtWidgets import QScrollBar, QSizePolicy, QVBoxLayout, QWidget
 
-from phonemeengine.calibration.scores.confusion import Confusion
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import FRAME_PERIOD
-from phonemeanalyser.desktop.painting import CENTRED, write
+from phonemeanalyser.desktop.painting import CENTRED, draw_text
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 
@@ -26,7 +26,7 @@ LEAST_TEXT = 16
 """Pixels that a stretch needs to be named."""
 
 
-class Lanes(QWidget):
+class Timeline(QWidget):
     """Paints the part that is seen; the wheel zooms at the mouse."""
 
     def __init__(self, theme: Theme) -> None:
@@ -63,11 +63,11 @@ class Lanes(QWidget):
         tops = (HEADING, HEADING + LANE + GAP)
         lanes = (self.confusion.labels.phonemes, self.confusion.answers)
         for top, word, codes in zip(tops, ("said", "recognised"), lanes, strict=True):
-            write(painter, QRectF(6, top, LEFT - 8, LANE), word, self._theme.text, SIZE)
+            draw_text(painter, QRectF(6, top, LEFT - 8, LANE), word, self._theme.text, SIZE)
             self._paint_lane(painter, top, codes)
         self._paint_edges(painter, self.confusion)
 
-    def _paint_lane(self, painter: QPainter, top: int, codes: NDArray[np.uint8]) -> None:
+    def _paint_lane(self, painter: QPainter, top: int, codes: UInt8Array) -> None:
         width = self.width() - LEFT
         frames = (self.first + np.arange(width) / self.scale).astype(np.intp)
         inside = frames < len(codes)
@@ -87,7 +87,7 @@ class Lanes(QWidget):
             x = LEFT + (first + start - self.first) * self.scale
             box = QRectF(max(x, LEFT), top, (end - start) * self.scale, LANE)
             if painter.fontMetrics().horizontalAdvance(name) < box.width() - 2:
-                write(painter, box, name, "#ffffff", SIZE, CENTRED)
+                draw_text(painter, box, name, "#ffffff", SIZE, CENTRED)
 
     def _paint_edges(self, painter: QPainter, confusion: Confusion) -> None:
         for k, edge in enumerate(confusion.edges[:-1].tolist()):
@@ -99,10 +99,10 @@ class Lanes(QWidget):
             room = min(end, self.width()) - max(x, LEFT) - 6
             if room > 24:
                 text = painter.fontMetrics().elidedText(self.names[k], Qt.TextElideMode.ElideMiddle, int(room))
-                write(painter, QRectF(max(x, LEFT) + 4, 0, room, HEADING), text, self._theme.faint, SIZE)
+                draw_text(painter, QRectF(max(x, LEFT) + 4, 0, room, HEADING), text, self._theme.faint, SIZE)
 
 
-class LanesView(QWidget):
+class TimelineView(QWidget):
     """The lanes with their scroll bar.
 
     Signals
@@ -114,7 +114,7 @@ class LanesView(QWidget):
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
-        self.lanes = Lanes(theme)
+        self.lanes = Timeline(theme)
         self.bar = QScrollBar(Qt.Orientation.Horizontal)
         self.menu = PlotMenu(self.lanes, "said and recognised", lambda _at: table_of(self._columns()), self._whole)
         self.setToolTip("Click a stretch to hear it; the wheel scrolls, with Ctrl it zooms")

@@ -1,5 +1,9 @@
 """The variables, ranked by how well they separate the sounds, and the search for better ones."""
 
+from phonemeengine.calibration.fits.suggestions import Suggestion
+from phonemeengine.features.variables import Variable
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.recogniser import takes_own_variables
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
@@ -15,13 +19,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeengine.calibration.fits.suggestions import Suggestion
-from phonemeengine.features.variables import Variable
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recogniser import takes_own_variables
 from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LettersPassed
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
 
 NAME = Qt.ItemDataRole.UserRole
 
@@ -79,7 +79,7 @@ class VariablesPanel(QWidget):
         self.table.setToolTip(
             "The chance that of two frames of different sounds a threshold tells which is which: 50 % says nothing"
         )
-        self.table.installEventFilter(LettersPassed(self.table))
+        self.table.installEventFilter(LetterPassthrough(self.table))
         for phoneme in KEYS:
             self.one.addItem(phoneme.label, phoneme)
             self.other.addItem(phoneme.label, phoneme)
@@ -92,7 +92,7 @@ class VariablesPanel(QWidget):
         ):
             box.setToolTip(name)
             box.setAccessibleName(name)
-            box.installEventFilter(LettersPassed(box))
+            box.installEventFilter(LetterPassthrough(box))
         self.search.setToolTip("Search for frequency ranges that part these two best")
         self.add.setToolTip("Add the suggested variable to the preset; Ctrl+Z takes it back")
         for button in (self.search, self.add):

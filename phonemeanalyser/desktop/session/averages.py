@@ -2,11 +2,17 @@
 
 from pathlib import Path
 
+from phonemeengine.analyser import Analysis
+from phonemeengine.averaged_spectrum import (
+    AveragedSpectrum,
+    SpectrumAverage,
+    distance_of,
+    load_averaged_spectrum,
+    save_averaged_spectrum,
+)
+from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
 from PySide6.QtCore import QObject, Signal
 
-from phonemeengine.analyser import Analysis
-from phonemeengine.averaged_spectrum import Curve, SpectrumAverage, distance_of, load_curve, save_curve
-from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
 from phonemeanalyser.desktop.session.history import shown_spectra
 
 
@@ -26,7 +32,7 @@ class AveragesModel(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self.curves: list[Curve] = []
+        self.curves: list[AveragedSpectrum] = []
         self.settings: AnalysisSettings | None = None
         self._average = SpectrumAverage()
         self._cause = self._sound = ""
@@ -57,20 +63,20 @@ class AveragesModel(QObject):
         self.settings = analysis.settings
         self._average.add(shown_spectra(analysis))
 
-    def current(self, name: str = "now") -> Curve:
+    def current(self, name: str = "now") -> AveragedSpectrum:
         """Give the running mean."""
         front_end = self.settings.front_end() if self.settings is not None else ""
         return self._average.curve(name, front_end, self.since)
 
     def load(self, path: Path) -> None:
         """Load a curve beside the others; EngineError leaves them as they are."""
-        self.curves.append(load_curve(path))
+        self.curves.append(load_averaged_spectrum(path))
         self.curves_changed.emit()
 
     def save(self, path: Path) -> None:
         """Save the running mean under the file's name, and keep it as a curve."""
         curve = self.current(path.stem)
-        save_curve(curve, path)
+        save_averaged_spectrum(curve, path)
         self.curves.append(curve)
         self.curves_changed.emit()
 

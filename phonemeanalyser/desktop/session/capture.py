@@ -3,25 +3,22 @@
 import threading
 
 import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.settings import SAMPLE_RATE, Channel
-
-Block = NDArray[np.float32]
 
 LONGEST = 30.0
 """Seconds that are caught at most; what comes later is left out."""
 
 
-class Catch:
+class SampleCapture:
     """Keeps what comes between `begin` and `end`; blocks may come from another thread."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._blocks: list[Block] = []
-        self._mono: list[Block] = []
+        self._blocks: list[Float32Array] = []
+        self._mono: list[Float32Array] = []
         self._rate = 0
         self._n = 0
         self._open = False
@@ -41,7 +38,7 @@ class Catch:
         """Whether nothing more is kept."""
         return self.seconds >= LONGEST
 
-    def push(self, block: Block, rate: int) -> None:
+    def push(self, block: Float32Array, rate: int) -> None:
         """Take a block, shape (n, n_channels); one in another form than those before begins anew."""
         with self._lock:
             if not self._open or self.full:
@@ -59,7 +56,7 @@ class Catch:
             self._forget()
             self._open = True
 
-    def end(self) -> tuple[Block, int]:
+    def end(self) -> tuple[Float32Array, int]:
         """Keep no more; gives what was caught, shape (n, n_channels), and its rate in Hz."""
         with self._lock:
             self._open = False
@@ -68,7 +65,7 @@ class Catch:
             self._forget()
         return caught, rate
 
-    def heard(self) -> tuple[Block, int]:
+    def heard(self) -> tuple[Float32Array, int]:
         """Give what was caught so far as one channel, shape (n,), and its rate in Hz."""
         with self._lock:
             if len(self._mono) > 1:
@@ -79,7 +76,7 @@ class Catch:
         self._blocks, self._mono, self._n = [], [], 0
 
 
-def in_house_form(samples: Block, rate: int) -> Block:
+def to_mono_44k(samples: Float32Array, rate: int) -> Float32Array:
     """Give a sound, shape (n, n_channels), as one channel at 44.1 kHz, shape (m,)."""
     if rate != SAMPLE_RATE and len(samples):
         samples = Resampler(rate, samples.shape[1]).push(samples, last=True)

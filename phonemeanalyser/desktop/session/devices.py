@@ -3,14 +3,14 @@
 import threading
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, Signal
-
 from phonemeengine.audio.devices import Device, inputs_of
 from phonemeengine.errors import EngineError
-from phonemeanalyser.desktop.threads import begun
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.threads import start_thread
 
 
-class InputList(QObject):
+class DeviceList(QObject):
     """Lists what records, the default first; `look` looks anew, and `see` takes note of what was found.
 
     Signals
@@ -30,7 +30,7 @@ class InputList(QObject):
     def look(self) -> None:
         """Look which there are now."""
         if self._looking is None:
-            self._looking = begun(self._look)
+            self._looking = start_thread(self._look)
 
     def see(self) -> None:
         """Take note of what was found, if it was."""

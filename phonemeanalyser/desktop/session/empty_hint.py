@@ -1,15 +1,15 @@
 """What the time view invites to, while there is nothing to be seen in it."""
 
-from phonemeanalyser.desktop.session.session import Session, Source
+from phonemeanalyser.desktop.session.session import Session, SoundSource
 
 NOTHING = "Drop a sound here, or open one with Ctrl+O"
-INVITATIONS = {
-    Source.FILE: "Press Space to play",
-    Source.MICROPHONE: "Press Space to listen, R to record",
-    Source.TONE: "Press Space to hear the tone",
+HINTS = {
+    SoundSource.FILE: "Press Space to play",
+    SoundSource.MICROPHONE: "Press Space to listen, R to record",
+    SoundSource.TONE: "Press Space to hear the tone",
 }
 
 
-def invitation_of(session: Session) -> str:
+def empty_hint(session: Session) -> str:
     """Say what the user may do with the source in use."""
-    return NOTHING if session.source is Source.FILE and not session.path else INVITATIONS[session.source]
+    return NOTHING if session.source is SoundSource.FILE and not session.path else HINTS[session.source]

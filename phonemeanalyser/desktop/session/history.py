@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-
 from phonemeengine.analyser import Analysis
+from phonemeengine.arrays import Float32Array, IndexArray
 from phonemeengine.dsp.mel import spread_mel
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
@@ -98,12 +98,12 @@ class History:
         """The measured variables."""
         return self._names
 
-    def indices(self, first: int, last: int) -> NDArray[np.intp]:
+    def indices(self, first: int, last: int) -> IndexArray:
         """Give the indices of columns first..last-1, as far as they are still remembered."""
         first = max(first, self._oldest)
         return np.arange(first, max(first, min(last, self.n))) % CAPACITY
 
-    def features(self, indices: NDArray[np.intp]) -> Features:
+    def features(self, indices: IndexArray) -> Features:
         """Give the variables at these indices; NaN where one was not measured."""
         return Features(self._names, self._values[indices])
 
@@ -132,7 +132,7 @@ class History:
             return None
         return float(np.count_nonzero(codes[1:] != codes[:-1]) / (len(codes) * FRAME_PERIOD))
 
-    def _room_for(self, n: int) -> NDArray[np.intp]:
+    def _room_for(self, n: int) -> IndexArray:
         """Make the next `n` columns, and give their indices; what they push out is counted before."""
         at = np.arange(self.n, self.n + n) % CAPACITY
         self.n += n
@@ -150,7 +150,7 @@ class History:
         self._values[at] = np.nan
         self._heard[at] = False
 
-    def _write(self, at: NDArray[np.intp], analysis: Analysis) -> None:
+    def _write(self, at: IndexArray, analysis: Analysis) -> None:
         if analysis.features.names != self._names:
             self._rename(analysis.features.names)
         shown = shown_spectra(analysis)
@@ -187,7 +187,7 @@ class History:
         self._highest_out = np.full(n, -np.inf)
         self._lowest_out = np.full(n, np.inf)
 
-    def _count_out(self, at: NDArray[np.intp]) -> None:
+    def _count_out(self, at: IndexArray) -> None:
         values = self._values[at[self._heard[at]]]
         if len(values):
             self._n_out += np.count_nonzero(~np.isnan(values), axis=0)
@@ -207,7 +207,7 @@ class History:
         )
 
 
-def shown_spectra(analysis: Analysis) -> NDArray[np.float32]:
+def shown_spectra(analysis: Analysis) -> Float32Array:
     """Give the spectra as they are drawn: through the mel bank while it is on, on the linear axis."""
     if analysis.mel is None:
         return analysis.spectra

@@ -3,15 +3,15 @@
 import threading
 from collections.abc import Sequence
 
-from PySide6.QtCore import QObject, Signal
-
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import EngineError
 from phonemeengine.live.loopback import Loopback, measure_loopback
-from phonemeanalyser.desktop.threads import begun
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.threads import start_thread
 
 
-class ClickTest(QObject):
+class LatencyTest(QObject):
     """Plays clicks and listens for them; `begin` begins, and `see` says when it has ended.
 
     Signals
@@ -37,7 +37,7 @@ class ClickTest(QObject):
     def begin(self, choice: InputChoice, after: Sequence[threading.Thread]) -> None:
         """Measure as soon as these threads have ended: some cards serve one stream at a time."""
         waiting = list(after)
-        self.measuring = begun(lambda: self._measure(choice, waiting))
+        self.measuring = start_thread(lambda: self._measure(choice, waiting))
 
     def see(self) -> bool:
         """Tell what came of it, if it has just ended; says whether it has."""

@@ -18,7 +18,7 @@ FORGOTTEN = 60.0
 """Seconds after which a clipping is not told any more."""
 
 
-class LevelMeter(QWidget):
+class LevelMeterView(QWidget):
     """Paints the level from -60 to 0 dB below full scale."""
 
     def __init__(self, microphone: Microphone, theme: Theme) -> None:

@@ -6,22 +6,22 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
-
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device, InputChoice
-from phonemeengine.audio.journal import Unfinished, unfinished
+from phonemeengine.audio.journal import InterruptedRecording, interrupted_recordings
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
-from phonemeengine.paths import journal_folder, new_take, recordings_folder
-from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.listener import Listener
-from phonemeengine.live.recorder import Tape
+from phonemeengine.live.microphone_analyser import Latency
+from phonemeengine.live.recorder import Recorder
+from phonemeengine.paths import journal_folder, new_recording_path, recordings_folder
 from phonemeengine.presets.preset import Preset
-from phonemeanalyser.desktop.threads import begun
-from phonemeanalyser.desktop.session.capture import Catch
-from phonemeanalyser.desktop.session.latency_test import ClickTest
-from phonemeanalyser.desktop.session.devices import InputList
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.session.capture import SampleCapture
+from phonemeanalyser.desktop.session.devices import DeviceList
+from phonemeanalyser.desktop.session.latency_test import LatencyTest
+from phonemeanalyser.desktop.threads import start_thread
 
 RATES = (0, 16_000, 22_050, 32_000, 44_100, 48_000, 96_000)
 """Sample rates to choose from, Hz; 0 leaves it to the device."""
@@ -57,9 +57,9 @@ class Microphone(QObject):
     ) -> None:  # fmt: skip
         super().__init__()
         self.choice = InputChoice()
-        self.inputs = InputList(list_devices)
-        self.clicks = ClickTest()
-        self.catch = Catch()
+        self.inputs = DeviceList(list_devices)
+        self.clicks = LatencyTest()
+        self.catch = SampleCapture()
         self.folder = self._rescue = folder or recordings_folder()
         self.suffix = ".wav"
         self.with_phonemes = False
@@ -67,8 +67,8 @@ class Microphone(QObject):
         self._journal = journal or journal_folder()
         self._make_listener = make_listener
         self._listener: Listener | None = None
-        self._tape: Tape | None = None
-        self._ending: list[tuple[threading.Thread, Tape]] = []
+        self._tape: Recorder | None = None
+        self._ending: list[tuple[threading.Thread, Recorder]] = []
         self._leaving: list[threading.Thread] = []
         self._preset = Preset()
         self._goes_on = False
@@ -168,7 +168,7 @@ class Microphone(QObject):
         self._goes_on = False
         listener, self._listener = self._listener, None
         if listener is not None:
-            self._leaving.append(begun(listener.close))  # a sound server that hangs must not hang the window
+            self._leaving.append(start_thread(listener.close))  # a sound server that hangs must not hang the window
             self.changed.emit()
 
     def use(self, preset: Preset) -> None:
@@ -214,8 +214,8 @@ class Microphone(QObject):
         if self._listener is None or self._tape is not None:
             return
         folder, suffix = self.folder, self.suffix
-        self._tape = Tape(
-            lambda: new_take(folder, suffix),
+        self._tape = Recorder(
+            lambda: new_recording_path(folder, suffix),
             with_phonemes=self.with_phonemes,
             fill_gaps=self.fill_gaps,
             journal=self._journal,
@@ -230,12 +230,12 @@ class Microphone(QObject):
         if tape is not None:
             if self._listener is not None:
                 self._listener.record(None)
-            self._ending.append((begun(tape.close), tape))
+            self._ending.append((start_thread(tape.close), tape))
             self.changed.emit()
 
-    def unfinished(self) -> list[Unfinished]:
+    def interrupted_recordings(self) -> list[InterruptedRecording]:
         """Give the recordings that were cut off when the program ended."""
-        return unfinished(self._journal)
+        return interrupted_recordings(self._journal)
 
     def take(self) -> list[Analysis]:
         """Give what was found since the last call, and see to recordings; raises what ended the listening."""
@@ -293,7 +293,7 @@ class Microphone(QObject):
                 self.failed.emit("Nothing was recorded, since no sound came; check the microphone.")
 
 
-def _remarks(tape: Tape) -> list[str]:
+def _remarks(tape: Recorder) -> list[str]:
     """Say what else there is to know of a recording that went well."""
     earlier = [path.name for path in tape.paths[:-1]]
     if not earlier:

@@ -3,17 +3,17 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
-
-from phonemeengine.analyser import Analysis, analyses_of
+from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.progress import Heed, tell
 from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import labels_of_runs
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.segments import runs_of
+from phonemeengine.progress import Progress, report_progress
+from phonemeengine.recognition.segments import segments_of
 from phonemeengine.settings import SAMPLE_RATE, Channel
-from phonemeanalyser.desktop.tasks import Backroom
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.tasks import TaskQueue
 
 BLOCK = 5 * SAMPLE_RATE
 """Samples that are read at a time."""
@@ -33,7 +33,7 @@ class PhonemeWriter(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self._work = Backroom(self.failed.emit)
+        self._work = TaskQueue(self.failed.emit)
 
     @property
     def busy(self) -> bool:
@@ -62,14 +62,14 @@ class PhonemeWriter(QObject):
         self._work.close()
 
 
-def _write(sound: Path, channel: Channel, preset: Preset, target: Path, heed: Heed) -> None:
+def _write(sound: Path, channel: Channel, preset: Preset, target: Path, heed: Progress) -> None:
     with SoundReader(sound, channel) as reader:
         found = ((a.phonemes, a.intensities) for a in _analyses(reader, preset, heed))
-        labels = labels_of_runs(runs_of(found, reader.duration))
+        labels = labels_of_runs(segments_of(found, reader.duration))
         write_labels(labels, target, duration=reader.duration)
 
 
-def _analyses(reader: SoundReader, preset: Preset, heed: Heed) -> Iterator[Analysis]:
-    for analysis in analyses_of(reader.blocks(BLOCK), preset):
-        tell(heed, reader.position / reader.n_samples)
+def _analyses(reader: SoundReader, preset: Preset, heed: Progress) -> Iterator[Analysis]:
+    for analysis in analyse_blocks(reader.blocks(BLOCK), preset):
+        report_progress(heed, reader.position / reader.n_samples)
         yield analysis

@@ -14,7 +14,7 @@ SPACINGS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1200, 3600)
 """Between two marks of time, seconds."""
 
 
-class TimeLine(QWidget):
+class PositionSlider(QWidget):
     """The whole file as a line; a click or a drag goes there.
 
     Signals

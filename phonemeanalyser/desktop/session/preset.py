@@ -5,9 +5,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
-
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
@@ -27,6 +24,8 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recogniser import Recogniser, recogniser_of
 from phonemeengine.recognition.rules import Rule
 from phonemeengine.settings import Filter
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
 
 FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
     Filter.QUANTISE: ("quantise", "decimation"),
@@ -60,7 +59,7 @@ class _Edit(QUndoCommand):
     def id(self) -> int:
         return 1
 
-    def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802 - Qt's name
+    def mergeWith(self, other: QUndoCommand) -> bool:
         if not isinstance(other, _Edit) or (other.text(), other._run) != (self.text(), self._run):
             return False
         self._after = other._after

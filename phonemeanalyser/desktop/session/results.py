@@ -3,14 +3,14 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
-
-from phonemeengine.analyser import Analysis, analyses_between
+from phonemeengine.analyser import Analysis, analyse_range
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.trace import Trace
 from phonemeengine.settings import FRAME_PERIOD, Channel
+from PySide6.QtCore import QObject, Signal
+
 from phonemeanalyser.desktop.session.averages import AveragesModel
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
@@ -19,7 +19,7 @@ AGAIN = 1000
 """Frames that are analysed anew at most when the preset changes while nothing plays: ten seconds."""
 
 
-class Findings(QObject):
+class AnalysisResults(QObject):
     """Gathers analyses.
 
     Signals
@@ -97,4 +97,4 @@ class Findings(QObject):
 
     def _analyses(self, path: Path, channel: Channel, first: int, last: int) -> Iterator[Analysis]:
         with SoundReader(path, channel) as reader:
-            yield from analyses_between(reader, first, last, self._preset.in_force, pitch=True)
+            yield from analyse_range(reader, first, last, self._preset.in_force, pitch=True)

@@ -4,27 +4,27 @@ from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
-
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import Output, open_output
 from phonemeengine.audio.tone.reader import ToneReader
+from phonemeengine.audio.tone.settings import Tone
 from phonemeengine.errors import EngineError
 from phonemeengine.live.player import Player
 from phonemeengine.recognition.trace import Trace
 from phonemeengine.settings import FRAME_PERIOD, Channel
-from phonemeengine.audio.tone.settings import Tone
-from phonemeanalyser.desktop.session.results import Findings
+from PySide6.QtCore import QObject, Signal
+
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.phoneme_writer import PhonemeWriter
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.results import AnalysisResults
 
 QUIETEST_DB = -60.0
 """At this volume and below nothing is heard."""
 
 
-class Source(StrEnum):
+class SoundSource(StrEnum):
     """Where the sound comes from."""
 
     FILE = "file"
@@ -62,11 +62,11 @@ class Session(QObject):
     ) -> None:  # fmt: skip
         super().__init__()
         self.preset = preset
-        self.findings = Findings(preset)
+        self.findings = AnalysisResults(preset)
         self.history, self.averages = self.findings.history, self.findings.averages
         self.microphone = microphone or Microphone()
         self.writer = PhonemeWriter()
-        self.source = Source.FILE
+        self.source = SoundSource.FILE
         self.tone = Tone()
         self.loop = False
         self.volume = 0.0
@@ -93,42 +93,42 @@ class Session(QObject):
     @property
     def duration(self) -> float:
         """Seconds of the file in hand; 0 while another source is in use."""
-        return self._file.duration if self._file and self.source is Source.FILE else 0.0
+        return self._file.duration if self._file and self.source is SoundSource.FILE else 0.0
 
     @property
     def position(self) -> float:
         """Seconds from the beginning to what is heard."""
-        if self.source is Source.MICROPHONE:
+        if self.source is SoundSource.MICROPHONE:
             return self.microphone.seconds
-        if self.source is Source.TONE:
+        if self.source is SoundSource.TONE:
             return self._player.position if self._player else 0.0
         return min(self._player.position, self.duration) if self._player else 0.0
 
     @property
     def playing(self) -> bool:
         """Whether sound is going on, or is listened for."""
-        if self.source is Source.MICROPHONE:
+        if self.source is SoundSource.MICROPHONE:
             return self.microphone.active
         return self._player is not None and self._player.playing
 
     @property
     def deaf(self) -> bool:
         """Whether the microphone should be heard, and nothing comes from it: what was heard last is no news then."""
-        return self.source is Source.MICROPHONE and self.microphone.active and not self.microphone.listening
+        return self.source is SoundSource.MICROPHONE and self.microphone.active and not self.microphone.listening
 
     @property
     def name(self) -> str:
         """What is in hand: the file's name, the microphone or the tone."""
-        if self.source is Source.FILE:
+        if self.source is SoundSource.FILE:
             return self._file.path.name if self._file else "no sound"
         return str(self.source)
 
     @property
     def description(self) -> str:
         """What is in hand, in words: rate and channels of a file, the microphone's state, the kind of tone."""
-        if self.source is Source.MICROPHONE:
+        if self.source is SoundSource.MICROPHONE:
             return self.microphone.words
-        if self.source is Source.TONE:
+        if self.source is SoundSource.TONE:
             return self.tone.kind.replace("_", " ")
         if self._file is None:
             return "no sound"
@@ -184,31 +184,31 @@ class Session(QObject):
             self.failed.emit(str(error))
             return False
         self._leave()
-        self.source = Source.FILE
+        self.source = SoundSource.FILE
         self._file = file
         self._take_up(Player(file, self.preset.in_force, self._open_device))
         return True
 
-    def set_source(self, source: Source) -> None:
+    def set_source(self, source: SoundSource) -> None:
         """Follow a file, the microphone or a tone, which is heard at once; a file goes on from where it was left."""
         if source is self.source:
-            if source is Source.TONE and not self.playing:
+            if source is SoundSource.TONE and not self.playing:
                 self.play()
             return
-        if self.source is Source.FILE:
+        if self.source is SoundSource.FILE:
             self._left_at = self.position
-        if source is Source.FILE and self.path is not None and self.open(self.path):
+        if source is SoundSource.FILE and self.path is not None and self.open(self.path):
             self.seek(self._left_at)
             return
         self._leave()
         self.source = source
         self._forget("Opening")
-        if source is Source.TONE:
+        if source is SoundSource.TONE:
             self._tone_reader = ToneReader(self.tone)
             self._take_up(Player(self._tone_reader, self.preset.in_force, self._open_device))
-        if source is Source.MICROPHONE:
+        if source is SoundSource.MICROPHONE:
             self.microphone.refresh_devices()
-        if source is not Source.FILE:
+        if source is not SoundSource.FILE:
             self.play()
         self.opened.emit()
 
@@ -241,11 +241,11 @@ class Session(QObject):
 
     def play(self) -> None:
         """Play or listen; the averaged spectrum begins anew when that is the beginning."""
-        if self.source is not Source.MICROPHONE and self._player is None:
+        if self.source is not SoundSource.MICROPHONE and self._player is None:
             return
         if self.position == 0:
             self.averages.begin("Play", self.name)
-        if self.source is Source.MICROPHONE:
+        if self.source is SoundSource.MICROPHONE:
             self.microphone.listen(self.preset.in_force)
         elif self._player is not None:
             self._player.play()
@@ -253,7 +253,7 @@ class Session(QObject):
 
     def pause(self) -> None:
         """Hold still; a microphone is let go, and a recording ends."""
-        if self.source is Source.MICROPHONE:
+        if self.source is SoundSource.MICROPHONE:
             self.microphone.stop()
         elif self._player is not None:
             self._player.pause()
@@ -269,7 +269,7 @@ class Session(QObject):
     def stop(self) -> None:
         """Hold still; a file stands at its beginning."""
         self.pause()
-        if self.source is Source.FILE and self._player is not None:
+        if self.source is SoundSource.FILE and self._player is not None:
             self._player.seek(0)
             self.sought.emit()
         self.transport_changed.emit()
@@ -282,7 +282,7 @@ class Session(QObject):
         if self.microphone.recording:
             self.microphone.end_recording()
         else:
-            self.set_source(Source.MICROPHONE)
+            self.set_source(SoundSource.MICROPHONE)
             self.play()
             self.microphone.begin_recording()
             if self.microphone.recording:
@@ -291,7 +291,7 @@ class Session(QObject):
 
     def seek(self, seconds: float) -> None:
         """Go to a place in the file; while nothing plays, the seconds before it are shown in place of the old."""
-        if self._player is not None and self.source is Source.FILE:
+        if self._player is not None and self.source is SoundSource.FILE:
             self._player.seek(seconds)
             if not self.playing and self._file is not None:
                 self.findings.show_before(self._file.path, self.channel, self.position)
@@ -316,7 +316,7 @@ class Session(QObject):
         """Choose what is analysed of files of several channels; the one in hand goes on from the same place."""
         if channel is self.wanted_channel is self.channel:
             return
-        if self._file is None or self.source is not Source.FILE:
+        if self._file is None or self.source is not SoundSource.FILE:
             self.wanted_channel = channel
         else:
             position, playing = self.position, self.playing
@@ -373,7 +373,7 @@ class Session(QObject):
 
     def ahead(self) -> list[tuple[float, Analysis]]:
         """Give what is known of the file before it is heard, each block with the seconds until then."""
-        return self._player.ahead() if self._player is not None and self.source is Source.FILE else []
+        return self._player.ahead() if self._player is not None and self.source is SoundSource.FILE else []
 
     def explain(self) -> Trace | None:
         """Say why the newest frame was recognised as it was."""
@@ -387,5 +387,5 @@ class Session(QObject):
         self.microphone.use(self.preset.in_force)
         if self._player is not None:
             self._player.use(self.preset.in_force)
-            if not self.playing and self.source is Source.FILE and self._file is not None:
+            if not self.playing and self.source is SoundSource.FILE and self._file is not None:
                 self.findings.analyse_again(self._file.path, self.channel)

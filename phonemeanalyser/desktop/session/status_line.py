@@ -5,7 +5,7 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel
 
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session, Source
+from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
 
 UNNOTICED, ACCEPTED = 0.045, 0.090
@@ -56,7 +56,7 @@ class StatusLine:
         self.left.setToolTip(self.left.text().strip())
         parts = ["views frozen"] if frozen else []
         parts += [f"{session.n_dropped} frames not shown"] if session.n_dropped else []
-        if session.source is Source.MICROPHONE:
+        if session.source is SoundSource.MICROPHONE:
             parts += self._microphone_parts()
         else:
             parts += [f"♪ {session.output_name}" if session.has_card else session.output_name]

@@ -5,11 +5,11 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject, QSettings, QTimer
-
 from phonemeengine.audio.locking import lock_at
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import load_preset, save_preset
+from PySide6.QtCore import QObject, QSettings, QTimer
+
 from phonemeanalyser.desktop.session.preset import PresetModel
 
 KEPT_AFTER_MS = 1000

@@ -1,23 +1,23 @@
 """Whose face it is, and how it moves."""
 
+from phonemeengine.mouth.morpher import Detail
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
 
-from phonemeengine.mouth.morpher import Detail
-from phonemeanalyser.desktop.talk.model import Talking
-from phonemeanalyser.desktop.talk.face_model import FaceFiles
-from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import LettersPassed
-from phonemeanalyser.desktop.widgets.key_filters import KeysOfNumbers
-from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.session.status_line import ElidedLabel
-from phonemeanalyser.desktop.talk.times_view import TimesOfSounds
+from phonemeanalyser.desktop.talk.face_model import FaceFiles
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.times_view import TransitionTimesView
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
+from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 
 DETAILS = {Detail.PHONEMES: "all phonemes", Detail.LOUDNESS: "loudness only", Detail.TWO_STATES: "open and shut"}
 OWN = "own table …"
 FASTEST_PERCENT, SLOWEST_PERCENT, STEP_PERCENT = 10, 1000, 10
 
-WIDE = ElidedLabel | QComboBox | TimesOfSounds
+WIDE = ElidedLabel | QComboBox | TransitionTimesView
 """What takes the width that is left."""
 
 
@@ -33,7 +33,7 @@ class ChoicesPanel(QWidget):
     mesh_asked = Signal()
     table_asked = Signal()
 
-    def __init__(self, talking: Talking, theme: Theme) -> None:
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self._talking = talking
         self._theme = theme
@@ -42,7 +42,7 @@ class ChoicesPanel(QWidget):
         self.shipped = _button("Program’s Own", "Show the head that ships with the program")
         self.table, self.detail = QComboBox(), QComboBox()
         self.attack, self.release = NumberField(), NumberField()
-        self.times = TimesOfSounds(talking, theme)
+        self.times = TransitionTimesView(talking, theme)
         self.blinks, self.motion, self.random = QCheckBox("blinks"), QCheckBox("head motion"), QCheckBox("randomness")
         self._describe()
         self._lay_out()
@@ -63,9 +63,9 @@ class ChoicesPanel(QWidget):
             box.setAccessibleName(f"how long every {what} is")
             box.setToolTip(f"How long every {what} is: 100 % as the table has it, less is faster, more is slower")
             box.setKeyboardTracking(False)
-            box.installEventFilter(KeysOfNumbers(self))
+            box.installEventFilter(NumberFieldKeys(self))
         for combo in (self.table, self.detail):
-            combo.installEventFilter(LettersPassed(self))
+            combo.installEventFilter(LetterPassthrough(self))
         self.blinks.setToolTip("The eyes blink at human intervals")
         self.motion.setToolTip("The head moves with pitch and loudness of the voice")
         self.random.setToolTip("Shapes and times vary a little, as they do in people")

@@ -2,24 +2,24 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings
-from PySide6.QtWidgets import QFileDialog, QWidget
-
 from phonemeengine.mouth.files.io import FACES, FIGURES
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
-from phonemeanalyser.desktop.talk.model import Talking
-from phonemeanalyser.desktop.talk.face_model import FaceFiles
+from PySide6.QtCore import QObject, QSettings
+from PySide6.QtWidgets import QFileDialog, QWidget
+
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
+from phonemeanalyser.desktop.talk.face_model import FaceFiles
+from phonemeanalyser.desktop.talk.model import TalkModel
 
 MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*FIGURES, *FACES))})"
 TABLES = "Mouth tables (*.toml)"
 
 
-class TalkingDialogs(QObject):
+class TalkDialogs(QObject):
     """Asks, passes the answers to the models, and keeps what was chosen."""
 
-    def __init__(self, window: QWidget, talking: Talking, settings: QSettings) -> None:
+    def __init__(self, window: QWidget, talking: TalkModel, settings: QSettings) -> None:
         super().__init__(window)
         self._window = window
         self._talking = talking

@@ -4,19 +4,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
-from PySide6.QtCore import QObject, Signal
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import Figure, fitted
-from phonemeengine.mouth.files.io import load_face, load_figure
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.mesh import Vectors
-from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.blendshape_names import EYELIDS
+from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.morph_mesh import MorphMesh, matched
+from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.percentages import MOST_PERCENT
 from phonemeengine.mouth.table import MouthTable, load_table, shipped_tables
-from phonemeanalyser.desktop.tasks import Backroom
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.tasks import TaskQueue
 
 MOST_WEIGHT = MOST_PERCENT / 100
 
@@ -35,7 +34,7 @@ class FaceFiles:
     movestates: Path | None = None
 
 
-class TalkingFace(QObject):
+class FaceModel(QObject):
     """Loads faces in the background and moves the one that is there; `see` takes note of what was loaded.
 
     Signals
@@ -56,10 +55,10 @@ class TalkingFace(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.files = FaceFiles()
-        self.figure: Figure | None = None
+        self.figure: MorphMesh | None = None
         self.states: MovestateSet | None = None
         self.tables: dict[str, str] = {}
-        self._work = Backroom(self._fail)
+        self._work = TaskQueue(self._fail)
         self._shown = self.files
         self._asked = False
         self._columns: list[tuple[int, str]] = []
@@ -105,7 +104,7 @@ class TalkingFace(QObject):
         if self.states is not None:
             self._columns = self._pairs(table)
 
-    def move(self, weights: NDArray[np.float32]) -> None:
+    def move(self, weights: Float32Array) -> None:
         """Set the movestates of the table by its weights, and all others to 0; a blink goes on."""
         if self.states is not None:
             values = (100 * np.clip(weights, -MOST_WEIGHT, MOST_WEIGHT)).tolist()
@@ -119,7 +118,7 @@ class TalkingFace(QObject):
             for lid in self._lids:
                 self.states.set_percentage(lid, max(100 * closure, self._spoken.get(lid, 0.0)))
 
-    def positions(self) -> Vectors:
+    def positions(self) -> Float32Array:
         """Give where the vertices are now, shape (n_vertices, 3); the array is used again by the next call."""
         assert self.states is not None
         return self.states.morphed()
@@ -141,7 +140,7 @@ class TalkingFace(QObject):
             if name in moved and _plain(name) in mine
         ]
 
-    def _take(self, files: FaceFiles, figure: Figure) -> None:
+    def _take(self, files: FaceFiles, figure: MorphMesh) -> None:
         self._shown = files
         self.figure, self.states = figure, MovestateSet(figure.mesh, figure.states)
         self._lids = tuple(name for name in EYELIDS if name in self.states)
@@ -156,13 +155,13 @@ class TalkingFace(QObject):
         self.failed.emit(sentence)
 
 
-def _loaded(files: FaceFiles) -> Figure:
-    figure = load_figure(files.mesh) if files.mesh else load_head()
+def _loaded(files: FaceFiles) -> MorphMesh:
+    figure = load_morph_mesh(files.mesh) if files.mesh else load_head()
     if files.movestates is None:
         if not figure.states:
             raise MeshError(f"{figure.mesh.name}: this mesh has no movestates; choose its .3dm file together with it")
         return figure
-    return Figure(figure.mesh, fitted(load_face(files.movestates), figure.mesh).states)
+    return MorphMesh(figure.mesh, matched(load_morph_targets(files.movestates), figure.mesh).states)
 
 
 def _plain(name: str) -> str:

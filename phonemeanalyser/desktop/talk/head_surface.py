@@ -6,14 +6,14 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
+from phonemeengine.arrays import Float32Array
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QOffscreenSurface, QOpenGLContext, QPainter, QSurfaceFormat
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QWidget
 
-from phonemeengine.mouth.morph_mesh import Figure
-from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.mesh import Vectors
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
@@ -35,8 +35,8 @@ MOST_QUICK_PIXELS, MOST_PIXELS = 300_000, 2_100_000
 class Scene:
     """What is drawn: a figure's vertices, how the head is turned, and how it is looked at."""
 
-    figure: Figure
-    positions: Vectors
+    figure: MorphMesh
+    positions: Float32Array
     pose: HeadPose
     camera: Camera
     light: Light
@@ -86,7 +86,7 @@ class GlSurface(QOpenGLWidget):
         self.n_drawn = 0
         self.due = 0.0
         self._scene = scene
-        self._figure: Figure | None = None
+        self._figure: MorphMesh | None = None
         self._renderer: Any = None
 
     def initializeGL(self) -> None:
@@ -126,7 +126,7 @@ class GlSurface(QOpenGLWidget):
             self._renderer.release()
         self._renderer = self._figure = None
 
-    def _renderer_of(self, figure: Figure) -> Any:
+    def _renderer_of(self, figure: MorphMesh) -> Any:
         if self._renderer is None or figure is not self._figure:
             self._leave()
             context = rendering().contexts.window_context()
@@ -159,7 +159,7 @@ class PictureSurface(QWidget):
         self._rest.setSingleShot(True)
         self._rest.timeout.connect(self._draw_finely)
         self._scene = scene
-        self._figure: Figure | None = None
+        self._figure: MorphMesh | None = None
         self._photographer: Any = None
         self._kept = b""
         self._image: QImage | None = None
@@ -225,7 +225,7 @@ class PictureSurface(QWidget):
         less = min(1.0, (most / (width * height)) ** 0.5)
         return max(1, round(width * less)), max(1, round(height * less))
 
-    def _photographer_of(self, figure: Figure) -> Any:
+    def _photographer_of(self, figure: MorphMesh) -> Any:
         if self._photographer is None or figure is not self._figure:
             self.let_go()
             self._photographer, self._figure = rendering().pictures.Photographer(figure), figure

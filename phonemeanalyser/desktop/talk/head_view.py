@@ -4,16 +4,16 @@ import math
 import time
 from dataclasses import replace
 
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
 
-from phonemeengine.mouth.morph_mesh import Figure
-from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.talk.head_surface import GlSurface, PictureSurface, Scene, has_graphics_card
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import LIGHT, Light
-from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.talk.head_surface import GlSurface, PictureSurface, Scene, has_graphics_card
 
 PER_PIXEL = math.radians(0.4)
 """How far a drag of a pixel goes round the head."""
@@ -46,7 +46,7 @@ class HeadView(QWidget):
 
     looked = Signal()
 
-    def __init__(self, talking: Talking, theme: Theme) -> None:
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self.camera: Camera | None = None
         self.light: Light = LIGHT
@@ -56,7 +56,7 @@ class HeadView(QWidget):
         self._talking = talking
         background = QColor(theme.base)
         self._background = (background.redF(), background.greenF(), background.blueF())
-        self._figure: Figure | None = None
+        self._figure: MorphMesh | None = None
         self._shown = -1
         self._from: QPointF | None = None
         self._message = QLabel("loading the head …")

@@ -5,23 +5,23 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
-
 from phonemeengine.analyser import Analysis
-from phonemeengine.mouth.viseme_override import AskedVisemes
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
+from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeanalyser.desktop.tasks import Backroom
-from phonemeanalyser.desktop.session.session import Session, Source
-from phonemeanalyser.desktop.talk.face_model import TalkingFace
-from phonemeanalyser.desktop.talk.mouth import Frames, TalkingMouth
-from phonemeanalyser.desktop.talk.osc_model import TalkingOsc
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.talk.face_model import FaceModel
+from phonemeanalyser.desktop.talk.mouth import Frames, TalkMouth
+from phonemeanalyser.desktop.talk.osc_model import OscModel
+from phonemeanalyser.desktop.tasks import TaskQueue
 
 QUIET = 0.3
 """Seconds without a frame after which the mouth of somebody who is listened to closes."""
@@ -33,7 +33,7 @@ LEAST_WEIGHT, LEAST_ANGLE = 0.002, 0.04
 """What is no change that anybody sees: of a weight, and of the head's pose in degrees."""
 
 
-class Talking(QObject):
+class TalkModel(QObject):
     """Has a face say what is heard; `tick` moves it on while it is `watched`.
 
     Signals
@@ -62,7 +62,7 @@ class Talking(QObject):
     def __init__(self, session: Session, clock: Callable[[], float] = time.monotonic) -> None:
         super().__init__()
         self.session = session
-        self.face, self.osc = TalkingFace(), TalkingOsc()
+        self.face, self.osc = FaceModel(), OscModel()
         self.watched = False
         self.revision = 0
         self.pose = HeadPose()
@@ -71,16 +71,16 @@ class Talking(QObject):
         self.detail, self.mode = Detail.PHONEMES, Mode.INTERACT
         self.table_name = USUAL_TABLE
         self.table = self._written = load_table(USUAL_TABLE)
-        self.asked = AskedVisemes(self.table)
+        self.asked = VisemeOverride(self.table)
         self._clock = clock
         self._began = clock()
-        self._mouth = TalkingMouth(self.table)
+        self._mouth = TalkMouth(self.table)
         self._blinker = Blinker()
         self._heard: list[Analysis] = []
         self._heard_at = self._began
         self._last: Analysis | None = None
         self._seen = np.zeros(0, np.float32)
-        self._work = Backroom(self.failed.emit)
+        self._work = TaskQueue(self.failed.emit)
         self._connect()
 
     @property
@@ -196,7 +196,7 @@ class Talking(QObject):
         for at, block in known[places[-1] + 1 if places else 0 :]:
             self._mouth.hear(Frames.of(block), at)
             self._last, self._heard_at = block, now
-        if self.session.source is not Source.FILE and now - self._heard_at > QUIET:
+        if self.session.source is not SoundSource.FILE and now - self._heard_at > QUIET:
             self._mouth.hush(now)
 
     def _move(self, now: float) -> None:
@@ -227,7 +227,7 @@ class Talking(QObject):
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
         """Take what was heard; once the sound has been stopped, what is still told of it says nothing any more."""
-        if self.session.playing or self.session.position or self.session.source is not Source.FILE:
+        if self.session.playing or self.session.position or self.session.source is not SoundSource.FILE:
             self._heard += blocks
             self.osc.follow(blocks)
 
@@ -242,7 +242,7 @@ class Talking(QObject):
     def _hold(self) -> None:
         """In a pause, keep the shape of what was heard last."""
         session, newest = self.session, self.session.history.newest
-        if session.source is Source.FILE and not session.playing and session.position and newest is not None:
+        if session.source is SoundSource.FILE and not session.playing and session.position and newest is not None:
             self._last = None
             self._mouth.hold(self._clock() - self._began, int(newest.phonemes[-1]))
 
@@ -279,7 +279,7 @@ class Talking(QObject):
             self.changed.emit()
             return
         self.table_name, self._written = name, table
-        self.asked = AskedVisemes(table)
+        self.asked = VisemeOverride(table)
         self._use_written()
         self.asked_changed.emit()
 

@@ -5,10 +5,11 @@ from collections import deque
 from dataclasses import dataclass
 
 from phonemeengine.analyser import Analysis
+from phonemeengine.arrays import Float32Array
 from phonemeengine.features.front_end import F0
 from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION, leads_of
 from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
-from phonemeengine.mouth.morpher import Detail, Morpher, Weights
+from phonemeengine.mouth.morpher import Detail, Morpher
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
@@ -33,7 +34,7 @@ class Frames:
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class TimedFrame:
     """A frame: when it is heard on the clock, seconds, and what it says; `f0` in Hz."""
 
     time: float
@@ -42,7 +43,7 @@ class Told:
     f0: float
 
 
-class TalkingMouth:
+class TalkMouth:
     """Follows frames, of which some are known before they are heard.
 
     Parameters
@@ -56,26 +57,26 @@ class TalkingMouth:
         self._detail = detail
         self._motion = HeadMotion()
         self._posed = self._now = -math.inf
-        self._told: deque[Told] = deque(maxlen=REMEMBERED)
+        self._told: deque[TimedFrame] = deque(maxlen=REMEMBERED)
         self._begin_anew()
 
     def hear(self, frames: Frames, end: float) -> None:
         """Take the next frames, of which the last one ends at a time on the clock, seconds."""
         start = end - len(frames.codes) * FRAME_PERIOD
         for k, (code, loud, f0) in enumerate(zip(frames.codes, frames.intensities, frames.pitches, strict=True)):
-            self._hear(Told(start + k * FRAME_PERIOD, code, loud, f0))
+            self._hear(TimedFrame(start + k * FRAME_PERIOD, code, loud, f0))
 
     def hush(self, now: float) -> None:
         """Close the mouth; what was known of the future does not come."""
         self._coming.clear()
         if self._code != Phoneme.SILENCE or self._loud:
-            self._hear(Told(now, Phoneme.SILENCE, 0.0, 0.0))
+            self._hear(TimedFrame(now, Phoneme.SILENCE, 0.0, 0.0))
 
     def hold(self, now: float, code: int) -> None:
         """Hold the shape of the phoneme that was heard last; what was known of the future does not come yet."""
         self._coming.clear()
         if code != self._code:
-            self._begin(Told(now, code, self._loud, 0.0))
+            self._begin(TimedFrame(now, code, self._loud, 0.0))
 
     def forget_coming(self) -> None:
         """Forget the loudness of what was known of the future, since the sound goes on elsewhere."""
@@ -96,7 +97,7 @@ class TalkingMouth:
         for frame in told:
             self._hear(frame)
 
-    def weights(self, now: float) -> Weights:
+    def weights(self, now: float) -> Float32Array:
         """Give the weights of the table's movestates, float32, shape (n_movestates,); times never go back."""
         self._let_sound(now)
         self._now = max(now, self._now)
@@ -111,18 +112,18 @@ class TalkingMouth:
     def _begin_anew(self) -> None:
         self._morpher = Morpher(self._table, detail=self._detail)
         self._ahead = leads_of(self._table, MOST_ANTICIPATION)
-        self._coming: deque[Told] = deque()
+        self._coming: deque[TimedFrame] = deque()
         self._code, self._loud, self._since = int(Phoneme.SILENCE), 0.0, -math.inf
         self._begun = self._sounded = self._now = -math.inf
 
-    def _hear(self, frame: Told) -> None:
+    def _hear(self, frame: TimedFrame) -> None:
         self._told.append(frame)
         self._coming.append(frame)
         self._loud = frame.intensity
         if frame.code != self._code:
             self._begin(frame)
 
-    def _begin(self, frame: Told) -> None:
+    def _begin(self, frame: TimedFrame) -> None:
         """Begin vowels, and lips that meet, early at the cost of what comes before, as `cues_of` does."""
         before = frame.time - self._since
         spare = min(self._ahead.get(Phoneme(frame.code), 0.0), before / 2, max(before - MINIMUM, 0.0))

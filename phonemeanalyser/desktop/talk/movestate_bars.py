@@ -2,13 +2,13 @@
 
 import math
 
+from phonemeengine.mouth.blendshape_names import EYELIDS
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeanalyser.desktop.painting import set_size
-from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 
 ROW, COLUMNS, GAP = 16, 2, 14
@@ -24,7 +24,7 @@ class MovestateBars(QWidget):
     rows : for each bar its name, and its one or two movestates.
     """
 
-    def __init__(self, talking: Talking, theme: Theme) -> None:
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self._talking = talking
         self._theme = theme

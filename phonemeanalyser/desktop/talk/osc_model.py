@@ -3,16 +3,16 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Signal
-
 from phonemeengine.analyser import Analysis
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.phonemes import Phoneme
-from phonemeanalyser.desktop.threads import begun
-from phonemeanalyser.desktop.tasks import Backroom
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.tasks import TaskQueue
+from phonemeanalyser.desktop.threads import start_thread
 
 USUAL_ADDRESS = "127.0.0.1:39539"
 """Where VMC programs listen on this computer."""
@@ -21,7 +21,7 @@ TABLES = (AS_THE_HEAD, "arkit", "vrm", "oculus")
 """What is sent: what moves the head, or one of the sets of movestates that receivers know."""
 
 
-class TalkingOsc(QObject):
+class OscModel(QObject):
     """Sends what is heard, or asked for, as OSC messages while it is switched on; nothing here waits for the network.
 
     Signals
@@ -47,7 +47,7 @@ class TalkingOsc(QObject):
         self._wanted: tuple[str, MouthTable, Detail] | None = None
         self._said = ""
         self._asked: tuple[dict[Phoneme, float], float] = ({}, 1.0)
-        self._work = Backroom(self._fail)
+        self._work = TaskQueue(self._fail)
 
     @property
     def on(self) -> bool:
@@ -143,13 +143,13 @@ class TalkingOsc(QObject):
             mouth.ask(*self._asked)
             self.changed.emit()
         else:
-            begun(mouth.close)
+            start_thread(mouth.close)
 
     def _leave(self) -> None:
         self._wanted = None
         mouth, self._mouth = self._mouth, None
         if mouth is not None:
-            begun(mouth.close)
+            start_thread(mouth.close)
 
     def _fail(self, sentence: str) -> None:
         self._leave()

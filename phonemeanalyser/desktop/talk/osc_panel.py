@@ -3,9 +3,9 @@
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QWidget
 
-from phonemeanalyser.desktop.talk.osc_model import AS_THE_HEAD, TABLES, TalkingOsc
+from phonemeanalyser.desktop.talk.osc_model import AS_THE_HEAD, TABLES, OscModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import LettersPassed
+from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 
 NAMES = {AS_THE_HEAD: "as the head", "arkit": "ARKit 52", "vrm": "VRM A I U E O", "oculus": "Oculus 15"}
 
@@ -13,7 +13,7 @@ NAMES = {AS_THE_HEAD: "as the head", "arkit": "ARKit 52", "vrm": "VRM A I U E O"
 class OscPanel(QWidget):
     """Switches the OSC messages on and off."""
 
-    def __init__(self, osc: TalkingOsc, theme: Theme) -> None:
+    def __init__(self, osc: OscModel, theme: Theme) -> None:
         super().__init__()
         self._osc = osc
         self._theme = theme
@@ -47,7 +47,7 @@ class OscPanel(QWidget):
         self.table.setToolTip(
             "The movestates of the avatar that receives them: those of the head’s table, or another set"
         )
-        self.table.installEventFilter(LettersPassed(self))
+        self.table.installEventFilter(LetterPassthrough(self))
         for name in TABLES:
             self.table.addItem(NAMES[name], name)
         grid = QGridLayout(self)

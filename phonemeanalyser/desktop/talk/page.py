@@ -14,17 +14,17 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeanalyser.desktop.talk.model import Talking
-from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
-from phonemeanalyser.desktop.talk.head_view import HINT, LIGHT_STEP, HeadView
 from phonemeanalyser.desktop.session.status_line import ElidedLabel
-from phonemeanalyser.desktop.talk.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.talk.choices_panel import ChoicesPanel
-from phonemeanalyser.desktop.widgets.heading import heading
-from phonemeanalyser.desktop.talk.phoneme_chip import HeardChip
+from phonemeanalyser.desktop.talk.head_view import HINT, LIGHT_STEP, HeadView
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.talk.osc_panel import OscPanel
+from phonemeanalyser.desktop.talk.phoneme_chip import PhonemeChip
 from phonemeanalyser.desktop.talk.viseme_panel import VisemePanel
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.heading import heading
+from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
 
 PANEL_WIDTH = 480
 BARS_EVERY = 2
@@ -46,7 +46,7 @@ class TalkPage(QWidget):
     sound_asked = Signal()
     preset_asked = Signal()
 
-    def __init__(self, talking: Talking, theme: Theme) -> None:
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self._talking = talking
         self._theme = theme
@@ -67,7 +67,7 @@ class TalkPage(QWidget):
         self.light_left = _button("☀ ◂", "Move the light to the left (,)")
         self.light_right = _button("▸", "Move the light to the right (.)")
         self.said = ElidedLabel()
-        self.heard = HeardChip(talking, theme)
+        self.heard = PhonemeChip(talking, theme)
         self._lay_out()
         self._connect()
         self._show_state()

@@ -1,17 +1,17 @@
 """The phoneme that is heard now, small, beside the sound's name."""
 
+from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from phonemeengine.phonemes import Phoneme
-from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 
 WIDTH, HEIGHT, EDGE = 96, 24, 4
 
 
-class HeardChip(QWidget):
+class PhonemeChip(QWidget):
     """Paints the phoneme on its colour, and its intensity as a line below it.
 
     Attributes
@@ -19,7 +19,7 @@ class HeardChip(QWidget):
     phoneme, intensity : what is shown.
     """
 
-    def __init__(self, talking: Talking, theme: Theme) -> None:
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self._talking = talking
         self._theme = theme

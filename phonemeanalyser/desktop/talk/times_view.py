@@ -1,13 +1,13 @@
 """How fast the mouth is for which sound."""
 
+from phonemeengine.mouth.table import SPEAKING, TABLES
+from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from phonemeengine.mouth.table import SPEAKING, TABLES
-from phonemeengine.phonemes import Phoneme
 from phonemeanalyser.desktop.painting import set_size
-from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 
 ROW, NAMES_WIDTH, LINE = 15, 46, 2
@@ -18,10 +18,10 @@ MEANING = (
 )
 
 
-class TimesOfSounds(QWidget):
+class TransitionTimesView(QWidget):
     """Paints a column for each phoneme: its attack and its release, as they are in force."""
 
-    def __init__(self, talking: Talking, theme: Theme) -> None:
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self._talking = talking
         self._theme = theme

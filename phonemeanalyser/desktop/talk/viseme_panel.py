@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.table import MouthTable
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
@@ -16,13 +18,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.table import MouthTable
 from phonemeanalyser.desktop.painting import set_size
-from phonemeanalyser.desktop.talk.model import Talking
+from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LettersPassed
 from phonemeanalyser.desktop.widgets.heading import heading
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
 
 MODES = {
     Mode.NONE: "others stay",
@@ -74,7 +74,7 @@ class VisemePanel(QWidget):
     buttons, sliders : by the name of the shape.
     """
 
-    def __init__(self, talking: Talking, theme: Theme) -> None:
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self._talking = talking
         self._theme = theme
@@ -103,7 +103,7 @@ class VisemePanel(QWidget):
             "and movements add up; all but blinks go to 0; blinks as well; or first the speech and then other shapes "
             "shrink, so that all are 100 % at most. Keys and buttons set all but blinks to 0 while they are held"
         )
-        self.mode.installEventFilter(LettersPassed(self))
+        self.mode.installEventFilter(LetterPassthrough(self))
         head = QHBoxLayout()
         head.addWidget(heading("Mouth shapes"), 1)
         head.addWidget(self.mode)

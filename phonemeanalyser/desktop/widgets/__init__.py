@@ -1,1 +1,1 @@
-""" """
+"""Widgets that know no feature."""

@@ -3,7 +3,7 @@
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from phonemeengine.arrays import UInt32Array
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
@@ -23,7 +23,7 @@ class ColourBar(QWidget):
         self._labels = ("", "", "")
         self.setFixedWidth(58)
 
-    def draw(self, colours: NDArray[np.uint32], low: str, middle: str, high: str) -> None:
+    def draw(self, colours: UInt32Array, low: str, middle: str, high: str) -> None:
         """Draw a colour map, 256 pixels, with the values at its ends and middle."""
         self._colours = np.ascontiguousarray(colours[::-1, None])
         self._labels = (high, middle, low)

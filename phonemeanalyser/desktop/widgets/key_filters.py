@@ -10,7 +10,7 @@ _EDITING = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete, *_MOVING})
 _CLIPBOARD = frozenset({Qt.Key.Key_A, Qt.Key.Key_C, Qt.Key.Key_V, Qt.Key.Key_X})
 
 
-class KeysOfNumbers(QObject):
+class NumberFieldKeys(QObject):
     """Leaves to a field of numbers the keys that write a number; Space, letters and undo stay the window's."""
 
     def eventFilter(self, _watched: QObject, event: Any) -> bool:
@@ -21,7 +21,7 @@ class KeysOfNumbers(QObject):
         return True
 
 
-class KeysOfButtons(QObject):
+class ButtonKeys(QObject):
     """Leaves Space to a button that was reached with Tab, where it would else be a shortcut of the window."""
 
     def eventFilter(self, _watched: QObject, event: Any) -> bool:

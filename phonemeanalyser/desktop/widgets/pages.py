@@ -27,7 +27,7 @@ class PageStack(QStackedWidget):
         return seen.minimumSizeHint().expandedTo(seen.minimumSize()) if seen else super().minimumSizeHint()
 
 
-class LatePage(Generic[Page]):
+class LazyPage(Generic[Page]):
     """A page that is made when it is first asked for, so that the first picture of the window need not wait for it.
 
     Parameters

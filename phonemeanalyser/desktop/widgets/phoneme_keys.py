@@ -2,10 +2,9 @@
 
 from typing import Any, Protocol
 
+from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
-
-from phonemeengine.phonemes import Phoneme
 
 KEYS: dict[Phoneme, str] = {
     Phoneme.SILENCE: "Q",
@@ -24,7 +23,7 @@ PHONEME_OF = {int(getattr(Qt.Key, f"Key_{key}")): phoneme for phoneme, key in KE
 _KEY_EVENTS = (QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
 
 
-class Holder(Protocol):
+class PressTarget(Protocol):
     """Does something for as long as a phoneme is held."""
 
     def press(self, phoneme: Phoneme) -> None:
@@ -45,7 +44,7 @@ class HeldKeys(QObject):
     page : where the keys count.
     """
 
-    def __init__(self, holder: Holder, page: QWidget) -> None:
+    def __init__(self, holder: PressTarget, page: QWidget) -> None:
         super().__init__(page)
         self._holder = holder
         self._page = page
@@ -83,7 +82,7 @@ class HeldKeys(QObject):
             self._holder.release()
 
 
-class LettersPassed(QObject):
+class LetterPassthrough(QObject):
     """Leaves the phonemes' letters to the window, where a list would search for them."""
 
     def eventFilter(self, _watched: QObject, event: Any) -> bool:

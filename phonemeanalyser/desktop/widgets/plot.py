@@ -7,8 +7,8 @@ import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.session.status_line import ElidedLabel
+from phonemeanalyser.desktop.theme import Theme
 
 READOUTS_PER_SECOND = 30
 
@@ -165,7 +165,7 @@ def bold(label: QLabel) -> QLabel:
     return label
 
 
-def switch(text: str, tip: str) -> QToolButton:
+def toggle_button(text: str, tip: str) -> QToolButton:
     """Make a small button that stays down while it is on."""
     button = QToolButton()
     button.setText(text)

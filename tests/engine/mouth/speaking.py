@@ -1,10 +1,9 @@
 """Speech that is known beforehand, for what is written of it."""
 
 import numpy as np
-
-from phonemeengine.mouth.utterance import Speech
+from phonemeengine.mouth.utterance import Utterance
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.segments import Run
+from phonemeengine.recognition.segments import Segment
 from phonemeengine.settings import FRAME_PERIOD
 
 PARTS = (
@@ -15,15 +14,15 @@ PARTS = (
 DURATION = sum(length for _, length in PARTS)
 
 
-def speech(name: str = "masapo.wav") -> Speech:
+def speech(name: str = "masapo.wav") -> Utterance:
     """A few syllables of 2.5 s, which rise and fall in pitch."""
     runs, at = [], 0.0
     for phoneme, length in PARTS:
-        runs.append(Run(round(at, 6), round(at + length, 6), phoneme, 0.0 if phoneme == Phoneme.SILENCE else 0.7))
+        runs.append(Segment(round(at, 6), round(at + length, 6), phoneme, 0.0 if phoneme == Phoneme.SILENCE else 0.7))
         at += length
     times = np.arange(round(DURATION / FRAME_PERIOD)) * FRAME_PERIOD
     ends = np.array([run.end for run in runs])
     loud = np.array([run.intensity for run in runs], np.float32)[
         np.minimum(np.searchsorted(ends, times, "right"), 14)
     ]
-    return Speech(name, DURATION, tuple(runs), loud, np.where(loud > 0, 120 + 40 * times, 0).astype(np.float32))
+    return Utterance(name, DURATION, tuple(runs), loud, np.where(loud > 0, 120 + 40 * times, 0).astype(np.float32))

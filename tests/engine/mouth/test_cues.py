@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.cues import VOWELS, Cue, cues_of, joined_by_shape
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.segments import Run
+from phonemeengine.recognition.segments import Segment
 
 TABLE = load_table("eleven")
 FIVE = load_table("five")
@@ -19,11 +18,11 @@ A, E, M, P, S = Phoneme.A, Phoneme.E, Phoneme.M, Phoneme.P, Phoneme.SZ
 SILENCE = Phoneme.SILENCE
 
 
-def said(*parts: tuple[Phoneme, int]) -> list[Run]:
+def said(*parts: tuple[Phoneme, int]) -> list[Segment]:
     """Give runs of phonemes, each of so many milliseconds."""
     runs, at = [], 0
     for phoneme, length in parts:
-        runs.append(Run(at / 1000, (at + length) / 1000, phoneme, 0.5))
+        runs.append(Segment(at / 1000, (at + length) / 1000, phoneme, 0.5))
         at += length
     return runs
 
@@ -97,13 +96,15 @@ def test_a_drawing_that_stays_is_one() -> None:
 
 
 def test_intensities_are_means_over_time() -> None:
-    runs = [Run(0, 0.3, A, 0.9), Run(0.3, 0.31, S, 0.0), Run(0.31, 0.41, A, 0.5)]
+    runs = [Segment(0, 0.3, A, 0.9), Segment(0.3, 0.31, S, 0.0), Segment(0.31, 0.41, A, 0.5)]
     (cue,) = cues_of(runs, TABLE)
     assert cue.intensity == pytest.approx((0.305 * 0.9 + 0.105 * 0.5) / 0.41)
 
 
 def test_a_silence_that_swallowed_a_flicker_has_no_intensity() -> None:
-    (cue,) = cues_of([Run(0, 0.3, SILENCE, 0.0), Run(0.3, 0.31, A, 0.9), Run(0.31, 0.41, SILENCE, 0.0)], TABLE)
+    (cue,) = cues_of(
+        [Segment(0, 0.3, SILENCE, 0.0), Segment(0.3, 0.31, A, 0.9), Segment(0.31, 0.41, SILENCE, 0.0)], TABLE
+    )
     assert (cue.phoneme, cue.intensity) == (SILENCE, 0)
 
 
@@ -130,7 +131,7 @@ def test_cues_cover_the_sound_and_none_is_too_short(
 @given(speech)
 def test_cues_that_are_clean_stay_as_they_are(parts: list[tuple[Phoneme, int]]) -> None:
     once = cues_of(said(*parts), TABLE)
-    runs = [Run(cue.start, cue.end, cue.phoneme, cue.intensity) for cue in once]
+    runs = [Segment(cue.start, cue.end, cue.phoneme, cue.intensity) for cue in once]
     again = cues_of(runs, TABLE)
     assert [(c.phoneme, round(c.start, 9), round(c.end, 9)) for c in again] == [
         (c.phoneme, round(c.start, 9), round(c.end, 9)) for c in once

@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
 from phonemeengine.errors import ExportError
-from phonemeengine.mouth.animation import Life
-from phonemeengine.mouth.exports.exporter import Exporter, Wishes
+from phonemeengine.mouth.animation import IdleMotion
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_glb
 from phonemeengine.mouth.exports.gltf_rotation import inverse, product, rotated, turnings_of
 from phonemeengine.mouth.head_motion import quaternions_of
-from phonemeengine.mouth.blendshape_names import ARKIT
+
 from tests.engine.mouth.speaking import speech
 from tests.glb_faces import face_with_targets
 
@@ -65,13 +65,13 @@ class Scene:
 
 
 def exported(mesh: Path | None = None, *, head: bool = True) -> Scene:
-    (content,) = Exporter("gltf", Wishes(rate=RATE, mesh=mesh, life=Life(head=head))).parts_of(speech())
+    (content,) = Exporter("gltf", ExportOptions(rate=RATE, mesh=mesh, life=IdleMotion(head=head))).chunks_of(speech())
     return Scene(content)
 
 
 def poses() -> Numbers:
     """Yaw, pitch and roll as another format holds them, as rotations of the scene."""
-    animation = Exporter("curves-json", Wishes(rate=RATE)).export_of(speech()).animation
+    animation = Exporter("curves-json", ExportOptions(rate=RATE)).export_of(speech()).animation
     return quaternions_of(animation.head)
 
 
@@ -121,8 +121,8 @@ def test_the_programs_own_head_nods_about_its_neck_and_blinks() -> None:
 
 
 def test_a_blink_is_in_the_weights() -> None:
-    life = Life(seed=next(seed for seed in range(50) if _lids(seed).max() > 0.9))
-    (content,) = Exporter("gltf", Wishes(rate=RATE, life=life)).parts_of(speech())
+    life = IdleMotion(seed=next(seed for seed in range(50) if _lids(seed).max() > 0.9))
+    (content,) = Exporter("gltf", ExportOptions(rate=RATE, life=life)).chunks_of(speech())
     scene = Scene(content)
     names = scene.document["meshes"][0]["extras"]["targetNames"]
     weights = scene.track(0, "weights").reshape(-1, len(names))
@@ -130,7 +130,9 @@ def test_a_blink_is_in_the_weights() -> None:
 
 
 def _lids(seed: int) -> NDArray[np.float32]:
-    movement = Exporter("livelink-csv", Wishes(rate=RATE, life=Life(seed=seed))).export_of(speech()).animation
+    movement = (
+        Exporter("livelink-csv", ExportOptions(rate=RATE, life=IdleMotion(seed=seed))).export_of(speech()).animation
+    )
     return movement.weights[:, ARKIT.index("eyeBlinkLeft")]
 
 

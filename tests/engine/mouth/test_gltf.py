@@ -6,13 +6,13 @@ from copy import deepcopy
 import numpy as np
 import pygltflib
 import pytest
-
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import Figure, face_of
 from phonemeengine.mouth.files.gltf import linear_of, parse_gltf, srgb_of
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_of
+
 from tests.meshes import (
     CORNERS,
     GLTF,
@@ -182,7 +182,7 @@ class TestGlbOfOurs:
     def test_reading_it_gives_the_same_figure(self):
         colours = np.random.default_rng(0).random((8, 3)).astype(np.float32)
         mesh = mesh_of(CORNERS, TRIANGLES, name="cube", colours=colours)
-        read = parse_gltf(format_glb(Figure(mesh, figure_of_cube().states)))
+        read = parse_gltf(format_glb(MorphMesh(mesh, figure_of_cube().states)))
         assert read.mesh.name == "cube"
         np.testing.assert_array_equal(read.mesh.triangles, TRIANGLES)
         np.testing.assert_allclose(read.mesh.colours, colours, atol=1e-6)
@@ -191,6 +191,6 @@ class TestGlbOfOurs:
     def test_points_keep_their_numbers_where_the_mesh_is_not_known(self):
         mesh = mesh_of(np.arange(300).reshape(100, 3))
         state = movestate_of("s", np.where(np.arange(100)[:, np.newaxis] % 40 == 39, 1.0, 0.0) * np.ones(3))
-        read = parse_gltf(format_points(face_of(mesh, [state])))
+        read = parse_gltf(format_points(morph_targets_of(mesh, [state])))
         assert read.states[0].numbers.tolist() == [39, 79]
         np.testing.assert_array_equal(read.mesh.positions[[39, 79]], mesh.positions[[39, 79]])

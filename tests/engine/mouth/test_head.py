@@ -2,20 +2,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth import head
-from phonemeengine.mouth.morph_mesh import Figure
 from phonemeengine.mouth.head import HEAD, load_head
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate_set import MovestateSet
 
 
 @pytest.fixture(scope="module")
-def figure() -> Figure:
+def figure() -> MorphMesh:
     return load_head()
 
 
-def colour_of(figure: Figure, where: np.ndarray) -> np.ndarray:
+def colour_of(figure: MorphMesh, where: np.ndarray) -> np.ndarray:
     """The mean colour of some vertices."""
     return figure.mesh.colours[where].mean(axis=0)
 
@@ -25,7 +24,7 @@ def width(positions: np.ndarray, where: np.ndarray) -> float:
     return float(np.ptp(positions[where, 0]))
 
 
-def test_the_head_has_the_52_shapes_of_arkit_and_all_of_them_move(figure: Figure):
+def test_the_head_has_the_52_shapes_of_arkit_and_all_of_them_move(figure: MorphMesh):
     assert len(figure.states) == 52
     assert {"jawOpen", "mouthClose", "mouthPucker", "eyeBlinkLeft", "tongueOut"} < {s.name for s in figure.states}
     assert all(len(state) > 100 for state in figure.states)
@@ -37,7 +36,7 @@ def test_the_file_is_small_and_holds_nothing_that_is_executed():
         assert all(file[name].dtype != object for name in file.files)
 
 
-def test_the_head_is_closed_so_that_no_one_looks_into_the_neck(figure: Figure):
+def test_the_head_is_closed_so_that_no_one_looks_into_the_neck(figure: MorphMesh):
     """Each edge of skin and neck has two sides; eyes and teeth are open behind, where nobody looks."""
     with np.load(HEAD, allow_pickle=False) as file:
         part = file["part"]
@@ -48,7 +47,7 @@ def test_the_head_is_closed_so_that_no_one_looks_into_the_neck(figure: Figure):
     assert np.all(sides == 2)
 
 
-def test_the_rim_of_the_neck_is_smooth(figure: Figure):
+def test_the_rim_of_the_neck_is_smooth(figure: MorphMesh):
     positions = figure.mesh.positions
     triangles = figure.mesh.triangles
     lowest = int(positions[:, 1].argmin())
@@ -62,7 +61,7 @@ def test_the_rim_of_the_neck_is_smooth(figure: Figure):
     assert np.abs(residual).max() < 0.02
 
 
-def test_the_skull_is_round(figure: Figure):
+def test_the_skull_is_round(figure: MorphMesh):
     """Nowhere does the arc over an edge rise by more than a third of a millimetre, a pixel of a large window."""
     mesh = figure.mesh
     a, b = np.concatenate([mesh.triangles[:, (k, (k + 1) % 3)] for k in range(3)]).T
@@ -73,14 +72,14 @@ def test_the_skull_is_round(figure: Figure):
     assert arcs[skull].max() < 0.0045
 
 
-def test_it_looks_to_the_front_and_stands_upright(figure: Figure):
+def test_it_looks_to_the_front_and_stands_upright(figure: MorphMesh):
     positions = figure.mesh.positions
     nose = positions[positions[:, 2].argmax()]
     assert abs(nose[0]) < 0.05
     assert positions[:, 1].max() > 1 > nose[1]
 
 
-def test_eyes_have_a_dark_pupil_a_blue_iris_and_a_white(figure: Figure):
+def test_eyes_have_a_dark_pupil_a_blue_iris_and_a_white(figure: MorphMesh):
     with np.load(HEAD, allow_pickle=False) as file:
         eye = file["part"] == 1
     positions = figure.mesh.positions
@@ -95,7 +94,7 @@ def test_eyes_have_a_dark_pupil_a_blue_iris_and_a_white(figure: Figure):
     assert white.min() > 0.85
 
 
-def test_lips_are_redder_than_the_cheeks(figure: Figure):
+def test_lips_are_redder_than_the_cheeks(figure: MorphMesh):
     positions, colours = figure.mesh.positions, figure.mesh.colours
     redness = colours[:, 0] - colours[:, 1]
     mouth = np.linalg.norm(positions - positions[np.argmax(redness * (positions[:, 2] > 1.3))], axis=1) < 0.1
@@ -103,7 +102,7 @@ def test_lips_are_redder_than_the_cheeks(figure: Figure):
     assert redness[mouth & (positions[:, 2] > 1.25)].max() > redness[cheek].mean() + 0.08
 
 
-def test_an_open_jaw_lowers_the_lower_teeth_and_a_smile_widens_the_mouth(figure: Figure):
+def test_an_open_jaw_lowers_the_lower_teeth_and_a_smile_widens_the_mouth(figure: MorphMesh):
     with np.load(HEAD, allow_pickle=False) as file:
         lower, upper = file["part"] == 2, file["part"] == 5
     states = MovestateSet(figure.mesh, figure.states)
@@ -119,7 +118,7 @@ def test_an_open_jaw_lowers_the_lower_teeth_and_a_smile_widens_the_mouth(figure:
     assert width(states.morphed(), corners) > width(rest, corners)
 
 
-def test_eyes_and_brows_live_their_own_life(figure: Figure):
+def test_eyes_and_brows_live_their_own_life(figure: MorphMesh):
     own = {state.name for state in figure.states if not state.interactable}
     assert {"eyeBlinkLeft", "browInnerUp"} < own
     assert not {"jawOpen", "mouthSmileLeft", "cheekPuff"} & own

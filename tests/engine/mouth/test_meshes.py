@@ -2,15 +2,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import Figure
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb
+from phonemeengine.mouth.files.io import load_morph_mesh
 from phonemeengine.mouth.files.obj import format_obj, parse_obj
-from phonemeengine.mouth.files.io import load_figure
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.mesh import Material, mesh_of, normals_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
+
 from tests.meshes import (
     CORNERS,
     CUBE_OBJ,
@@ -68,13 +68,15 @@ class TestAMesh:
     ids=["obj", "obj of ours", "x", "x in frames", "gltf", "glb of ours"],
 )
 class TestEveryFormat:
-    def test_has_the_cube_where_it_is_with_its_vertices_in_order(self, figure: Figure, scale: float, middle: tuple):
+    def test_has_the_cube_where_it_is_with_its_vertices_in_order(
+        self, figure: MorphMesh, scale: float, middle: tuple
+    ):
         np.testing.assert_allclose(figure.mesh.positions, scale * CORNERS + middle, atol=1e-6)
 
-    def test_has_a_cube_that_is_seen_from_outside(self, figure: Figure, scale: float, middle: tuple):
+    def test_has_a_cube_that_is_seen_from_outside(self, figure: MorphMesh, scale: float, middle: tuple):
         assert volume(figure.mesh) == pytest.approx(8 * scale**3)
 
-    def test_has_normals_that_point_outwards(self, figure: Figure, scale: float, middle: tuple):
+    def test_has_normals_that_point_outwards(self, figure: MorphMesh, scale: float, middle: tuple):
         corners = (figure.mesh.positions - np.array(middle)) / scale
         assert np.all(np.einsum("ij,ij->i", figure.mesh.normals, corners) > 0.9)
 
@@ -103,8 +105,8 @@ class TestObj:
         (folder / "a.obj").write_bytes(CUBE_OBJ.replace(b"cube.mtl", b"../secret.mtl"))
         (folder / "b.obj").write_bytes(CUBE_OBJ.replace(b"cube.mtl", b"near.mtl"))
         (folder / "near.mtl").write_bytes(LIBRARY)
-        assert load_figure(folder / "a.obj").mesh.materials[0].colour != RED.colour
-        assert load_figure(folder / "b.obj").mesh.materials[0] == RED
+        assert load_morph_mesh(folder / "a.obj").mesh.materials[0].colour != RED.colour
+        assert load_morph_mesh(folder / "b.obj").mesh.materials[0] == RED
 
     @pytest.mark.parametrize(
         ("content", "said"),

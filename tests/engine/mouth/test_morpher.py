@@ -8,18 +8,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.animation import animation_of
 from phonemeengine.mouth.cues import cues_of
-from phonemeengine.mouth.motion_settings import Manner, Times
 from phonemeengine.mouth.morpher import HALF_OPEN, Detail, Morpher
-from phonemeengine.mouth.utterance import Speech
+from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
 from phonemeengine.mouth.table import SPEAKING, MouthTable, load_table, shipped_tables
+from phonemeengine.mouth.utterance import Utterance
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.segments import Run
+from phonemeengine.recognition.segments import Segment
 
-MACHINE = Manner(randomness=0, loudness=0)
+MACHINE = MotionSettings(randomness=0, loudness=0)
 """A manner in which everything is known beforehand."""
 TABLE = replace(load_table("vrm"), manner=MACHINE)
 ARKIT = load_table("arkit")
@@ -103,9 +102,13 @@ def test_an_m_is_closed_before_an_a_is_open() -> None:
 
 
 def test_an_animation_moves_as_fast_as_its_table_says() -> None:
-    slow = replace(TABLE, times={**TABLE.times, A: Times(0.4, 0.16)})
-    speech = Speech(
-        "", 2.0, (Run(0, 1, SILENCE, 0.0), Run(1, 2, A, 1.0)), np.ones(200, np.float32), np.zeros(200, np.float32)
+    slow = replace(TABLE, times={**TABLE.times, A: TransitionTimes(0.4, 0.16)})
+    speech = Utterance(
+        "",
+        2.0,
+        (Segment(0, 1, SILENCE, 0.0), Segment(1, 2, A, 1.0)),
+        np.ones(200, np.float32),
+        np.zeros(200, np.float32),
     )
     opened = {}
     for table in (TABLE, slow):
@@ -157,7 +160,7 @@ def test_it_does_not_matter_how_often_anybody_looks(seed: int) -> None:
 def test_neither_place_nor_speed_jumps_however_fast_phonemes_come() -> None:
     """A change of phoneme every 10 ms, looked at every millisecond."""
     heard = [(0.01 * k, Phoneme(k * 7 % 11), 0.8) for k in range(200)]
-    table = replace(ARKIT, manner=Manner(randomness=0.2))
+    table = replace(ARKIT, manner=MotionSettings(randomness=0.2))
     step = 0.001
     found = mouth_of(table, heard, np.arange(0, 2, step), seed=1).astype(float)
     speed = np.diff(found, axis=0) / step
@@ -169,7 +172,7 @@ def test_neither_place_nor_speed_jumps_however_fast_phonemes_come() -> None:
 @settings(max_examples=30, deadline=None)
 @given(st.integers(0, 1000), st.floats(0, 0.5), st.sampled_from(list(Detail)))
 def test_no_weight_leaves_the_range_of_the_shapes(seed: int, randomness: float, detail: Detail) -> None:
-    table = replace(ARKIT, manner=Manner(randomness=randomness))
+    table = replace(ARKIT, manner=MotionSettings(randomness=randomness))
     found = mouth_of(table, babble(2.0, seed=seed), np.arange(0, 2, 0.007), detail=detail, seed=seed)
     rows = table.weights()
     assert (found <= rows.max(axis=0) + 1e-6).all()
@@ -187,7 +190,7 @@ def test_no_two_mouths_are_alike_and_one_is_like_itself() -> None:
 
 def test_a_phoneme_is_not_said_twice_in_the_same_way() -> None:
     heard = [(0.5 * k, A if k % 2 else SILENCE, 1.0) for k in range(12)]
-    table = replace(TABLE, manner=Manner(randomness=0.1))
+    table = replace(TABLE, manner=MotionSettings(randomness=0.1))
     widths = mouth_of(table, heard, np.arange(0.9, 5.9, 1.0))[:, 0]
     assert len(set(widths.tolist())) == len(widths)
     assert widths.min() > 0.7
@@ -225,7 +228,7 @@ def test_old_movements_are_forgotten() -> None:
 )
 def test_an_impossible_manner_is_refused(name: str, value: float, limits: str) -> None:
     with pytest.raises(MouthError, match=rf"{name} must lie in {limits}, got {value:g}; correct it"):
-        Manner(**{name: value})
+        MotionSettings(**{name: value})
 
 
 @pytest.mark.parametrize(
@@ -233,7 +236,7 @@ def test_an_impossible_manner_is_refused(name: str, value: float, limits: str) -
 )
 def test_impossible_times_are_refused(attack: float, release: float, name: str) -> None:
     with pytest.raises(MouthError, match=rf"{name} must lie in 0.005..1 s"):
-        Times(attack, release)
+        TransitionTimes(attack, release)
 
 
 def test_times_that_are_scaled_keep_within_their_limits() -> None:
@@ -242,4 +245,4 @@ def test_times_that_are_scaled_keep_within_their_limits() -> None:
         assert (scaled[phoneme].attack, scaled[phoneme].release) == pytest.approx(
             (2 * times.attack, times.release / 2)
         )
-    assert TABLE.moved_as(1e-3, 1e3, random=True).times[A] == Times(0.005, 1.0)
+    assert TABLE.moved_as(1e-3, 1e3, random=True).times[A] == TransitionTimes(0.005, 1.0)

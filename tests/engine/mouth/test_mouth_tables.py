@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from phonemeengine.errors import MouthError
-from phonemeengine.mouth.motion_settings import Manner, Times
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS, VRM
+from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
 from phonemeengine.mouth.table import SPEAKING, TABLES, MouthTable, load_table, shipped_tables, table_of
 from phonemeengine.phonemes import MOUTH_SHAPES, Phoneme
 
@@ -110,23 +109,23 @@ def test_an_animator_sets_the_times_of_one_sound_and_the_manner() -> None:
     table = table_of(
         re.sub("a = { attack.*", "a = { attack = 0.3, release = 0.4 }", GOOD) + "\n[manner]\nquiet = 0\n"
     )
-    assert table.times[Phoneme.A] == Times(0.3, 0.4)
+    assert table.times[Phoneme.A] == TransitionTimes(0.3, 0.4)
     assert table.times[Phoneme.E] == load_table("vrm").times[Phoneme.E]
-    assert table.manner == Manner(quiet=0)
+    assert table.manner == MotionSettings(quiet=0)
 
 
 def test_a_table_that_gives_one_attack_and_release_for_all_still_means_it() -> None:
     table = table_of(UNTIMED + "\n[manner]\nattack = 0.2\nrelease = 0.3\nclosing = 0.04\nrandomness = 0\n")
     lips = {Phoneme.M, Phoneme.P}
-    assert table.times == {p: Times(0.04 if p in lips else 0.2, 0.3) for p in SPEAKING}
-    assert table_of(UNTIMED).times == {p: Times(0.05 if p in lips else 0.09, 0.16) for p in SPEAKING}
+    assert table.times == {p: TransitionTimes(0.04 if p in lips else 0.2, 0.3) for p in SPEAKING}
+    assert table_of(UNTIMED).times == {p: TransitionTimes(0.05 if p in lips else 0.09, 0.16) for p in SPEAKING}
 
 
 def test_what_a_sound_does_not_say_of_its_times_is_that_of_all() -> None:
     text = UNTIMED.replace("[shapes.closed]", "[times]\na = { attack = 0.3 }\nm = { release = 0.1 }\n[shapes.closed]")
     times = table_of(text + "\n[manner]\nrelease = 0.25\n").times
-    assert (times[Phoneme.A], times[Phoneme.M]) == (Times(0.3, 0.25), Times(0.05, 0.1))
-    assert times[Phoneme.E] == Times(0.09, 0.25)
+    assert (times[Phoneme.A], times[Phoneme.M]) == (TransitionTimes(0.3, 0.25), TransitionTimes(0.05, 0.1))
+    assert times[Phoneme.E] == TransitionTimes(0.09, 0.25)
 
 
 # name: (what stands in the file, what is put there instead, what the refusal says)

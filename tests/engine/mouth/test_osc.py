@@ -8,7 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-
 from phonemeengine.analyser import Analysis
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth import osc
@@ -16,6 +15,7 @@ from phonemeengine.mouth.blendshape_names import VRM
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
+
 from tests.microphones import offline
 from tests.osc_receiver import Receiver
 from tests.players import PRESET, wait_for

@@ -5,14 +5,14 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import Face, face_of
-from phonemeengine.mouth.files.io import load_face, save_face
+from phonemeengine.mouth.files.io import load_morph_targets, save_morph_targets
 from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_at
+
 from tests.meshes import figure_of_cube
 
 HUGE = 0xFFFF_FFFF
@@ -39,20 +39,20 @@ MOVING = block((3, 5), 10, 20, 30, 40, 50, 60)
 GOOD = file(ONE, moving=MOVING)
 
 
-def faces() -> st.SearchStrategy[Face]:
+def faces() -> st.SearchStrategy[MorphTargets]:
     """Faces of a mesh of twenty vertices."""
     generator = np.random.default_rng(0)
     mesh = mesh_of(generator.standard_normal((20, 3)))
     numbers = st.lists(st.integers(0, 19), unique=True, max_size=8)
     shape = st.tuples(st.text("aäß 字:", min_size=1, max_size=9).map(lambda t: f"n{t}n"), numbers)
     return st.lists(shape, max_size=4, unique_by=lambda s: s[0]).map(
-        lambda shapes: face_of(
+        lambda shapes: morph_targets_of(
             mesh, [movestate_at(name, n, generator.standard_normal((len(n), 3))) for name, n in shapes]
         )
     )
 
 
-def same(a: Face, b: Face) -> bool:
+def same(a: MorphTargets, b: MorphTargets) -> bool:
     """Whether two faces are equal to the last bit."""
     return (
         [s.name for s in a.states] == [s.name for s in b.states]
@@ -87,16 +87,16 @@ class TestTheLayout:
         ]  # fmt: skip
 
     @given(face=faces())
-    def test_both_formats_keep_every_bit(self, face: Face):
+    def test_both_formats_keep_every_bit(self, face: MorphTargets):
         assert same(parse_3dm(format_3dm(face)), face)
         assert same(parse_3dma(format_3dma(face)), face)
 
     @pytest.mark.parametrize("kind", [".3dm", ".3dma", ".glb"])
     def test_what_is_saved_is_loaded(self, tmp_path: Path, kind: str):
         figure = figure_of_cube()
-        face = face_of(figure.mesh, figure.states)
-        save_face(face, tmp_path / f"face{kind}")
-        assert same(load_face(tmp_path / f"face{kind}"), face)
+        face = morph_targets_of(figure.mesh, figure.states)
+        save_morph_targets(face, tmp_path / f"face{kind}")
+        assert same(load_morph_targets(tmp_path / f"face{kind}"), face)
         assert [path.name for path in tmp_path.iterdir()] == [f"face{kind}"]
 
 
@@ -184,7 +184,7 @@ def test_a_huge_file_is_refused_before_it_is_read(tmp_path: Path, kind: str):
     with path.open("wb") as content:
         content.truncate(10**12)
     with pytest.raises(MeshError, match=rf"^huge{kind}: such a file has at most \d+ MB, this 1000000 MB"):
-        load_face(path)
+        load_morph_targets(path)
 
 
 @pytest.mark.parametrize("kind", [".3dm", ".3dma", ".obj", ".glb", ".gltf", ".x"])
@@ -192,12 +192,12 @@ def test_what_is_no_file_is_refused(tmp_path: Path, kind: str):
     (tmp_path / f"folder{kind}").mkdir()
     for name in ("missing", "folder"):
         with pytest.raises(MeshError, match=rf"^{name}{kind}: cannot be read \("):
-            load_face(tmp_path / f"{name}{kind}")
+            load_morph_targets(tmp_path / f"{name}{kind}")
 
 
 def test_a_folder_that_cannot_be_written_keeps_the_old_file(tmp_path: Path):
     with pytest.raises(MeshError, match=r"^face\.3dm: cannot be written \(.*\); choose another folder"):
-        save_face(parse_3dm(GOOD), tmp_path / "missing" / "face.3dm")
+        save_morph_targets(parse_3dm(GOOD), tmp_path / "missing" / "face.3dm")
     with pytest.raises(MeshError, match=r"its ending must be one of \.3dm, \.3dma, \.glb"):
-        save_face(parse_3dm(GOOD), tmp_path / "face.obj")
+        save_morph_targets(parse_3dm(GOOD), tmp_path / "face.obj")
     assert not list(tmp_path.iterdir())

@@ -1,1 +1,1 @@
-""" """
+"""Test tones: settings, waveforms and the reader that plays them."""

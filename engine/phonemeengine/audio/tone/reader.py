@@ -3,17 +3,14 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array, Int64Array
+from phonemeengine.audio.tone.settings import Tone, ToneKind
 from phonemeengine.audio.tone.waveforms import Waveform, waveform_of
 from phonemeengine.settings import SAMPLE_RATE, Channel
-from phonemeengine.audio.tone.settings import Tone, ToneKind
 
 FADE = 220
 """Samples from one tone to the next (5 ms)."""
-
-Samples = NDArray[np.int64]
-Block = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -31,7 +28,7 @@ class _Voice:
     since: int = 0
     phase: float = 0.0
 
-    def cycles(self, samples: Samples) -> Block:
+    def cycles(self, samples: Int64Array) -> Float64Array:
         """Say how many rounds have passed at samples, but for whole ones.
 
         Whole seconds are reduced before they are multiplied, so that days later the phase is as exact as at first.
@@ -40,7 +37,7 @@ class _Voice:
         whole = (self.wave.rate % 1.0) * seconds % 1.0
         return self.phase + whole + self.wave.rate * rest / SAMPLE_RATE
 
-    def at(self, samples: Samples) -> Block:
+    def at(self, samples: Int64Array) -> Float64Array:
         """Give the sound at samples."""
         return self.gain * self.wave.at(self.cycles(samples))
 
@@ -62,7 +59,7 @@ class _Change:
         end_phase = float(self._glided(np.array([float(FADE)]))[0])
         self.new = new.begun(self.end, end_phase) if self._glides else new.begun(start, 0.0)
 
-    def at(self, samples: Samples) -> Block:
+    def at(self, samples: Int64Array) -> Float64Array:
         """Give the sound at samples from the start to the end."""
         steps = (samples - self._start).astype(float)
         share = 0.5 - 0.5 * np.cos(np.pi * steps / FADE)
@@ -72,7 +69,7 @@ class _Change:
         old, new = (voice.gain * voice.wave.at(cycles) for voice in (self._old, self.new))
         return (1 - share) * old + share * new
 
-    def _glided(self, steps: Block) -> Block:
+    def _glided(self, steps: Float64Array) -> Float64Array:
         """Integrate a rate that goes evenly from the old to the new within the fade."""
         return np.asarray(self._phase + (self._old.wave.rate + self._rise * steps) * steps / SAMPLE_RATE)
 
@@ -115,7 +112,7 @@ class ToneReader:
         """
         self._asked, self.tone = _voice_of(tone), tone
 
-    def read(self, n: int) -> NDArray[np.float32]:
+    def read(self, n: int) -> Float32Array:
         """Give the next samples, fewer than `n` only at the end.
 
         Returns
@@ -137,7 +134,7 @@ class ToneReader:
     def close(self) -> None:
         """Do nothing: a tone holds no file."""
 
-    def _fill(self, room: NDArray[np.float32]) -> int:
+    def _fill(self, room: Float32Array) -> int:
         """Fill room up to its end or to where a change is over; returns how much was filled."""
         if self._change is not None and self.position >= self._change.end:
             self._change = None

@@ -7,8 +7,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.tone.settings import Formant, Tone, ToneKind
+from phonemeengine.settings import SAMPLE_RATE
 
 NOISE_SAMPLES = 1 << 19
 """Length of a noise before it comes again (11.9 s)."""
@@ -27,8 +28,6 @@ HIGHEST_PARTIAL = 10_000.0
 RAMP = 0.005
 """A sweep fades in and out for so long, seconds."""
 
-Block = NDArray[np.float64]
-
 
 class Waveform(Protocol):
     """Something that repeats.
@@ -43,7 +42,7 @@ class Waveform(Protocol):
         """Rounds in a second, Hz."""
         ...
 
-    def at(self, cycles: Block) -> Block:
+    def at(self, cycles: Float64Array) -> Float64Array:
         """Give the values, ±1, after a number of rounds, of which only the fraction counts."""
         ...
 
@@ -58,7 +57,7 @@ def waveform_of(tone: Tone) -> Waveform:
         case ToneKind.VOWEL:
             return Vowel(tone.f0, tone.formants)
         case _:
-            return Noise(pink=tone.kind is ToneKind.PINK_NOISE)
+            return WhiteNoise(pink=tone.kind is ToneKind.PINK_NOISE)
 
 
 class Sine:
@@ -67,7 +66,7 @@ class Sine:
     def __init__(self, frequency: float) -> None:
         self.rate = frequency
 
-    def at(self, cycles: Block) -> Block:
+    def at(self, cycles: Float64Array) -> Float64Array:
         """Give the values after a number of rounds."""
         return np.asarray(np.sin(2 * np.pi * (cycles % 1.0)))
 
@@ -85,7 +84,7 @@ class Sweep:
         self._cycles = low * seconds / self._ratio
         self._ramp = RAMP / seconds
 
-    def at(self, cycles: Block) -> Block:
+    def at(self, cycles: Float64Array) -> Float64Array:
         """Give the values after a number of rounds; it fades out before the end, and in again."""
         share = cycles % 1.0
         phase = self._cycles * np.expm1(self._ratio * share)
@@ -93,7 +92,7 @@ class Sweep:
         return np.asarray((0.5 - 0.5 * np.cos(np.pi * edge)) * np.sin(2 * np.pi * (phase % 1.0)))
 
 
-class Noise:
+class WhiteNoise:
     """Gaussian noise of 11.9 s that goes round without a seam: white, or pink (-3 dB per octave, from 20 Hz)."""
 
     rate = SAMPLE_RATE / NOISE_SAMPLES
@@ -101,7 +100,7 @@ class Noise:
     def __init__(self, *, pink: bool) -> None:
         self._samples = _noise(pink)
 
-    def at(self, cycles: Block) -> Block:
+    def at(self, cycles: Float64Array) -> Float64Array:
         """Give the values after a number of rounds."""
         nearest = np.rint(cycles % 1.0 * NOISE_SAMPLES).astype(np.int64)
         return self._samples[nearest % NOISE_SAMPLES].astype(float)
@@ -114,7 +113,7 @@ class Vowel:
         self.rate = f0
         self._table = _vowel_period(f0, formants)
 
-    def at(self, cycles: Block) -> Block:
+    def at(self, cycles: Float64Array) -> Float64Array:
         """Give the values after a number of rounds, between those of the table on a straight line."""
         place = cycles % 1.0 * TABLE
         before = np.minimum(place.astype(np.int64), TABLE - 1)
@@ -142,7 +141,7 @@ def partials_of(f0: float, formants: tuple[Formant, ...]) -> NDArray[np.complex1
     return np.asarray(partials, np.complex128)
 
 
-def _vowel_period(f0: float, formants: tuple[Formant, ...]) -> Block:
+def _vowel_period(f0: float, formants: tuple[Formant, ...]) -> Float64Array:
     """Add up the partials over one period, shape (TABLE + 1,), the last value being the first."""
     partials = partials_of(f0, formants)
     spectrum = np.zeros(TABLE // 2 + 1, complex)
@@ -153,7 +152,7 @@ def _vowel_period(f0: float, formants: tuple[Formant, ...]) -> Block:
 
 
 @lru_cache(maxsize=2)
-def _noise(pink: bool) -> NDArray[np.float32]:
+def _noise(pink: bool) -> Float32Array:
     """Draw a period of noise; it is the same each time."""
     drawn = np.random.default_rng(NOISE_SEED).standard_normal(NOISE_SAMPLES)
     spectrum = np.fft.rfft(drawn)

@@ -4,11 +4,10 @@ from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+
+from phonemeengine.arrays import BoolArray
 
 Fitted = TypeVar("Fitted")
-Chosen = NDArray[np.bool_]
-"""Which recordings are fitted to, shape (n_recordings,)."""
 
 
 def groups_of(names: Sequence[str], most: int) -> list[list[str]]:
@@ -18,7 +17,9 @@ def groups_of(names: Sequence[str], most: int) -> list[list[str]]:
     return [different[k::n] for k in range(n)]
 
 
-def held_out(names: Sequence[str], groups: Sequence[Sequence[str]], fit: Callable[[Chosen], Fitted]) -> list[Fitted]:
+def cross_validate(
+    names: Sequence[str], groups: Sequence[Sequence[str]], fit: Callable[[BoolArray], Fitted]
+) -> list[Fitted]:
     """Fit without each group in turn; gives for each recording the fit that has not seen its group.
 
     Parameters

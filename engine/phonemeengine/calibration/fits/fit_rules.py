@@ -14,16 +14,17 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.calibration.fits.cross_validation import groups_of, held_out
+from phonemeengine.arrays import BoolArray, Float64Array, UInt8Array
+from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
 from phonemeengine.calibration.fits.rule_features import (
     COPIES,
     FRONT_END,
     SNRS,
-    Material,
+    RuleFeatures,
+    augmented_rule_features_of,
     candidates,
-    further_material_of,
     importance_of,
-    material_of,
+    rule_features_of,
     voice_of,
 )
 from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch
@@ -35,7 +36,7 @@ from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
-from phonemeengine.recognition.smoothing import SUCCESSORS, Statistics
+from phonemeengine.recognition.smoothing import SUCCESSORS, PhonemeSmoother
 
 STEM, NAME = "extended", "Extended rules"
 MOST_RULES = 80
@@ -49,7 +50,7 @@ Rules = tuple[Rule, ...]
 
 
 @dataclass(frozen=True)
-class Lessons:
+class TrainingFrames:
     """Frames to grow rules from.
 
     Attributes
@@ -59,8 +60,8 @@ class Lessons:
     """
 
     features: Features
-    truth: NDArray[np.uint8]
-    weights: NDArray[np.float64]
+    truth: UInt8Array
+    weights: Float64Array
     voices: NDArray[np.int16]
 
 
@@ -75,7 +76,7 @@ class RuleFitter:
     """
 
     def __init__(
-        self, corpus: Sequence[Material], further: Sequence[Material], variables: Sequence[Variable]
+        self, corpus: Sequence[RuleFeatures], further: Sequence[RuleFeatures], variables: Sequence[Variable]
     ) -> None:
         self._corpus = corpus
         self._voices = list(dict.fromkeys(voice_of(m.utterance) for m in (*corpus, *further)))
@@ -86,7 +87,9 @@ class RuleFitter:
     def fit(self) -> Preset:
         """Grow the rules from everyone, and say how well rules do that have not heard a speaker."""
         voices = [voice_of(m.utterance) for m in self._corpus]
-        unseen = held_out(voices, groups_of(voices, len(voices)), lambda chosen: self._rules_without(voices, chosen))
+        unseen = cross_validate(
+            voices, groups_of(voices, len(voices)), lambda chosen: self._rules_without(voices, chosen)
+        )
         hysteresis = self._calm(unseen)
         rules = self._grow(np.ones(len(self._lessons.truth), bool))
         used = {c.variable for rule in rules for c in rule.conditions}
@@ -96,11 +99,11 @@ class RuleFitter:
         notes = self._notes(rules, variables, unseen, hysteresis)
         return Preset(NAME, settings, variables=variables, recogniser="rules", rules=rules, notes=notes)
 
-    def _rules_without(self, voices: Sequence[str], chosen: NDArray[np.bool_]) -> Rules:
+    def _rules_without(self, voices: Sequence[str], chosen: BoolArray) -> Rules:
         heard = [self._voices.index(voice) for voice in {v for v, c in zip(voices, chosen, strict=True) if not c}]
         return self._grow(~np.isin(self._lessons.voices, heard))
 
-    def _grow(self, frames: NDArray[np.bool_]) -> Rules:
+    def _grow(self, frames: BoolArray) -> Rules:
         lessons = self._lessons
         features = Features(lessons.features.names, lessons.features.values[frames])
         search = RuleSearch(features, lessons.truth[frames], lessons.weights[frames], self._names)
@@ -108,7 +111,7 @@ class RuleFitter:
         print(f"  {len(rules)} rules", flush=True)
         return rules
 
-    def _lessons_of(self, material: Sequence[Material]) -> Lessons:
+    def _lessons_of(self, material: Sequence[RuleFeatures]) -> TrainingFrames:
         """Put the copies of all recordings one after the other; each speaker counts by its importance."""
         spoken: dict[tuple[str, str], int] = {}
         for m in material:
@@ -123,7 +126,7 @@ class RuleFitter:
                 weights.append(m.certainty * each * counts)
                 voices.append(np.full(len(m.truth), self._voices.index(voice_of(m.utterance)), np.int16))
         features = Features(material[0].copies[0].names, np.concatenate(values))
-        return Lessons(features, np.concatenate(truth), np.concatenate(weights), np.concatenate(voices))
+        return TrainingFrames(features, np.concatenate(truth), np.concatenate(weights), np.concatenate(voices))
 
     def _calm(self, unseen: Sequence[Rules]) -> float:
         for hysteresis in HYSTERESES:
@@ -186,10 +189,10 @@ def _in_words(scores: Scores) -> str:
     )
 
 
-def _recognised(features: Features, rules: Rules, hysteresis: float) -> NDArray[np.uint8]:
+def _recognised(features: Features, rules: Rules, hysteresis: float) -> UInt8Array:
     recogniser = RuleRecogniser(rules, Thresholds())
     codes = recogniser.recognise(features).phonemes
-    return Statistics(0.0, SUCCESSORS, hysteresis).push(codes, recogniser.shortfalls(features))
+    return PhonemeSmoother(0.0, SUCCESSORS, hysteresis).push(codes, recogniser.shortfalls(features))
 
 
 def main() -> int:
@@ -202,8 +205,8 @@ def main() -> int:
     args = parser.parse_args()
     try:
         variables = candidates()
-        corpus = tuple(material_of(args.corpus, variables, args.seed))
-        further = tuple(further_material_of(args.more, variables, args.seed)) if args.more else ()
+        corpus = tuple(rule_features_of(args.corpus, variables, args.seed))
+        further = tuple(augmented_rule_features_of(args.more, variables, args.seed)) if args.more else ()
         args.out.mkdir(parents=True, exist_ok=True)
         preset = RuleFitter(corpus, further, variables).fit()
         save_preset(preset, args.out / f"{STEM}.toml")

@@ -12,21 +12,21 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.analyser import analyses_of
+from phonemeengine.analyser import analyse_blocks
+from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.labels.label import CORE
 from phonemeengine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
-from phonemeengine.calibration.scores.scoring import Codes, Scores, scores_of
+from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.dsp.cepstra import cepstra_of
 from phonemeengine.dsp.framing import Framer
-from phonemeengine.dsp.log_mel import log_mels_of
+from phonemeengine.dsp.log_mel import log_mels
 from phonemeengine.errors import CorpusError, EngineError
+from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.templates import WITHOUT, Templates, levels_of, rounded_templates
+from phonemeengine.recognition.templates import UNTEMPLATED, Templates, levels_of, rounded_templates
 from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
 
 STEM, NAME = "templates", "Templates"
@@ -35,11 +35,9 @@ LEAST_FRAMES = 3
 """Frames that a template of a speaker is made from at the least."""
 MINIMUM_HOLD, HYSTERESIS = 0.0, 0.25
 
-Block = NDArray[np.float32]
-
 
 @dataclass(frozen=True)
-class Heard:
+class LogMelsByPhoneme:
     """The middles of a speaker's sounds.
 
     Attributes
@@ -48,9 +46,9 @@ class Heard:
     silences, sounds : levels of frames labelled as silence and as anything else, dB.
     """
 
-    cepstra: Mapping[Phoneme, Block]
-    silences: Block
-    sounds: Block
+    cepstra: Mapping[Phoneme, Float32Array]
+    silences: Float32Array
+    sounds: Float32Array
 
 
 def templates_of(utterances: Iterable[Utterance], base: Templates | None = None) -> Templates:
@@ -61,13 +59,13 @@ def templates_of(utterances: Iterable[Utterance], base: Templates | None = None)
     CorpusError : there is not enough of any phoneme.
     AudioError : a sound cannot be read.
     """
-    return templates_from(heard_in(utterances), base)
+    return templates_from(log_mels_by_phoneme(utterances), base)
 
 
-def heard_in(utterances: Iterable[Utterance]) -> dict[str, Heard]:
+def log_mels_by_phoneme(utterances: Iterable[Utterance]) -> dict[str, LogMelsByPhoneme]:
     """Listen to labelled recordings, by speaker."""
-    parts: defaultdict[str, defaultdict[Phoneme, list[Block]]] = defaultdict(lambda: defaultdict(list))
-    levels: defaultdict[tuple[str, bool], list[Block]] = defaultdict(list)
+    parts: defaultdict[str, defaultdict[Phoneme, list[Float32Array]]] = defaultdict(lambda: defaultdict(list))
+    levels: defaultdict[tuple[str, bool], list[Float32Array]] = defaultdict(list)
     for utterance in utterances:
         speaker = utterance.voice
         log_mels = _log_mels_of(utterance.path)
@@ -77,8 +75,8 @@ def heard_in(utterances: Iterable[Utterance]) -> dict[str, Heard]:
             levels[speaker, label.phoneme is Phoneme.SILENCE].append(loudness[frames])
     nothing = [np.zeros(0, np.float32)]
     return {
-        speaker: Heard(
-            {p: np.concatenate(found) for p, found in sorted(theirs.items()) if p not in WITHOUT},
+        speaker: LogMelsByPhoneme(
+            {p: np.concatenate(found) for p, found in sorted(theirs.items()) if p not in UNTEMPLATED},
             np.concatenate(levels.get((speaker, True), nothing)),
             np.concatenate(levels.get((speaker, False), nothing)),
         )
@@ -86,11 +84,11 @@ def heard_in(utterances: Iterable[Utterance]) -> dict[str, Heard]:
     }
 
 
-def templates_from(voices: Mapping[str, Heard], base: Templates | None = None) -> Templates:
+def templates_from(voices: Mapping[str, LogMelsByPhoneme], base: Templates | None = None) -> Templates:
     """Make templates from what was heard of each speaker, all of whom count alike."""
-    means: dict[Phoneme, Block] = {}
+    means: dict[Phoneme, Float32Array] = {}
     spreads = []
-    for phoneme in (p for p in Phoneme if p not in WITHOUT):
+    for phoneme in (p for p in Phoneme if p not in UNTEMPLATED):
         theirs = [v.cepstra[phoneme] for v in voices.values() if len(v.cepstra.get(phoneme, ())) >= LEAST_FRAMES]
         if theirs:
             means[phoneme] = np.mean([frames.mean(axis=0) for frames in theirs], axis=0)
@@ -103,11 +101,11 @@ def templates_from(voices: Mapping[str, Heard], base: Templates | None = None) -
     return rounded_templates(means, spread, _silence_below(voices, -50.0 if base is None else base.silence_below))
 
 
-def _log_mels_of(path: Path) -> Block:
+def _log_mels_of(path: Path) -> Float32Array:
     framer = Framer()
     with SoundReader(path) as reader:
-        parts = [log_mels_of(framer.push(block)) for block in reader.blocks(BLOCK)]
-    return np.concatenate([*parts, log_mels_of(framer.finish())])
+        parts = [log_mels(framer.push(block)) for block in reader.blocks(BLOCK)]
+    return np.concatenate([*parts, log_mels(framer.finish())])
 
 
 def _middles(labels: Iterable[Label]) -> Iterator[tuple[Label, slice]]:
@@ -119,7 +117,7 @@ def _middles(labels: Iterable[Label]) -> Iterator[tuple[Label, slice]]:
             yield label, slice(first, max(first + 1, round((label.end - third) / FRAME_PERIOD)))
 
 
-def _silence_below(voices: Mapping[str, Heard], otherwise: float) -> float:
+def _silence_below(voices: Mapping[str, LogMelsByPhoneme], otherwise: float) -> float:
     """Find the level that tells silence from sound best, the mean of both shares over all speakers."""
     both = [v for v in voices.values() if len(v.silences) and len(v.sounds)]
     if not both:
@@ -135,16 +133,16 @@ def preset_of(templates: Templates, notes: str = "") -> Preset:
     return Preset(NAME, settings, recogniser="templates", templates=templates, notes=notes)
 
 
-def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, Heard]) -> Scores:
+def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, LogMelsByPhoneme]) -> Scores:
     """Score the recordings of each speaker with templates of all others."""
     others = {s: templates_from({who: v for who, v in voices.items() if who != s} or voices) for s in voices}
     presets = {speaker: preset_of(templates) for speaker, templates in others.items()}
     return scores_of((frame_labels_of(u.labels), _recognised(u.path, presets[u.voice])) for u in utterances)
 
 
-def _recognised(path: Path, preset: Preset) -> Codes:
+def _recognised(path: Path, preset: Preset) -> UInt8Array:
     with SoundReader(path) as reader:
-        return np.concatenate([a.phonemes for a in analyses_of(reader.blocks(BLOCK), preset)])
+        return np.concatenate([a.phonemes for a in analyse_blocks(reader.blocks(BLOCK), preset)])
 
 
 NOTES = """\
@@ -160,14 +158,16 @@ silence found {s.silence_recall:.3f}, false silence {s.false_silence:.3f}, {s.ch
 
 def main() -> int:
     """Make the templates of a corpus from the command line."""
-    parser = argparse.ArgumentParser(prog="python -m phonemeengine.calibration.fits.fit_templates", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="python -m phonemeengine.calibration.fits.fit_templates", description=__doc__
+    )
     parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the preset")
     args = parser.parse_args()
     try:
         utterances = read_corpus(args.corpus)
         args.out.mkdir(parents=True, exist_ok=True)
-        voices = heard_in(utterances)
+        voices = log_mels_by_phoneme(utterances)
         notes = NOTES.format(n=len(voices), s=unseen_scores(utterances, voices))
         save_preset(preset_of(templates_from(voices), notes), args.out / f"{STEM}.toml")
     except EngineError as error:

@@ -15,19 +15,19 @@ from itertools import chain
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analyser
-from phonemeengine.calibration.fits.cross_validation import groups_of, held_out
+from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
+from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
 from phonemeengine.calibration.fits.threshold_search import LEAST_EXCLUDED, LEAST_FOUND, Fit, ThresholdSearch
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
-from phonemeengine.calibration.scores.scoring import Codes, Scores, scores_of
+from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import EngineError
 from phonemeengine.features.measure import Features
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.rules import ThesisRules
-from phonemeengine.recognition.smoothing import Statistics
+from phonemeengine.recognition.smoothing import PhonemeSmoother
 from phonemeengine.settings import AnalysisSettings, Decimation
 
 HIGH_PASSES = ((20, 20), (60, 60))
@@ -73,21 +73,19 @@ N_GROUPS = 8
 N_QUICK_STARTS = 4
 """Random starts of the searches that compare front ends."""
 
-Sound = NDArray[np.float32]
-
 
 @dataclass(frozen=True)
-class Recording:
+class _LabelledRecording:
     """An utterance in memory: as it is, and with another level and faint noise."""
 
     utterance: Utterance
     labels: FrameLabels
-    clean: Sound
-    noisy: Sound
+    clean: Float32Array
+    noisy: Float32Array
 
 
 @dataclass(frozen=True)
-class Measured:
+class _MeasuredRecording:
     """The features of all recordings with one front end, an entry for each recording."""
 
     clean: tuple[Features, ...]
@@ -104,7 +102,7 @@ class PresetFitter:
     n_starts : random starts of a search.
     """
 
-    def __init__(self, recordings: tuple[Recording, ...], seed: int, n_starts: int) -> None:
+    def __init__(self, recordings: tuple[_LabelledRecording, ...], seed: int, n_starts: int) -> None:
         self._recordings = recordings
         self._seed = seed
         self._n_starts = n_starts
@@ -148,17 +146,17 @@ class PresetFitter:
         )
         return score
 
-    def _held_out(self, measured: Measured, groups: list[list[str]], n_starts: int) -> list[Fit]:
+    def _held_out(self, measured: _MeasuredRecording, groups: list[list[str]], n_starts: int) -> list[Fit]:
         """Fit without each group of speakers; gives for each recording the fit that never saw its speaker."""
-        return held_out(self._speakers, groups, lambda chosen: self._search(measured, chosen, n_starts))
+        return cross_validate(self._speakers, groups, lambda chosen: self._search(measured, chosen, n_starts))
 
-    def _measure(self, settings: AnalysisSettings) -> Measured:
-        return Measured(
+    def _measure(self, settings: AnalysisSettings) -> _MeasuredRecording:
+        return _MeasuredRecording(
             tuple(_features_of(r.clean, settings, len(r.labels.phonemes)) for r in self._recordings),
             tuple(_features_of(r.noisy, settings, len(r.labels.phonemes)) for r in self._recordings),
         )
 
-    def _search(self, measured: Measured, chosen: NDArray[np.bool_], n_starts: int) -> Fit:
+    def _search(self, measured: _MeasuredRecording, chosen: BoolArray, n_starts: int) -> Fit:
         """Fit to the chosen recordings, each as it is and as its copy."""
         pairs = [
             (features, self._recordings[k].labels.phonemes)
@@ -177,7 +175,7 @@ class PresetFitter:
         guesses = (_recognised(f, fit, settings) for f, fit in zip(features, fits, strict=True))
         return scores_of((r.labels, g) for r, g in zip(self._recordings, guesses, strict=True))
 
-    def _notes(self, settings: AnalysisSettings, measured: Measured, found: Fit, fits: list[Fit]) -> str:
+    def _notes(self, settings: AnalysisSettings, measured: _MeasuredRecording, found: Fit, fits: list[Fit]) -> str:
         all_alike = [found] * len(self._recordings)
         unseen = self._scores(settings, measured.clean, fits)
         return NOTES.format(
@@ -223,7 +221,7 @@ def _in_words(scores: Scores) -> str:
     )
 
 
-def _features_of(sound: Sound, settings: AnalysisSettings, n_frames: int) -> Features:
+def _features_of(sound: Float32Array, settings: AnalysisSettings, n_frames: int) -> Features:
     analyser = Analyser(Preset(settings=settings))
     parts = [analyser.push(sound).features, analyser.finish().features]
     values = np.concatenate([part.values for part in parts])[:n_frames]
@@ -231,14 +229,14 @@ def _features_of(sound: Sound, settings: AnalysisSettings, n_frames: int) -> Fea
     return Features(parts[0].names, np.concatenate([values, silent]))
 
 
-def _recognised(features: Features, fit: Fit, settings: AnalysisSettings) -> Codes:
+def _recognised(features: Features, fit: Fit, settings: AnalysisSettings) -> UInt8Array:
     rules = ThesisRules(fit.thresholds)
     codes = rules.recognise(features).phonemes
-    calm = Statistics(settings.minimum_hold, fit.successors, settings.hysteresis)
+    calm = PhonemeSmoother(settings.minimum_hold, fit.successors, settings.hysteresis)
     return calm.push(codes, rules.shortfalls(features)) if settings.statistics else codes
 
 
-def _recordings_of(folder: Path, seed: int) -> Iterator[Recording]:
+def _recordings_of(folder: Path, seed: int) -> Iterator[_LabelledRecording]:
     generator = np.random.default_rng(seed)
     for utterance in read_corpus(folder):
         with utterance.opened() as reader:
@@ -246,7 +244,7 @@ def _recordings_of(folder: Path, seed: int) -> Iterator[Recording]:
         gain = 10 ** (generator.uniform(*GAIN_RANGE) / 20)
         level = 10 ** (generator.uniform(*NOISE_RANGE) / 20)
         noisy = (gain * clean + level * generator.standard_normal(len(clean))).astype(np.float32)
-        yield Recording(utterance, frame_labels_of(utterance.labels), clean, noisy)
+        yield _LabelledRecording(utterance, frame_labels_of(utterance.labels), clean, noisy)
 
 
 def _fit_all(corpus: Path, out: Path, seed: int, n_starts: int) -> None:

@@ -13,17 +13,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from phonemeengine.calibration.workbench.labelled_features import Workbench
-from phonemeengine.calibration.fits.cross_validation import Chosen, groups_of, held_out
+from phonemeengine.arrays import BoolArray, UInt8Array
+from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
 from phonemeengine.calibration.fits.limit_search import LimitSearch
 from phonemeengine.calibration.fits.threshold_search import ThresholdSearch
-from phonemeengine.progress import Heed, go_on, part_of, tell
 from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
-from phonemeengine.calibration.scores.scoring import Codes, Scores
+from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.rules import RULES, Condition, Rule
 
 MOST_FOLDS = 8
@@ -62,7 +63,12 @@ class FitReport:
 
 
 def fit_preset(
-    workbench: Workbench, preset: Preset, heed: Heed = go_on, *, seed: int = 1, leave_out: bool = True
+    workbench: LabelledFeatures,
+    preset: Preset,
+    heed: Progress = no_progress,
+    *,
+    seed: int = 1,
+    leave_out: bool = True,
 ) -> FitReport:
     """Search for better thresholds, or for better limits of the preset's own rules.
 
@@ -88,9 +94,9 @@ def fit_preset(
     left_out, names = _left_out(workbench)
     groups = groups_of(names, MOST_FOLDS) if left_out and leave_out else []
     first = 1 / (1 + len(groups) * N_FOLD_STARTS / N_STARTS)
-    fitted = fitter.fit(everything, N_STARTS, part_of(heed, 0.0, first))
-    unseen = fitter.unseen(names, groups, part_of(heed, first, 1.0)) if groups else None
-    tell(heed, 1.0)
+    fitted = fitter.fit(everything, N_STARTS, subrange(heed, 0.0, first))
+    unseen = fitter.unseen(names, groups, subrange(heed, first, 1.0)) if groups else None
+    report_progress(heed, 1.0)
     return FitReport(
         preset=fitted,
         before=workbench.confusion(preset).scores(),
@@ -103,7 +109,7 @@ def fit_preset(
 class _Fitter:
     """Fits one preset to some of the recordings."""
 
-    def __init__(self, workbench: Workbench, preset: Preset, seed: int) -> None:
+    def __init__(self, workbench: LabelledFeatures, preset: Preset, seed: int) -> None:
         if preset.recogniser not in FITTED:
             raise CorpusError(
                 f"the recogniser {preset.recogniser!r} has no thresholds to fit; choose a preset with thesis rules "
@@ -115,19 +121,19 @@ class _Fitter:
         self._preset = preset
         self._seed = seed
 
-    def fit(self, chosen: Chosen, n_starts: int, heed: Heed) -> Preset:
+    def fit(self, chosen: BoolArray, n_starts: int, heed: Progress) -> Preset:
         """Fit to the chosen recordings; gives the preset as it was where nothing better was found."""
         features, truth, first = self._frames_of(chosen)
         recordings = tuple(np.flatnonzero(chosen).tolist())
         best = self._preset
         if best.recogniser == "thesis":
             search = ThresholdSearch(features, truth, first)
-            fit = search.best_of(n_starts, np.random.default_rng(self._seed), part_of(heed, 0.0, 0.5))
+            fit = search.best_of(n_starts, np.random.default_rng(self._seed), subrange(heed, 0.0, 0.5))
             found = replace(best, thresholds=fit.thresholds, successors=fit.successors)
             best = self._better(found, best, recordings)
         limits = LimitSearch(features, truth, first, best.thresholds, best.successors)
         rules = _with_numbers(best) if best.recogniser == "thesis" else best.rules
-        moved = limits.improve(rules, part_of(heed, 0.5 if best.recogniser == "thesis" else 0.0, 1.0))
+        moved = limits.improve(rules, subrange(heed, 0.5 if best.recogniser == "thesis" else 0.0, 1.0))
         return self._better(_with_rules(best, moved), best, recordings)
 
     def _better(self, found: Preset, before: Preset, recordings: tuple[int, ...]) -> Preset:
@@ -135,18 +141,18 @@ class _Fitter:
         new, old = (self._workbench.confusion(p).scores(recordings).ten_f1 for p in (found, before))
         return found if new > old else before
 
-    def unseen(self, names: Sequence[str], groups: Sequence[Sequence[str]], heed: Heed) -> Confusion:
+    def unseen(self, names: Sequence[str], groups: Sequence[Sequence[str]], heed: Progress) -> Confusion:
         """Recognise each recording with what was fitted without its group."""
-        shares = iter(part_of(heed, k / len(groups), (k + 1) / len(groups)) for k in range(len(groups)))
-        fits = held_out(names, groups, lambda chosen: self._answers_fitted_to(chosen, next(shares)))
+        shares = iter(subrange(heed, k / len(groups), (k + 1) / len(groups)) for k in range(len(groups)))
+        fits = cross_validate(names, groups, lambda chosen: self._answers_fitted_to(chosen, next(shares)))
         edges = self._workbench.edges
         lines = [fit[first:end] for fit, first, end in zip(fits, edges[:-1], edges[1:], strict=True)]
         return confusion_between(self._workbench.labels, np.concatenate(lines), edges)
 
-    def _answers_fitted_to(self, chosen: Chosen, heed: Heed) -> Codes:
+    def _answers_fitted_to(self, chosen: BoolArray, heed: Progress) -> UInt8Array:
         return self._workbench.answers(self.fit(chosen, N_FOLD_STARTS, heed))
 
-    def _frames_of(self, chosen: Chosen) -> tuple[Features, Codes, Chosen]:
+    def _frames_of(self, chosen: BoolArray) -> tuple[Features, UInt8Array, BoolArray]:
         """Give the features, the labels, and where recordings begin, of the chosen recordings."""
         edges = self._workbench.edges
         first = np.zeros(edges[-1] + 1, bool)
@@ -160,7 +166,7 @@ class _Fitter:
         )
 
 
-def _left_out(workbench: Workbench) -> tuple[str, list[str]]:
+def _left_out(workbench: LabelledFeatures) -> tuple[str, list[str]]:
     """Say what is left out in turn, and to what of that kind each recording belongs."""
     speakers = [u.speaker for u in workbench.utterances]
     if len(set(speakers)) > 1:

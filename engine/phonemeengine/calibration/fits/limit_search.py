@@ -10,14 +10,19 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.calibration.workbench.rule_cache import RuleSheet
+from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, Int64Array, UInt8Array
+from phonemeengine.calibration.scores.scoring import (
+    N_CODES,
+    SCORED_PHONEMES,
+    confusion_of,
+    macro_f1_of,
+)
+from phonemeengine.calibration.workbench.rule_cache import RuleCache
 from phonemeengine.calibration.workbench.successors import last_identified
-from phonemeengine.progress import Heed, go_on, tell
-from phonemeengine.calibration.scores.scoring import N_CODES, TEN, Codes, Counts, confusion_of, macro_f1_of
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
 
@@ -47,20 +52,20 @@ class LimitSearch:
     def __init__(
         self,
         features: Features,
-        truth: Codes,
-        first: NDArray[np.bool_],
+        truth: UInt8Array,
+        first: BoolArray,
         thresholds: Thresholds,
         successors: Mapping[Phoneme, Phoneme],
     ) -> None:
         self._values = {name: np.ascontiguousarray(features[name]) for name in features.names}
-        self._sheet = RuleSheet(self._values, len(truth))
+        self._sheet = RuleCache(self._values, len(truth))
         self._truth = truth
         self._first = first
         self._known = truth != Phoneme.UNIDENTIFIED
         self._thresholds = thresholds
         self._table = np.array([successors.get(p, p) for p in Phoneme], np.uint8)
 
-    def improve(self, rules: Sequence[Rule], heed: Heed = go_on) -> tuple[Rule, ...]:
+    def improve(self, rules: Sequence[Rule], heed: Progress = no_progress) -> tuple[Rule, ...]:
         """Give the rules with better limits, or as they are; `heed` is told how far it is.
 
         Raises
@@ -74,7 +79,7 @@ class LimitSearch:
             before = score
             fillers = self._fillers(rules)
             for k, limit in enumerate(limits):
-                tell(heed, (n + k / len(limits)) / MOST_ROUNDS)
+                report_progress(heed, (n + k / len(limits)) / MOST_ROUNDS)
                 moved = self._best(limit, rules, fillers)
                 better, gained = _moved(rules, limit, moved), 0.0
                 if moved != limit[1] and (gained := self._score(better) - score) > LEAST_GAIN:
@@ -83,7 +88,7 @@ class LimitSearch:
                 break
         return rules
 
-    def _best(self, limit: Limit, rules: tuple[Rule, ...], fillers: Codes) -> float:
+    def _best(self, limit: Limit, rules: tuple[Rule, ...], fillers: UInt8Array) -> float:
         """Give the best candidate for one limit, all others as they are."""
         values = self._values[limit[0]]
         taken = [number for variable, number in _limits_of(rules) if variable == limit[0]]
@@ -97,10 +102,10 @@ class LimitSearch:
         truth = self._truth[open_]
         under = _counted(ranks, truth, below[open_], len(candidates) + 1).cumsum(axis=0)
         over = _counted(ranks, truth, above[open_], len(candidates) + 1).cumsum(axis=0)
-        scores = macro_f1_of(settled + under[:-1] + over[-1] - over[:-1], TEN)
+        scores = macro_f1_of(settled + under[:-1] + over[-1] - over[:-1], SCORED_PHONEMES)
         return float(str(candidates[int(scores.argmax())]))
 
-    def _answers_as_if(self, limit: Limit, rules: tuple[Rule, ...], fillers: Codes, sign: str) -> Codes:
+    def _answers_as_if(self, limit: Limit, rules: tuple[Rule, ...], fillers: UInt8Array, sign: str) -> UInt8Array:
         """Recognise as if all values of a variable were on one side of a limit."""
         kept = []
         for rule in rules:
@@ -110,7 +115,7 @@ class LimitSearch:
         answers = self._recognised(kept)
         return np.where(answers == Phoneme.UNIDENTIFIED, fillers, answers)
 
-    def _fillers(self, rules: tuple[Rule, ...]) -> Codes:
+    def _fillers(self, rules: tuple[Rule, ...]) -> UInt8Array:
         """Give what fills in where the rules say nothing."""
         return self._table[last_identified(self._recognised(rules), self._first)]
 
@@ -118,9 +123,9 @@ class LimitSearch:
         answers = self._recognised(rules)
         unidentified = answers == Phoneme.UNIDENTIFIED
         answers = np.where(unidentified, self._table[last_identified(answers, self._first)], answers)
-        return float(macro_f1_of(confusion_of(self._truth[self._known], answers[self._known]), TEN))
+        return float(macro_f1_of(confusion_of(self._truth[self._known], answers[self._known]), SCORED_PHONEMES))
 
-    def _recognised(self, rules: Sequence[Rule]) -> Codes:
+    def _recognised(self, rules: Sequence[Rule]) -> UInt8Array:
         return self._sheet.recognised(RuleRecogniser(rules, self._thresholds))
 
 
@@ -141,13 +146,13 @@ def _moved(rules: Sequence[Rule], limit: Limit, number: float) -> tuple[Rule, ..
     )
 
 
-def _counted(ranks: NDArray[np.intp], truth: Codes, answers: Codes, n_ranks: int) -> Counts:
+def _counted(ranks: IndexArray, truth: UInt8Array, answers: UInt8Array, n_ranks: int) -> Int64Array:
     """Count frames by rank, label and answer, shape (n_ranks, 11, 11)."""
     cells = (ranks * N_CODES + truth) * N_CODES + answers
     return np.bincount(cells, minlength=n_ranks * N_CODES**2).reshape(n_ranks, N_CODES, N_CODES)
 
 
-def _candidates_of(values: NDArray[np.float32]) -> NDArray[np.float32]:
+def _candidates_of(values: Float32Array) -> Float32Array:
     """Spread limits evenly over the ranks of the values, rounded so that a file shows few digits."""
     spread = np.quantile(values, np.linspace(0.005, 0.995, N_CANDIDATES))
     return np.unique(np.array([float(f"{value:.{SIGNIFICANT_DIGITS}g}") for value in spread], np.float32))

@@ -6,10 +6,10 @@ from itertools import combinations
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analyser
-from phonemeengine.calibration.scores.added_noise import Noise, NoiseAdder, NoiseKind
+from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
+from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
 from phonemeengine.dsp.mel import frequency_of, mel_of
 from phonemeengine.features.measure import Features
@@ -57,7 +57,7 @@ MOST = 40
 
 
 @dataclass(frozen=True)
-class Material:
+class RuleFeatures:
     """An utterance with its copies.
 
     Attributes
@@ -74,12 +74,12 @@ class Material:
     stride: int = 1
 
     @property
-    def truth(self) -> NDArray[np.uint8]:
+    def truth(self) -> UInt8Array:
         """The labels of the frames that were kept: codes of `Phoneme`, shape (n_kept,)."""
         return self.labels.phonemes[:: self.stride]
 
     @property
-    def certainty(self) -> NDArray[np.float64]:
+    def certainty(self) -> Float64Array:
         """How much each frame that was kept counts: less beside a boundary, whose place is seldom sure."""
         changes = np.flatnonzero(np.diff(self.labels.phonemes))
         certainty = np.ones(len(self.labels.phonemes))
@@ -119,13 +119,13 @@ def importance_of(utterance: Utterance) -> float:
     return next((value for kind, value in IMPORTANCE if utterance.corpus.startswith(kind)), 1.0)
 
 
-def material_of(folder: Path, variables: Sequence[Variable], seed: int) -> Iterator[Material]:
+def rule_features_of(folder: Path, variables: Sequence[Variable], seed: int) -> Iterator[RuleFeatures]:
     """Measure a whole corpus."""
     utterances = read_corpus(folder)
     return _measured(utterances, utterances, variables, seed, 1)
 
 
-def further_material_of(folder: Path, variables: Sequence[Variable], seed: int) -> Iterator[Material]:
+def augmented_rule_features_of(folder: Path, variables: Sequence[Variable], seed: int) -> Iterator[RuleFeatures]:
     """Measure some recordings of each speaker of a corpus, and some frames of them."""
     utterances = read_corpus(folder)
     generator = np.random.default_rng(seed)
@@ -142,20 +142,20 @@ def further_material_of(folder: Path, variables: Sequence[Variable], seed: int) 
 
 def _measured(
     chosen: Sequence[Utterance], everyone: Sequence[Utterance], variables: Sequence[Variable], seed: int, stride: int
-) -> Iterator[Material]:
+) -> Iterator[RuleFeatures]:
     generator = np.random.default_rng(seed)
     preset = Preset(settings=FRONT_END, variables=tuple(variables))
-    adders = [NoiseAdder(Noise(kind, 0.0, seed), everyone) for kind in NOISES]
+    adders = [NoiseAdder(AddedNoise(kind, 0.0, seed), everyone) for kind in NOISES]
     for k, utterance in enumerate(chosen):
         labels = frame_labels_of(utterance.labels)
         sounds = _sounds_of(utterance, adders[k % len(adders)], generator)
         n = len(labels.phonemes)
-        yield Material(utterance, labels, tuple(_features_of(sound, preset, n, stride) for sound in sounds), stride)
+        yield RuleFeatures(
+            utterance, labels, tuple(_features_of(sound, preset, n, stride) for sound in sounds), stride
+        )
 
 
-def _sounds_of(
-    utterance: Utterance, adder: NoiseAdder, generator: np.random.Generator
-) -> Iterator[NDArray[np.float32]]:
+def _sounds_of(utterance: Utterance, adder: NoiseAdder, generator: np.random.Generator) -> Iterator[Float32Array]:
     with utterance.opened() as reader:
         sound = np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])
     yield sound
@@ -170,7 +170,7 @@ def _gain_of(level: float) -> np.float32:
     return np.float32(10 ** (level / 20))
 
 
-def _features_of(sound: NDArray[np.float32], preset: Preset, n_frames: int, stride: int) -> Features:
+def _features_of(sound: Float32Array, preset: Preset, n_frames: int, stride: int) -> Features:
     analyser = Analyser(preset)
     parts = [analyser.push(sound).features, analyser.finish().features]
     values = np.concatenate([part.values for part in parts])[:n_frames]

@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.calibration.scores.scoring import N_CODES, TEN, Codes
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, UInt8Array
+from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.rules import Condition, Rule
@@ -35,9 +36,6 @@ LEAST_SHARE = 0.0005
 SIGNIFICANT_DIGITS = 4
 
 NOTHING = np.zeros((0, 0, 0))
-
-Ranks = NDArray[np.uint8]
-Weights = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -62,12 +60,12 @@ class Node:
     """
 
     frames: NDArray[np.int32]
-    counts: Weights
+    counts: Float64Array
     asked: dict[tuple[int, str], int]
     split: Split | None = None
     children: tuple["Node", ...] = ()
     phoneme: Phoneme = Phoneme.UNIDENTIFIED
-    totals: Weights = field(default_factory=lambda: np.zeros(N_CODES))
+    totals: Float64Array = field(default_factory=lambda: np.zeros(N_CODES))
 
 
 class RuleSearch:
@@ -81,7 +79,9 @@ class RuleSearch:
     variables : the names of those that rules may ask for.
     """
 
-    def __init__(self, features: Features, truth: Codes, weights: Weights, variables: Sequence[str]) -> None:
+    def __init__(
+        self, features: Features, truth: UInt8Array, weights: Float64Array, variables: Sequence[str]
+    ) -> None:
         known = truth != Phoneme.UNIDENTIFIED
         self._names = tuple(variables)
         self._limits = [limits_of(features[name][known]) for name in self._names]
@@ -122,7 +122,7 @@ class RuleSearch:
         )
         return Rule(node.phoneme, tuple(conditions))
 
-    def _node(self, frames: NDArray[np.int32], counts: Weights, asked: dict[tuple[int, str], int]) -> Node:
+    def _node(self, frames: NDArray[np.int32], counts: Float64Array, asked: dict[tuple[int, str], int]) -> Node:
         node = Node(frames, counts, asked, totals=counts[0].sum(axis=0))
         node.split = self._best_split(counts, asked)
         return node
@@ -145,7 +145,7 @@ class RuleSearch:
         )
         return node.children
 
-    def _count(self, frames: NDArray[np.int32]) -> Weights:
+    def _count(self, frames: NDArray[np.int32]) -> Float64Array:
         truth, weights = self._truth[frames], self._weights[frames]
         counts = np.empty((len(self._ranks), N_LIMITS + 1, N_CODES))
         for k, ranks in enumerate(self._ranks):
@@ -153,7 +153,7 @@ class RuleSearch:
             counts[k] = np.bincount(cells, weights, counts[k].size).reshape(counts[k].shape)
         return counts
 
-    def _best_split(self, counts: Weights, asked: dict[tuple[int, str], int]) -> Split | None:
+    def _best_split(self, counts: Float64Array, asked: dict[tuple[int, str], int]) -> Split | None:
         below = counts.cumsum(axis=1)[:, :-1]
         above = below[:, -1:] + counts[:, -1:] - below
         purity = _purity(below) + _purity(above)
@@ -165,17 +165,17 @@ class RuleSearch:
         gain = float(gains[variable, limit])
         return Split(gain, variable, limit) if gain > 0 else None
 
-    def _eagerness(self) -> Weights:
+    def _eagerness(self) -> Float64Array:
         return np.array([1 if k in self._used else NOVELTY for k in range(len(self._names))])
 
-    def _askable(self, asked: dict[tuple[int, str], int]) -> NDArray[np.bool_]:
+    def _askable(self, asked: dict[tuple[int, str], int]) -> BoolArray:
         """Say which variables both children may be asked about."""
         room = MOST_CONDITIONS - len(asked)
         new = [((k, "<") not in asked, (k, ">") not in asked) for k in range(len(self._names))]
         return np.array([max(pair) <= room for pair in new])
 
 
-def limits_of(values: NDArray[np.float32]) -> NDArray[np.float32]:
+def limits_of(values: Float32Array) -> Float32Array:
     """Spread limits evenly over the ranks of the values, each between two values that there are.
 
     They are rounded, so that a file shows few digits.
@@ -187,7 +187,7 @@ def limits_of(values: NDArray[np.float32]) -> NDArray[np.float32]:
     return np.unique(np.array([float(f"{v:.{SIGNIFICANT_DIGITS}g}") for v in between], np.float32))
 
 
-def ranks_of(features: Features, names: Sequence[str], limits: list[NDArray[np.float32]]) -> Ranks:
+def ranks_of(features: Features, names: Sequence[str], limits: list[Float32Array]) -> UInt8Array:
     """Count for each value the limits that it exceeds or equals, shape (n_variables, n_frames)."""
     ranks = [np.searchsorted(edges, features[name], side="right") for name, edges in zip(names, limits, strict=True)]
     return np.array(ranks, np.uint8)
@@ -207,7 +207,7 @@ def merged_leaves_of(node: Node) -> list[Node]:
     return [leaf for child in node.children for leaf in merged_leaves_of(child)]
 
 
-def best_phonemes(counts: Weights) -> list[Phoneme]:
+def best_phonemes(counts: Float64Array) -> list[Phoneme]:
     """Choose a phoneme for each leaf, so that the macro F1 is one that no single change betters.
 
     Parameters
@@ -215,7 +215,7 @@ def best_phonemes(counts: Weights) -> list[Phoneme]:
     counts : the weight of each phoneme in each leaf, shape (n_leaves, n_phonemes).
     """
     totals = counts.sum(axis=0)
-    present = [p for p in TEN if totals[p] > 0]
+    present = [p for p in SCORED_PHONEMES if totals[p] > 0]
     shares = counts[:, present] / totals[present]
     answers = [present[k] for k in shares.argmax(axis=1)]
     score, before = _macro_f1(counts, answers, present), -1.0
@@ -229,13 +229,13 @@ def best_phonemes(counts: Weights) -> list[Phoneme]:
     return answers
 
 
-def _macro_f1(counts: Weights, answers: Sequence[Phoneme], present: Sequence[Phoneme]) -> float:
+def _macro_f1(counts: Float64Array, answers: Sequence[Phoneme], present: Sequence[Phoneme]) -> float:
     said = np.bincount(answers, counts.sum(axis=1), N_CODES)[present]
     hits = np.bincount(answers, counts[np.arange(len(answers)), answers], N_CODES)[present]
     return float((2 * hits / (said + counts.sum(axis=0)[present])).mean())
 
 
-def _purity(counts: Weights) -> Weights:
+def _purity(counts: Float64Array) -> Float64Array:
     """Give the weight of frames times the chance that two of them are the same phoneme."""
-    purity: Weights = (counts**2).sum(axis=-1) / np.maximum(counts.sum(axis=-1), 1e-12)
+    purity: Float64Array = (counts**2).sum(axis=-1) / np.maximum(counts.sum(axis=-1), 1e-12)
     return purity

@@ -4,16 +4,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.analyser import BLOCK, analyses_of
-from phonemeengine.progress import Heed, go_on, part_of, tell
+from phonemeengine.analyser import BLOCK, analyse_blocks
+from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
-from phonemeengine.calibration.scores.scoring import Codes
 from phonemeengine.dsp.filters import denoise, normalise
 from phonemeengine.features.variables import Spectrum
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.settings import HOP, AnalysisSettings, Filter
 
 MOST_FRAMES = 1500
@@ -33,15 +32,15 @@ class SpectrumSample:
     spectra : by what variables call them (filtered, normalised), float32, shape (n_frames, n_bins).
     """
 
-    phonemes: Codes
-    spectra: dict[Spectrum, NDArray[np.float32]]
+    phonemes: UInt8Array
+    spectra: dict[Spectrum, Float32Array]
 
-    def of(self, source: Spectrum, phonemes: Sequence[Phoneme]) -> NDArray[np.float32]:
+    def of(self, source: Spectrum, phonemes: Sequence[Phoneme]) -> Float32Array:
         """Give the spectra of one kind of the frames of some phonemes."""
         return self.spectra[source][np.isin(self.phonemes, phonemes)]
 
 
-def sampled_spectra(utterances: Sequence[Utterance], preset: Preset, heed: Heed = go_on) -> SpectrumSample:
+def sampled_spectra(utterances: Sequence[Utterance], preset: Preset, heed: Progress = no_progress) -> SpectrumSample:
     """Analyse recordings, and keep the spectra of at most 1500 certain frames of each phoneme.
 
     Raises
@@ -55,20 +54,20 @@ def sampled_spectra(utterances: Sequence[Utterance], preset: Preset, heed: Heed 
     parts = [np.zeros((0, settings.n_bins), np.float32)]
     codes = [np.zeros(0, np.uint8)]
     for k, (utterance, heard, wanted) in enumerate(zip(utterances, labels, _wanted(labels), strict=True)):
-        tell(heed, k / len(utterances))
+        report_progress(heed, k / len(utterances))
         if len(wanted):
-            share = part_of(heed, k / len(utterances), (k + 1) / len(utterances))
+            share = subrange(heed, k / len(utterances), (k + 1) / len(utterances))
             spectra = _spectra_at(utterance, wanted, early, share)
             parts.append(spectra)
             codes.append(heard.phonemes[wanted[: len(spectra)]])
-    tell(heed, 1.0)
+    report_progress(heed, 1.0)
     filtered = np.concatenate(parts)
     return SpectrumSample(
         np.concatenate(codes), {Spectrum.FILTERED: filtered, Spectrum.NORMALISED: _finished(filtered, settings)}
     )
 
 
-def _wanted(labels: Sequence[FrameLabels]) -> list[NDArray[np.intp]]:
+def _wanted(labels: Sequence[FrameLabels]) -> list[IndexArray]:
     """Choose the frames of each recording: of each phoneme every so many one."""
     lengths = [len(part.phonemes) for part in labels]
     phonemes = np.concatenate([np.zeros(0, np.uint8), *(part.phonemes for part in labels)])
@@ -80,20 +79,18 @@ def _wanted(labels: Sequence[FrameLabels]) -> list[NDArray[np.intp]]:
     return [np.flatnonzero(part) for part in np.split(chosen, np.cumsum(lengths)[:-1])]
 
 
-def _spectra_at(
-    utterance: Utterance, wanted: NDArray[np.intp], settings: AnalysisSettings, heed: Heed
-) -> NDArray[np.float32]:
+def _spectra_at(utterance: Utterance, wanted: IndexArray, settings: AnalysisSettings, heed: Progress) -> Float32Array:
     """Give the filtered spectra of those of the wanted frames that the sound has."""
     found = []
     with utterance.opened() as reader:
-        for analysis in analyses_of(reader.blocks(BLOCK * HOP), Preset(settings=settings)):
-            tell(heed, min(1.0, analysis.start / max(1, int(wanted[-1]))))
+        for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), Preset(settings=settings)):
+            report_progress(heed, min(1.0, analysis.start / max(1, int(wanted[-1]))))
             first, end = np.searchsorted(wanted, (analysis.start, analysis.start + len(analysis)))
             found.append(analysis.spectra[wanted[first:end] - analysis.start])
     return np.concatenate([np.zeros((0, settings.n_bins), np.float32), *found])
 
 
-def _finished(filtered: NDArray[np.float32], settings: AnalysisSettings) -> NDArray[np.float32]:
+def _finished(filtered: Float32Array, settings: AnalysisSettings) -> Float32Array:
     """Send filtered spectra through the filters that follow."""
     finished = filtered
     if settings.has(Filter.DENOISE) and settings.denoise_threshold > 0:

@@ -10,18 +10,18 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.calibration.workbench.distributions import Distribution, distribution_in
-from phonemeengine.calibration.workbench.separability import best_threshold, separation_of
-from phonemeengine.calibration.workbench.labelled_features import Workbench
+from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.fits.spectrum_sample import SpectrumSample, sampled_spectra
-from phonemeengine.progress import Heed, go_on, part_of, tell
+from phonemeengine.calibration.workbench.distributions import Distribution, distribution_in
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.calibration.workbench.separability import best_threshold, separability
 from phonemeengine.dsp.mel import frequency_of, mel_of
 from phonemeengine.errors import CorpusError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.settings import BIN_WIDTH
 
 N_EDGES = 44
@@ -31,8 +31,6 @@ LEAST_SEPARATION = 0.55
 """A variable that parts no better is not worth a suggestion."""
 MOST_OF_A_SIDE = 3000
 """Frames that are compared of each side."""
-
-Block = NDArray[np.float32]
 
 
 @dataclass(frozen=True)
@@ -66,13 +64,17 @@ class _Range:
     def overlaps(self, other: "_Range") -> bool:
         return self.first < other.end and other.first < self.end
 
-    def measured(self, spectra: Block) -> Block:
+    def measured(self, spectra: Float32Array) -> Float32Array:
         inside = spectra[:, self.first : self.end]
         return np.asarray(inside.sum(axis=1) if self.kind is Kind.SUM else inside.max(axis=1), np.float32)
 
 
 def suggested_variables(
-    workbench: Workbench, preset: Preset, one: Phoneme, other: Phoneme | None = None, heed: Heed = go_on
+    workbench: LabelledFeatures,
+    preset: Preset,
+    one: Phoneme,
+    other: Phoneme | None = None,
+    heed: Progress = no_progress,
 ) -> tuple[Suggestion, ...]:
     """Search for the variables that part one phoneme best from another, or from all other ones.
 
@@ -93,12 +95,12 @@ def suggested_variables(
     AudioError : a sound cannot be read any more.
     Cancelled : `heed` did not want to go on.
     """
-    sample = sampled_spectra(workbench.utterances, preset, part_of(heed, 0.0, 0.5))
-    return suggestions_from(sample, preset, one, other, part_of(heed, 0.5, 1.0))
+    sample = sampled_spectra(workbench.utterances, preset, subrange(heed, 0.0, 0.5))
+    return suggestions_from(sample, preset, one, other, subrange(heed, 0.5, 1.0))
 
 
 def suggestions_from(
-    sample: SpectrumSample, preset: Preset, one: Phoneme, other: Phoneme | None = None, heed: Heed = go_on
+    sample: SpectrumSample, preset: Preset, one: Phoneme, other: Phoneme | None = None, heed: Progress = no_progress
 ) -> tuple[Suggestion, ...]:
     """Search as `suggested_variables` does, in spectra that are at hand."""
     sides = _sides_of(sample, one, other)
@@ -107,7 +109,7 @@ def suggestions_from(
     tried: list[_Range] = []
     for k, source in enumerate(sources):
         for share, found in _tried(source, *sides[source], edges):
-            tell(heed, (k + share) / len(sources))
+            report_progress(heed, (k + share) / len(sources))
             tried += found
     worthy = sorted((r for r in tried if r.separation >= LEAST_SEPARATION), key=_rank_of)
     suggestions: list[Suggestion] = []
@@ -126,7 +128,9 @@ def _rank_of(tried: _Range) -> tuple[float, int]:
     return -round(tried.separation, 4), tried.end - tried.first
 
 
-def _sides_of(sample: SpectrumSample, one: Phoneme, other: Phoneme | None) -> dict[Spectrum, tuple[Block, Block]]:
+def _sides_of(
+    sample: SpectrumSample, one: Phoneme, other: Phoneme | None
+) -> dict[Spectrum, tuple[Float32Array, Float32Array]]:
     """Give the frames of both sides, by spectrum."""
     spoken = [p for p in Phoneme if p not in {one, Phoneme.UNIDENTIFIED}]
     others = spoken if other is None else [other]
@@ -142,7 +146,7 @@ def _sides_of(sample: SpectrumSample, one: Phoneme, other: Phoneme | None) -> di
     return sides
 
 
-def _some(spectra: Block) -> Block:
+def _some(spectra: Float32Array) -> Float32Array:
     return spectra[:: max(1, -(-len(spectra) // MOST_OF_A_SIDE))]
 
 
@@ -154,7 +158,9 @@ def _edges_of(preset: Preset) -> list[int]:
     return [int(edge) for edge in bins]
 
 
-def _tried(source: Spectrum, own: Block, others: Block, edges: list[int]) -> Iterator[tuple[float, list[_Range]]]:
+def _tried(
+    source: Spectrum, own: Float32Array, others: Float32Array, edges: list[int]
+) -> Iterator[tuple[float, list[_Range]]]:
     """Try all ranges, first edge by first edge; with each the share of the work that is done."""
     sums = [_cells(np.add, side, edges) for side in (own, others)]
     maxima = [_cells(np.maximum, side, edges) for side in (own, others)]
@@ -163,13 +169,13 @@ def _tried(source: Spectrum, own: Block, others: Block, edges: list[int]) -> Ite
         for kind, cells, run in ((Kind.SUM, sums, np.add), (Kind.MAX, maxima, np.maximum)):
             mine, theirs = (run.accumulate(side[k:], axis=0) for side in cells)
             found += [
-                _Range(separation_of(a, b), source, kind, first, end)
+                _Range(separability(a, b), source, kind, first, end)
                 for a, b, end in zip(mine, theirs, edges[k + 1 :], strict=True)
             ]
         yield (k + 1) / len(edges), found
 
 
-def _cells(run: np.ufunc, spectra: Block, edges: list[int]) -> Block:
+def _cells(run: np.ufunc, spectra: Float32Array, edges: list[int]) -> Float32Array:
     """Sum spectra up between neighbouring edges, or give their maxima there; shape (n_cells, n_frames)."""
     cells = run.reduceat(spectra[:, : edges[-1]], edges[:-1], axis=1)
     return np.ascontiguousarray(cells.T)

@@ -13,13 +13,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.calibration.workbench.successors import Table, counted_table, last_identified, successors_of
-from phonemeengine.progress import Heed, go_on, part_of, tell
-from phonemeengine.calibration.scores.scoring import N_CODES, TEN, Codes
+from phonemeengine.arrays import (
+    BoolArray,
+    Float32Array,
+    Float64Array,
+    IndexArray,
+    Int64Array,
+    UInt8Array,
+    UInt32Array,
+)
+from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
+from phonemeengine.calibration.workbench.successors import counted_table, last_identified, successors_of
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, RULES, Condition
 
@@ -54,13 +62,12 @@ N_ANSWERS = 2 * N_CODES
 """What a rule says, or `N_CODES` more where the table of successors says it."""
 
 Limits = dict[Condition, np.float32]
-Marks = NDArray[np.uint32]
 
 _BITS = {c: np.uint32(1 << k) for k, c in enumerate(CONDITIONS)}
-_CLASSES = np.array(TEN)
+_CLASSES = np.array(SCORED_PHONEMES)
 
 
-def _answers_of_marks() -> Codes:
+def _answers_of_marks() -> UInt8Array:
     marks = np.arange(1 << len(CONDITIONS), dtype=np.uint32)
     answers = np.full(len(marks), Phoneme.UNIDENTIFIED, np.uint8)
     for rule in reversed(RULES):
@@ -99,7 +106,7 @@ class ThresholdSearch:
     first : bool, shape (n_frames,): where a recording begins; nothing is remembered from before.
     """
 
-    def __init__(self, features: Features, truth: Codes, first: NDArray[np.bool_]) -> None:
+    def __init__(self, features: Features, truth: UInt8Array, first: BoolArray) -> None:
         self._first = first
         self._known = truth != Phoneme.UNIDENTIFIED
         self._truth = truth[self._known].astype(np.int64)
@@ -112,21 +119,21 @@ class ThresholdSearch:
             for c, values in self._values.items()
         }
 
-    def best_of(self, n_starts: int, generator: np.random.Generator, heed: Heed = go_on) -> Fit:
+    def best_of(self, n_starts: int, generator: np.random.Generator, heed: Progress = no_progress) -> Fit:
         """Search from some random starts and give the best end; `heed` is told how far it is.
 
         Raises
         ------
         Cancelled : `heed` did not want to go on.
         """
-        starts = (part_of(heed, k / n_starts, (k + 1) / n_starts) for k in range(n_starts))
+        starts = (subrange(heed, k / n_starts, (k + 1) / n_starts) for k in range(n_starts))
         return max((self._descend(generator, start) for start in starts), key=lambda fit: fit.score)
 
-    def _descend(self, generator: np.random.Generator, heed: Heed) -> Fit:
+    def _descend(self, generator: np.random.Generator, heed: Progress) -> Fit:
         limits = self._start(generator)
         ends: list[Fit] = []
         for n in range(MOST_ROUNDS):
-            tell(heed, n / MOST_ROUNDS)
+            report_progress(heed, n / MOST_ROUNDS)
             table, fillers = self._successors(limits)
             marks = _marks_of(self._values, limits)
             ends.append(Fit(_thresholds_of(limits), successors_of(table), self._score(marks, fillers)))
@@ -147,7 +154,7 @@ class ThresholdSearch:
         drawn = generator.choice(pool, len(ladder), replace=len(pool) < len(ladder))
         return limits | dict(zip(ladder, sorted(drawn, reverse=True), strict=True))
 
-    def _successors(self, limits: Limits) -> tuple[Table, Codes]:
+    def _successors(self, limits: Limits) -> tuple[UInt8Array, UInt8Array]:
         """Count the table for these limits, and give what fills in at each scored frame."""
         answers = _ANSWERS[_marks_of(self._all_values, limits)]
         last = last_identified(answers, self._first)[self._known]
@@ -155,16 +162,16 @@ class ThresholdSearch:
         table = counted_table(last[unidentified], self._truth[unidentified], self._totals)
         return table, (table[last] + N_CODES).astype(np.uint8)
 
-    def _score(self, marks: Marks, fillers: Codes) -> float:
+    def _score(self, marks: UInt32Array, fillers: UInt8Array) -> float:
         answers = _ANSWERS[marks]
         excluded = [np.count_nonzero(_ANSWERS[marks | bit] != answers) for bit in _BITS.values()]
         score = float(self._scores(self._confusion(_filled(answers, fillers))))
         return score - float(self._price_of_idling(np.array(excluded)).sum())
 
-    def _price_of_idling(self, excluded: NDArray[np.int64]) -> NDArray[np.float64]:
+    def _price_of_idling(self, excluded: Int64Array) -> Float64Array:
         return PRICE * np.clip(1 - excluded / (LEAST_EXCLUDED * len(self._truth)), 0, 1)
 
-    def _improve(self, c: Condition, limits: Limits, marks: Marks, fillers: Codes) -> Marks:
+    def _improve(self, c: Condition, limits: Limits, marks: UInt32Array, fillers: UInt8Array) -> UInt32Array:
         scores = np.where(self._allowed(c, limits), self._scores_of_candidates(c, marks, fillers), -np.inf)
         now = scores[self._candidates[c] == limits[c]].max(initial=-np.inf)
         k = int(scores.argmax())
@@ -173,7 +180,7 @@ class ThresholdSearch:
         limits[c] = self._candidates[c][k]
         return (marks & ~_BITS[c]) | _mark_of(c, self._values[c], limits[c])
 
-    def _allowed(self, c: Condition, limits: Limits) -> NDArray[np.bool_]:
+    def _allowed(self, c: Condition, limits: Limits) -> BoolArray:
         """Say which candidates keep the order of the thresholds that share a variable."""
         if c.threshold not in DESCENDING:
             return np.ones(len(self._candidates[c]), bool)
@@ -183,7 +190,7 @@ class ThresholdSearch:
         candidates = self._candidates[c]
         return np.asarray((candidates < min(above, default=np.inf)) & (candidates > max(below, default=-np.inf)))
 
-    def _scores_of_candidates(self, c: Condition, marks: Marks, fillers: Codes) -> NDArray[np.float64]:
+    def _scores_of_candidates(self, c: Condition, marks: UInt32Array, fillers: UInt8Array) -> Float64Array:
         """Give the score with each candidate for one condition, all others as they are."""
         when_true, when_false = _ANSWERS[marks | _BITS[c]], _ANSWERS[marks & ~_BITS[c]]
         open_ = np.flatnonzero(when_true != when_false)
@@ -197,18 +204,18 @@ class ThresholdSearch:
             true, false = below_true[:-1], below_false[-1] - below_false[:-1]
         return self._scores(settled + true + false) - self._price_of_idling(false.sum(axis=(1, 2)))
 
-    def _counts_below(self, c: Condition, frames: NDArray[np.intp], answers: Codes) -> NDArray[np.int64]:
+    def _counts_below(self, c: Condition, frames: IndexArray, answers: UInt8Array) -> Int64Array:
         """Count label and answer of the frames whose value lies below each candidate; the last row is all."""
         n = len(self._candidates[c]) + 1
         cells = self._ranks[c][frames] * N_CODES + self._truth[frames]
         counts = np.bincount(cells * N_ANSWERS + answers[frames], minlength=n * N_CODES * N_ANSWERS)
         return counts.reshape(n, N_CODES, N_ANSWERS).cumsum(axis=0)
 
-    def _confusion(self, answers: Codes) -> NDArray[np.int64]:
+    def _confusion(self, answers: UInt8Array) -> Int64Array:
         counts = np.bincount(self._truth * N_ANSWERS + answers, minlength=N_CODES * N_ANSWERS)
         return counts.reshape(N_CODES, N_ANSWERS)
 
-    def _scores(self, confusion: NDArray[np.int64]) -> NDArray[np.float64]:
+    def _scores(self, confusion: Int64Array) -> Float64Array:
         """Give the macro F1 less the price, for counts of shape (..., N_CODES, N_ANSWERS)."""
         by_rule = confusion[..., :N_CODES]
         both = by_rule + confusion[..., N_CODES:]
@@ -220,7 +227,7 @@ class ThresholdSearch:
         missing = np.clip(1 - found / LEAST_FOUND, 0, 1).sum(axis=-1)
         return np.asarray(f1.mean(axis=-1) - PRICE * missing)
 
-    def _candidates_of(self, c: Condition) -> NDArray[np.float32]:
+    def _candidates_of(self, c: Condition) -> Float32Array:
         """Spread thresholds evenly over the ranks of the values, rounded so that a file shows few digits."""
         values = self._values[c]
         own = values[np.isin(self._truth, [rule.phoneme for rule in RULES if c in rule.conditions])]
@@ -235,17 +242,17 @@ def _thresholds_of(limits: Limits) -> Thresholds:
     return Thresholds(**{c.threshold: float(str(limits[c])) for c in CONDITIONS})
 
 
-def _filled(answers: Codes, fillers: Codes) -> Codes:
+def _filled(answers: UInt8Array, fillers: UInt8Array) -> UInt8Array:
     return np.where(answers == Phoneme.UNIDENTIFIED, fillers, answers)
 
 
-def _mark_of(c: Condition, values: NDArray[np.float32], limit: np.float32) -> Marks:
+def _mark_of(c: Condition, values: Float32Array, limit: np.float32) -> UInt32Array:
     holds = values > limit if c.sign == ">" else values < limit
-    marks: Marks = holds * _BITS[c]
+    marks: UInt32Array = holds * _BITS[c]
     return marks
 
 
-def _marks_of(values: Mapping[Condition, NDArray[np.float32]], limits: Limits) -> Marks:
+def _marks_of(values: Mapping[Condition, Float32Array], limits: Limits) -> UInt32Array:
     """Tell for each frame which conditions hold, a bit each."""
-    marks: Marks = np.bitwise_or.reduce([_mark_of(c, values[c], limits[c]) for c in CONDITIONS])
+    marks: UInt32Array = np.bitwise_or.reduce([_mark_of(c, values[c], limits[c]) for c in CONDITIONS])
     return marks

@@ -6,11 +6,10 @@ All of it is done on mel powers, where sounds add up.
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.log_mel import FLOOR, HIGHEST, LOWEST, N_BANDS, SHORT
 from phonemeengine.dsp.mel import frequency_of, mel_of
 from phonemeengine.settings import SAMPLE_RATE
-
-Block = NDArray[np.float32]
 
 GAINS = (-18.0, 8.0)
 """Other levels, dB."""
@@ -30,7 +29,7 @@ STEADY = 0.5
 _BANDS = np.linspace(-1, 1, N_BANDS, dtype=np.float32)
 
 
-def disturbed(powers: Block, generator: np.random.Generator) -> Block:
+def augment_spectra(powers: Float32Array, generator: np.random.Generator) -> Float32Array:
     """Disturb a batch.
 
     Parameters
@@ -49,12 +48,12 @@ def disturbed(powers: Block, generator: np.random.Generator) -> Block:
     floors = generator.uniform(*FLOORS, (n, 1, 1)) + _tilts(n, 5.0, generator)
     floored = generator.random((n, 1, 1)) < FLOORED
     heard += _powers(floors) * _flicker(heard.shape, generator) * floored
-    logarithms: Block = np.log10(heard + np.float32(FLOOR), dtype=np.float32)
+    logarithms: Float32Array = np.log10(heard + np.float32(FLOOR), dtype=np.float32)
     _hide(logarithms, generator)
     return logarithms
 
 
-def _noise(heard: Block, generator: np.random.Generator) -> Block:
+def _noise(heard: Float32Array, generator: np.random.Generator) -> Float32Array:
     """Give steady coloured noise, or babble, at a drawn level below the speech, or none."""
     n = len(heard)
     steady = _powers(_tilts(n, 8.0, generator) + _curves(n, COLOUR, generator)) * _flicker(heard.shape, generator)
@@ -66,7 +65,7 @@ def _noise(heard: Block, generator: np.random.Generator) -> Block:
     return np.asarray(noise * wanted * (generator.random((n, 1, 1)) < NOISY), np.float32)
 
 
-def _limits(n: int, generator: np.random.Generator) -> Block:
+def _limits(n: int, generator: np.random.Generator) -> Float32Array:
     """Give factors that take the highest or the lowest bands away, shape (n, 1, 40)."""
     bands = np.arange(N_BANDS)
     highest = np.where(generator.random(n) < NARROW, generator.integers(24, 38, n), N_BANDS)
@@ -76,7 +75,7 @@ def _limits(n: int, generator: np.random.Generator) -> Block:
     return np.asarray(high * low, np.float32)[:, np.newaxis]
 
 
-def _hide(logarithms: Block, generator: np.random.Generator) -> None:
+def _hide(logarithms: Float32Array, generator: np.random.Generator) -> None:
     """Put the mean into a few neighbouring bands (D. Park et al., "SpecAugment", arXiv:1904.08779)."""
     for recording in logarithms:
         if generator.random() < HIDDEN:
@@ -84,7 +83,7 @@ def _hide(logarithms: Block, generator: np.random.Generator) -> None:
             recording[:, first : first + width] = recording.mean()
 
 
-def _curves(n: int, most: float, generator: np.random.Generator) -> Block:
+def _curves(n: int, most: float, generator: np.random.Generator) -> Float32Array:
     """Draw smooth curves over the bands, dB, shape (n, 1, 40)."""
     orders = np.arange(1, 5, dtype=np.float32)[:, None]
     phases = generator.random((n, 4, 1)) * 2 * np.pi
@@ -92,20 +91,20 @@ def _curves(n: int, most: float, generator: np.random.Generator) -> Block:
     return np.asarray(waves.sum(axis=1) * most * generator.random((n, 1)), np.float32)[:, np.newaxis]
 
 
-def _tilts(n: int, spread: float, generator: np.random.Generator) -> Block:
+def _tilts(n: int, spread: float, generator: np.random.Generator) -> Float32Array:
     return np.asarray(_BANDS * generator.standard_normal((n, 1, 1)) * spread, np.float32)
 
 
-def _flicker(shape: tuple[int, ...], generator: np.random.Generator) -> Block:
+def _flicker(shape: tuple[int, ...], generator: np.random.Generator) -> Float32Array:
     """Draw how noise varies from frame to frame in each band: a wide band is steadier; the mean is 1."""
     return generator.standard_gamma(np.broadcast_to(_DEGREES, shape), dtype=np.float32) / _DEGREES
 
 
-def _powers(decibels: NDArray[np.floating]) -> Block:
+def _powers(decibels: NDArray[np.floating]) -> Float32Array:
     return np.asarray(10 ** (decibels / 10), np.float32)
 
 
-def _degrees_of_freedom() -> Block:
+def _degrees_of_freedom() -> Float32Array:
     edges = frequency_of(np.linspace(float(mel_of(LOWEST)), float(mel_of(HIGHEST)), N_BANDS + 2))
     bins = (edges[2:] - edges[:-2]) / 2 * SHORT / SAMPLE_RATE
     return np.maximum(1, 0.8 * bins).astype(np.float32)

@@ -3,12 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.audio.resampling import faster
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.resampling import change_speed
 from phonemeengine.settings import SAMPLE_RATE
-
-Sound = NDArray[np.float32]
 
 RANGE = (0.84, 1.2)
 """How much faster and higher a voice is made, and how much shorter its vocal tract; adult voices span about that."""
@@ -21,7 +19,7 @@ DARKENING = (1, 6)
 
 
 @dataclass(frozen=True)
-class Variation:
+class Augmentation:
     """How a recording is varied.
 
     Attributes
@@ -36,23 +34,23 @@ class Variation:
     reverberates: bool = False
 
 
-def drawn_variation(generator: np.random.Generator) -> Variation:
+def draw_augmentation(generator: np.random.Generator) -> Augmentation:
     """Draw a variation: in the end the formants lie anywhere in the range, whatever became of the pitch."""
     low, high = np.log(RANGE)
     rate = float(np.exp(generator.uniform(low, high))) if generator.random() < 0.7 else 1.0
     tract = float(np.exp(generator.uniform(low, high)))
     warp = float(np.clip(rate / tract, 0.8, 1.25)) if generator.random() < 0.6 else 1.0
-    return Variation(rate, warp, generator.random() < 0.4)
+    return Augmentation(rate, warp, generator.random() < 0.4)
 
 
-def varied(samples: Sound, variation: Variation, generator: np.random.Generator) -> Sound:
+def augment(samples: Float32Array, variation: Augmentation, generator: np.random.Generator) -> Float32Array:
     """Vary a recording, float32, shape (n,), 44.1 kHz; it gets shorter by the rate."""
     if variation.rate != 1:
-        samples = faster(samples, variation.rate)
+        samples = change_speed(samples, variation.rate)
     return _in_a_room(samples, generator) if variation.reverberates else samples
 
 
-def _in_a_room(samples: Sound, generator: np.random.Generator) -> Sound:
+def _in_a_room(samples: Float32Array, generator: np.random.Generator) -> Float32Array:
     """Add the reverberation of a made-up room: noise that decays, after the direct sound."""
     from scipy.fft import irfft, next_fast_len, rfft  # noqa: PLC0415 - it costs half a second at the start
 
@@ -65,5 +63,5 @@ def _in_a_room(samples: Sound, generator: np.random.Generator) -> Sound:
     response *= 10 ** (-generator.uniform(*DIRECT) / 20) / np.sqrt(np.sum(response**2))
     response[0] += 1
     n = next_fast_len(len(samples) + len(response))
-    heard: Sound = irfft(rfft(samples, n) * rfft(response, n), n)[: len(samples)].astype(np.float32)
+    heard: Float32Array = irfft(rfft(samples, n) * rfft(response, n), n)[: len(samples)].astype(np.float32)
     return heard

@@ -7,15 +7,15 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.calibration.learning.training_examples import Lesson, lessons_of
+from phonemeengine.calibration.learning.training_examples import TrainingExample, examples_of
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.dsp.log_mel import N_BANDS
 
-Sounds = tuple[tuple[Lesson, ...], ...]
+OpenSounds = tuple[tuple[TrainingExample, ...], ...]
 
 
 @dataclass(frozen=True)
-class Voice:
+class SpeakerExamples:
     """All lessons of one speaker.
 
     Attributes
@@ -26,7 +26,7 @@ class Voice:
     """
 
     name: str
-    recordings: Sounds
+    recordings: OpenSounds
     weight: float = 1.0
 
 
@@ -38,7 +38,7 @@ class _Entry:
     lengths: tuple[int, ...]
 
 
-def write_book(
+def write_examples(
     folder: Path, utterances: Sequence[Utterance], n_variations: int, seed: int,
     progress: Callable[[int], object] = lambda _n: None,
 ) -> None:  # fmt: skip
@@ -54,7 +54,7 @@ def write_book(
         (folder / "phonemes").open("wb") as phonemes,
         (folder / "certainties").open("wb") as certainties,
     ):
-        for utterance, lessons in zip(utterances, lessons_of(utterances, n_variations, seed), strict=True):
+        for utterance, lessons in zip(utterances, examples_of(utterances, n_variations, seed), strict=True):
             for lesson in lessons:
                 powers.write(lesson.log_powers.tobytes())
                 phonemes.write(lesson.phonemes.tobytes())
@@ -64,18 +64,18 @@ def write_book(
     (folder / "index.json").write_text(json.dumps([asdict(entry) for entry in entries]))
 
 
-def read_book(folder: Path, weights: dict[str, float]) -> list[Voice]:
+def read_examples(folder: Path, weights: dict[str, float]) -> list[SpeakerExamples]:
     """Read the voices from a folder; their arrays stay on the disk. `weights` tells the weight of each by name."""
     powers = np.memmap(folder / "powers", np.float16, "r").reshape(-1, N_BANDS)
     phonemes = np.memmap(folder / "phonemes", np.uint8, "r")
     certainties = np.memmap(folder / "certainties", np.float16, "r")
-    recordings: dict[str, list[tuple[Lesson, ...]]] = {}
+    recordings: dict[str, list[tuple[TrainingExample, ...]]] = {}
     first = 0
     for entry in json.loads((folder / "index.json").read_text()):
         lessons = []
         for n in entry["lengths"]:
             part = slice(first, first + n)
-            lessons.append(Lesson(powers[part], phonemes[part], certainties[part]))
+            lessons.append(TrainingExample(powers[part], phonemes[part], certainties[part]))
             first += n
         recordings.setdefault(entry["voice"], []).append(tuple(lessons))
-    return [Voice(name, tuple(sounds), weights.get(name, 1.0)) for name, sounds in recordings.items()]
+    return [SpeakerExamples(name, tuple(sounds), weights.get(name, 1.0)) for name, sounds in recordings.items()]

@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 from dataclasses import fields
 
-from phonemeengine.calibration.learning.provenance import Source
-from phonemeengine.calibration.learning.pipeline import HESITATION, WARPS, Taught
-from phonemeengine.calibration.learning.training import Course
+from phonemeengine.calibration.learning.pipeline import HESITATION, WARPS, TrainingResult
+from phonemeengine.calibration.learning.provenance import LabelSource
+from phonemeengine.calibration.learning.training import TrainingConfig
 from phonemeengine.calibration.learning.validation import SETTINGS
 from phonemeengine.calibration.scores.scoring import Scores
 
@@ -22,7 +22,7 @@ HEADINGS = {
 }
 
 
-def card_of(name: str, taught: Taught, course: Course, n_variations: int) -> str:
+def model_card(name: str, taught: TrainingResult, course: TrainingConfig, n_variations: int) -> str:
     """Write the card of a model, as Markdown."""
     minutes = sum(source.minutes for source in taught.sources)
     parts = [
@@ -49,7 +49,7 @@ def card_of(name: str, taught: Taught, course: Course, n_variations: int) -> str
     return "\n".join(parts)
 
 
-def _validation(taught: Taught) -> str:
+def _validation(taught: TrainingResult) -> str:
     if taught.everyone is None:
         return "Not measured in this training.\n"
     kinds = {source.name: source.kind for source in taught.sources}
@@ -69,7 +69,7 @@ def _figures(scores: Scores) -> list[str]:
     return [f"{values['minutes']:.1f}", *(f"{values[name]:.3f}" for name in HEADINGS)]
 
 
-def _by_kind(sources: Iterable[Source]) -> list[list[str]]:
+def _by_kind(sources: Iterable[LabelSource]) -> list[list[str]]:
     rows = [["kind of speech", "speakers", "minutes", "counts"]]
     for kind in sorted({source.kind for source in sources}):
         same = [source for source in sources if source.kind == kind]
@@ -78,7 +78,7 @@ def _by_kind(sources: Iterable[Source]) -> list[list[str]]:
     return rows
 
 
-def _speakers(sources: Iterable[Source]) -> list[list[str]]:
+def _speakers(sources: Iterable[LabelSource]) -> list[list[str]]:
     rows = [["speaker", "language", "minutes", "licence", "source"]]
     rows += [[s.name, s.language, f"{s.minutes:.1f}", s.licence, s.package] for s in sources]
     return rows
@@ -91,7 +91,7 @@ def _table(rows: list[list[str]]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _n_numbers(taught: Taught) -> int:
+def _n_numbers(taught: TrainingResult) -> int:
     arrays = [a for layer in taught.model.layers for a in (layer.weights, layer.bias)]
     arrays += [a for head in taught.model.heads for a in (head.weights, head.bias)]
     return sum(array.size for array in arrays)

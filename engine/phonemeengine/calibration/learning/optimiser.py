@@ -3,9 +3,8 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Block = NDArray[np.float32]
+from phonemeengine.arrays import Float32Array
 
 FIRST, SECOND = 0.9, 0.999
 DECAY = 0.01
@@ -26,7 +25,7 @@ class Optimiser:
     rate : the highest learning rate.
     """
 
-    def __init__(self, values: list[Block], n_steps: int, rate: float) -> None:
+    def __init__(self, values: list[Float32Array], n_steps: int, rate: float) -> None:
         self._values = values
         self._first = [np.zeros_like(v) for v in values]
         self._second = [np.zeros_like(v) for v in values]
@@ -34,7 +33,7 @@ class Optimiser:
         self._rate = rate
         self._step = 0
 
-    def step(self, gradients: list[Block]) -> None:
+    def step(self, gradients: list[Float32Array]) -> None:
         """Go one step down the gradients, which are clipped to a length of 1 together."""
         length = math.sqrt(sum(float(np.vdot(g, g)) for g in gradients))
         clip = min(1.0, CLIP / max(length, 1e-12))
@@ -51,10 +50,10 @@ class Optimiser:
             np.subtract(value, step, out=value)
 
 
-class Average:
+class ExponentialAverage:
     """A slow average of arrays (B. Polyak and A. Juditsky, SIAM J. Control Optim. 30(4), 1992)."""
 
-    def __init__(self, values: list[Block]) -> None:
+    def __init__(self, values: list[Float32Array]) -> None:
         self._values = values
         self.means = [v.copy() for v in values]
         self._n = 0

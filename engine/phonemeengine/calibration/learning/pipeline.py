@@ -12,13 +12,14 @@ from typing import Any
 
 import numpy as np
 
-from phonemeengine.calibration.learning.example_cache import read_book, write_book
-from phonemeengine.calibration.learning.provenance import Source, sources_of
-from phonemeengine.calibration.learning.training import Course, train
+from phonemeengine.arrays import UInt8Array
+from phonemeengine.calibration.learning.example_cache import read_examples, write_examples
+from phonemeengine.calibration.learning.provenance import LabelSource, sources_of
+from phonemeengine.calibration.learning.training import TrainingConfig, train
 from phonemeengine.calibration.learning.validation import anchors_of, answers_of, folds_of
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
-from phonemeengine.calibration.scores.evaluation import Answers
-from phonemeengine.calibration.scores.scoring import Codes, Scores, scores_of
+from phonemeengine.calibration.scores.evaluation import Predictions
+from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
@@ -30,12 +31,12 @@ are many and of all sorts, and a mouth that stands still where somebody speaks i
 WARPS = (0.8, 1.0, 1.2)
 """Vocal tracts that a model listens with, see `phonemeengine.recognition.vtln`; adult voices span about that."""
 
-Told = Callable[[str, float], object]
+OnProgress = Callable[[str, float], object]
 """Is told what goes on, and how much of it is done, 0..1."""
 
 
 @dataclass(frozen=True)
-class Taught:
+class TrainingResult:
     """The outcome of a training.
 
     Attributes
@@ -47,15 +48,15 @@ class Taught:
     """
 
     model: Model
-    sources: tuple[Source, ...]
+    sources: tuple[LabelSource, ...]
     held_out: dict[str, Scores]
     everyone: Scores | None
 
 
-def teach(
-    corpora: Sequence[Path], course: Course, n_variations: int, n_folds: int, told: Told,
+def train_and_validate(
+    corpora: Sequence[Path], course: TrainingConfig, n_variations: int, n_folds: int, told: OnProgress,
     channel: Channel = Channel.MIX,
-) -> Taught:  # fmt: skip
+) -> TrainingResult:  # fmt: skip
     """Train a model on folders in the corpus format, and validate it on speakers left out.
 
     Parameters
@@ -87,19 +88,19 @@ def teach(
             n_done += n
             told("measuring", n_done / len(utterances))
 
-        write_book(Path(folder), utterances, n_variations, course.seed, count)
+        write_examples(Path(folder), utterances, n_variations, course.seed, count)
         groups = [[u for u in utterances if u.voice in names] for names in folds_of(list(weights), n_folds)]
         model, answers = _train_all(Path(folder), weights, groups, course, told)
     everyone = scores_of(answer.pair for answer in answers) if answers else None
-    by_name: dict[str, list[tuple[FrameLabels, Codes]]] = {}
+    by_name: dict[str, list[tuple[FrameLabels, UInt8Array]]] = {}
     for answer in answers:
         by_name.setdefault(answer.utterance.voice, []).append(answer.pair)
-    return Taught(model, sources, {name: scores_of(pairs) for name, pairs in by_name.items()}, everyone)
+    return TrainingResult(model, sources, {name: scores_of(pairs) for name, pairs in by_name.items()}, everyone)
 
 
 def _train_all(
-    folder: Path, weights: dict[str, float], groups: list[list[Utterance]], course: Course, told: Told
-) -> tuple[Model, list[Answers]]:
+    folder: Path, weights: dict[str, float], groups: list[list[Utterance]], course: TrainingConfig, told: OnProgress
+) -> tuple[Model, list[Predictions]]:
     """Train on everybody, and without each group; as many trainings at a time as there are cores."""
     spawned = multiprocessing.get_context("spawn")
     done = spawned.Array("d", len(groups) + 1)
@@ -124,11 +125,11 @@ def _share(done: Any) -> None:
 
 
 def _train_without(
-    number: int, folder: Path, weights: dict[str, float], left_out: list[Utterance], course: Course
-) -> tuple[Model, list[Answers]]:
+    number: int, folder: Path, weights: dict[str, float], left_out: list[Utterance], course: TrainingConfig
+) -> tuple[Model, list[Predictions]]:
     """Train on all voices but those left out, and let the model recognise these."""
     strange = {utterance.voice for utterance in left_out}
-    heard = [v for v in read_book(folder, weights) if v.name not in strange]
+    heard = [v for v in read_examples(folder, weights) if v.name not in strange]
 
     def count(step: int, n_steps: int, _loss: float) -> None:
         _done[number] = step / n_steps

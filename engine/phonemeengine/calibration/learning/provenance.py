@@ -14,7 +14,7 @@ count once."""
 
 
 @dataclass(frozen=True)
-class Source:
+class LabelSource:
     """A speaker.
 
     Attributes
@@ -39,7 +39,7 @@ class Source:
         return WEIGHTS.get(self.kind, 1.0)
 
 
-def sources_of(corpora: Iterable[Path]) -> list[Source]:
+def sources_of(corpora: Iterable[Path]) -> list[LabelSource]:
     """Give the speakers of all corpora, sorted by name; a speaker of several corpora is one."""
     rows: dict[str, list[dict[str, str]]] = {}
     for corpus in corpora:
@@ -47,7 +47,7 @@ def sources_of(corpora: Iterable[Path]) -> list[Source]:
             for row in csv.DictReader(file):
                 rows.setdefault(f"{row['corpus']}/{row['speaker']}", []).append(row)
     return [
-        Source(
+        LabelSource(
             name,
             language=told[0].get("language") or UNKNOWN,
             kind=told[0].get("kind") or UNKNOWN,

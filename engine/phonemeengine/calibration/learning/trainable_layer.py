@@ -6,18 +6,16 @@ none of it. Inputs are dropped at random (N. Srivastava et al., JMLR 15, 2014).
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.recognition.network import TAPS, Layer
-
-Block = NDArray[np.float32]
 
 MEMORY = 0.99
 """How much of the running means stays with each batch."""
 LEAST_VARIANCE = 1e-5
 
 
-class TrainedLayer:
+class TrainableLayer:
     """A layer under training.
 
     Parameters
@@ -44,14 +42,14 @@ class TrainedLayer:
             "scale": np.full(n_out, 0.5 if adds else 1.0, np.float32),
             "shift": np.zeros(n_out, np.float32),
         }
-        self.gradients: dict[str, Block] = {}
+        self.gradients: dict[str, Float32Array] = {}
         self.mean, self.variance = np.zeros(n_out, np.float32), np.ones(n_out, np.float32)
         self.dilation = dilation
         self._adds = adds
         self._dropout = dropout
         self._generator = generator
 
-    def forward(self, block: Block) -> Block:
+    def forward(self, block: Float32Array) -> Float32Array:
         """Take a batch, shape (n_batch, n_frames, n_in), and remember what `back` needs."""
         n_batch, n_frames, n_in = block.shape
         self._kept = self._keep(block.shape)
@@ -68,12 +66,12 @@ class TrainedLayer:
         self._normal = (sums - mean) / self._spread
         found = np.maximum(self._normal * self.values["scale"] + self.values["shift"], 0)
         self._fires = found > 0
-        out: Block = found.reshape(n_batch, n_frames, -1)
+        out: Float32Array = found.reshape(n_batch, n_frames, -1)
         if self._adds:
             out += block
         return out
 
-    def back(self, gradient: Block) -> Block:
+    def back(self, gradient: Float32Array) -> Float32Array:
         """Take the gradient of what `forward` gave, set `gradients`, and give the gradient of what it took."""
         n_batch, n_frames, n_out = gradient.shape
         shifted = gradient.reshape(-1, n_out) * self._fires
@@ -84,7 +82,7 @@ class TrainedLayer:
         sums = normal / self._spread
         self.gradients["weights"] = self._taps.T @ sums
         taps = (sums @ self.values["weights"].T).reshape(n_batch, n_frames, TAPS, -1)
-        block: Block = taps[:, :, TAPS - 1].copy()
+        block: Float32Array = taps[:, :, TAPS - 1].copy()
         for k in range(TAPS - 1):
             lag = (TAPS - 1 - k) * self.dilation
             block[:, : n_frames - lag] += taps[:, lag:, k]
@@ -100,7 +98,7 @@ class TrainedLayer:
         bias = self.values["shift"] - self.mean * factor
         return Layer(self.values["weights"] * factor, bias, self.dilation)
 
-    def _keep(self, shape: tuple[int, ...]) -> Block | None:
+    def _keep(self, shape: tuple[int, ...]) -> Float32Array | None:
         """Choose what is not dropped, scaled so that the mean stays."""
         if not self._dropout:
             return None

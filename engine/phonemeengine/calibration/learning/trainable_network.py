@@ -1,14 +1,12 @@
 """The whole network while it is trained: layers, heads, and what is wrong with its answers."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.calibration.learning.trainable_layer import TrainedLayer
+from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.calibration.learning.trainable_layer import TrainableLayer
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.model import MOST_FRAMES_AHEAD, Head, Model
-
-Block = NDArray[np.float32]
+from phonemeengine.recognition.model import MOST_FRAMES_AHEAD, Model, OutputHead
 
 N_HEADS = MOST_FRAMES_AHEAD + 1
 MEAN, SPREAD = -6.0, 2.0
@@ -19,7 +17,7 @@ HEAD_SHARES = np.array([0.11, 0.11, 0.15, 0.15, 0.15, 0.33], np.float32)
 """How much each look-ahead counts in the training."""
 
 
-class TrainedNetwork:
+class TrainableNetwork:
     """A network under training.
 
     Parameters
@@ -33,33 +31,33 @@ class TrainedNetwork:
     def __init__(
         self, width: int, dilations: tuple[int, ...], dropout: float, generator: np.random.Generator
     ) -> None:
-        first = TrainedLayer(N_BANDS, width, 1, adds=False, dropout=0.0, generator=generator)
-        others = [TrainedLayer(width, width, d, adds=True, dropout=dropout, generator=generator) for d in dilations]
+        first = TrainableLayer(N_BANDS, width, 1, adds=False, dropout=0.0, generator=generator)
+        others = [TrainableLayer(width, width, d, adds=True, dropout=dropout, generator=generator) for d in dilations]
         self._layers = [first, *others]
         spread = np.sqrt(1 / width)
         self._heads = {
             "weights": generator.normal(0, spread, (width, N_HEADS * len(Phoneme))).astype(np.float32),
             "bias": np.zeros(N_HEADS * len(Phoneme), np.float32),
         }
-        self._head_gradients: dict[str, Block] = {}
+        self._head_gradients: dict[str, Float32Array] = {}
 
     @property
-    def values(self) -> list[Block]:
+    def values(self) -> list[Float32Array]:
         """All arrays that are learned."""
         return [v for layer in self._layers for v in layer.values.values()] + [*self._heads.values()]
 
     @property
-    def gradients(self) -> list[Block]:
+    def gradients(self) -> list[Float32Array]:
         """The gradients of `values` after `learn`."""
         ordered = [layer.gradients[name] for layer in self._layers for name in layer.values]
         return ordered + [self._head_gradients[name] for name in self._heads]
 
     @property
-    def statistics(self) -> list[Block]:
+    def statistics(self) -> list[Float32Array]:
         """The running statistics, which are followed, not learned."""
         return [array for layer in self._layers for array in (layer.mean, layer.variance)]
 
-    def learn(self, log_mels: Block, truth: NDArray[np.uint8], weights: Block) -> float:
+    def learn(self, log_mels: Float32Array, truth: UInt8Array, weights: Float32Array) -> float:
         """Go forth and back through a batch, and leave the gradients; returns the loss.
 
         Parameters
@@ -89,13 +87,13 @@ class TrainedNetwork:
         layers[0] = type(layers[0])(scaled, bias - np.float32(MEAN) * scaled.sum(axis=0), layers[0].dilation)
         n = len(Phoneme)
         heads = tuple(
-            Head(self._heads["weights"][:, k * n : (k + 1) * n], self._heads["bias"][k * n : (k + 1) * n])
+            OutputHead(self._heads["weights"][:, k * n : (k + 1) * n], self._heads["bias"][k * n : (k + 1) * n])
             for k in range(N_HEADS)
         )
         return Model(tuple(layers), heads).rounded()
 
 
-def _loss_of(scores: Block, truth: NDArray[np.uint8], weights: Block) -> tuple[float, Block]:
+def _loss_of(scores: Float32Array, truth: UInt8Array, weights: Float32Array) -> tuple[float, Float32Array]:
     """Give the cross-entropy of all heads and its gradient; head k answers at frame t for frame t - k."""
     n_frames, n = truth.shape[1], len(Phoneme)
     gradient = np.zeros_like(scores)

@@ -6,21 +6,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.calibration.learning.augment_spectrum import disturbed
-from phonemeengine.calibration.learning.example_cache import Voice
-from phonemeengine.calibration.learning.optimiser import Average, Optimiser
-from phonemeengine.calibration.learning.trainable_network import TrainedNetwork
+from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.calibration.learning.augment_spectrum import augment_spectra
+from phonemeengine.calibration.learning.example_cache import SpeakerExamples
+from phonemeengine.calibration.learning.optimiser import ExponentialAverage, Optimiser
+from phonemeengine.calibration.learning.trainable_network import TrainableNetwork
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
-
-Block = NDArray[np.float32]
 
 RARE = 0.35
 """How much more the frames of a rare phoneme count: the power of its share; 1 would make all phonemes count alike."""
 
 
 @dataclass(frozen=True)
-class Course:
+class TrainingConfig:
     """How a network is trained.
 
     Attributes
@@ -43,19 +42,21 @@ class Course:
 
 
 def train(
-    voices: Sequence[Voice], course: Course, progress: Callable[[int, int, float], object] = lambda *_: None
+    voices: Sequence[SpeakerExamples],
+    course: TrainingConfig,
+    progress: Callable[[int, int, float], object] = lambda *_: None,
 ) -> Model:
     """Train a model; `progress` is told the step, the number of steps and the loss."""
     generator = np.random.default_rng(course.seed)
-    network = TrainedNetwork(course.width, course.dilations, course.dropout, generator)
+    network = TrainableNetwork(course.width, course.dilations, course.dropout, generator)
     importance = _importance(voices)
     n_steps = course.n_epochs * sum(1 for _ in _batches(voices, course, np.random.default_rng(course.seed)))
     optimiser = Optimiser(network.values, n_steps, course.rate)
-    average = Average([*network.values, *network.statistics])
+    average = ExponentialAverage([*network.values, *network.statistics])
     step = 0
     while step < n_steps:
         for log_powers, phonemes, certainties in _batches(voices, course, generator):
-            heard = disturbed(np.power(np.float32(10), log_powers.astype(np.float32)), generator)
+            heard = augment_spectra(np.power(np.float32(10), log_powers.astype(np.float32)), generator)
             loss = network.learn(heard, phonemes, importance[phonemes] * certainties)
             optimiser.step(network.gradients)
             average.follow()
@@ -67,10 +68,12 @@ def train(
     return network.finished()
 
 
-Batch = tuple[NDArray[np.float16], NDArray[np.uint8], NDArray[np.float16]]
+Batch = tuple[NDArray[np.float16], UInt8Array, NDArray[np.float16]]
 
 
-def _batches(voices: Sequence[Voice], course: Course, generator: np.random.Generator) -> Iterator[Batch]:
+def _batches(
+    voices: Sequence[SpeakerExamples], course: TrainingConfig, generator: np.random.Generator
+) -> Iterator[Batch]:
     """Go through everything once: stretches of joined recordings of one voice, all voices mixed."""
     stretches = [s for voice in voices for s in _stretches(voice, course.n_frames, generator)]
     order = generator.permutation(len(stretches))
@@ -79,7 +82,7 @@ def _batches(voices: Sequence[Voice], course: Course, generator: np.random.Gener
         yield tuple(np.stack(part) for part in zip(*chosen, strict=True))  # type: ignore[misc]
 
 
-def _stretches(voice: Voice, n_frames: int, generator: np.random.Generator) -> Iterator[Batch]:
+def _stretches(voice: SpeakerExamples, n_frames: int, generator: np.random.Generator) -> Iterator[Batch]:
     n_times = int(voice.weight) + (generator.random() < voice.weight % 1)
     for _ in range(n_times):
         order = generator.permutation(len(voice.recordings))
@@ -93,7 +96,7 @@ def _stretches(voice: Voice, n_frames: int, generator: np.random.Generator) -> I
             yield tuple(array[k : k + n_frames] for array in arrays)  # type: ignore[misc]
 
 
-def _importance(voices: Sequence[Voice]) -> Block:
+def _importance(voices: Sequence[SpeakerExamples]) -> Float32Array:
     """Give how much a frame of each phoneme counts; what lies between the phonemes counts a little less."""
     counts = np.ones(len(Phoneme))
     for voice in voices:

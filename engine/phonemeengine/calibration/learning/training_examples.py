@@ -9,12 +9,13 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.labels.label import Label
-from phonemeengine.calibration.learning.augment_waveform import Variation, drawn_variation, varied
+from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.calibration.learning.augment_waveform import Augmentation, augment, draw_augmentation
 from phonemeengine.calibration.scores.corpus import Utterance, frame_labels_of
 from phonemeengine.dsp.framing import Framer
-from phonemeengine.dsp.log_mel import FLOOR, bank_of, mel_powers_of
+from phonemeengine.dsp.log_mel import FLOOR, mel_powers, warped_mel_bank
 from phonemeengine.errors import EngineError
+from phonemeengine.labels.label import Label
 
 BLOCK = 1 << 16
 TOGETHER = 512
@@ -25,7 +26,7 @@ CERTAINTIES = {"core": 1.0, "affricate": 1.0, "diphthong": 0.7, "ambiguous": 0.6
 
 
 @dataclass(frozen=True)
-class Lesson:
+class TrainingExample:
     """One variation of one recording.
 
     Attributes
@@ -36,14 +37,16 @@ class Lesson:
     """
 
     log_powers: NDArray[np.float16]
-    phonemes: NDArray[np.uint8]
+    phonemes: UInt8Array
     certainties: NDArray[np.float16]
 
     def __len__(self) -> int:
         return len(self.phonemes)
 
 
-def lessons_of(utterances: Sequence[Utterance], n_variations: int, seed: int) -> Iterator[tuple[Lesson, ...]]:
+def examples_of(
+    utterances: Sequence[Utterance], n_variations: int, seed: int
+) -> Iterator[tuple[TrainingExample, ...]]:
     """Make the lessons of all utterances: each as it is, and `n_variations` others; in as many processes as cores.
 
     Raises
@@ -59,28 +62,28 @@ def lessons_of(utterances: Sequence[Utterance], n_variations: int, seed: int) ->
             yield made
 
 
-def lesson_of_recording(utterance: Utterance) -> Lesson:
+def example_of_recording(utterance: Utterance) -> TrainingExample:
     """Measure a labelled recording as it is.
 
     Raises
     ------
     AudioError : the sound cannot be read.
     """
-    return lesson_of(_sound_of(utterance), utterance.labels)
+    return example_of(_sound_of(utterance), utterance.labels)
 
 
-def lesson_of(samples: NDArray[np.float32], labels: tuple[Label, ...], warp: float = 1.0) -> Lesson:
+def example_of(samples: Float32Array, labels: tuple[Label, ...], warp: float = 1.0) -> TrainingExample:
     """Measure a sound (float32, shape (n,), 44.1 kHz) that is labelled."""
     bank = _bank(warp)
-    parts = [np.log10(mel_powers_of(block, bank) + np.float32(FLOOR)) for block in _windows_of(samples)]
+    parts = [np.log10(mel_powers(block, bank) + np.float32(FLOOR)) for block in _windows_of(samples)]
     powers = np.concatenate(parts) if parts else np.zeros((0, bank.shape[1]), np.float32)
     frames = frame_labels_of(labels) if labels else None
     n = min(len(powers), len(frames.phonemes)) if frames is not None else 0
     phonemes = frames.phonemes[:n] if frames is not None else np.zeros(0, np.uint8)
-    return Lesson(powers[:n].astype(np.float16), phonemes, _certainties_of(labels, n))
+    return TrainingExample(powers[:n].astype(np.float16), phonemes, _certainties_of(labels, n))
 
 
-def _lessons(task: tuple[Utterance, int, int]) -> tuple[Lesson, ...] | EngineError:
+def _lessons(task: tuple[Utterance, int, int]) -> tuple[TrainingExample, ...] | EngineError:
     """Make the lessons of one utterance; an error travels back as a value, since it must survive the way."""
     utterance, n_variations, seed = task
     generator = np.random.default_rng([seed, *utterance.path.name.encode()])
@@ -88,22 +91,22 @@ def _lessons(task: tuple[Utterance, int, int]) -> tuple[Lesson, ...] | EngineErr
         samples = _sound_of(utterance)
     except EngineError as error:
         return EngineError(str(error))
-    variations = [Variation(), *(drawn_variation(generator) for _ in range(n_variations))]
+    variations = [Augmentation(), *(draw_augmentation(generator) for _ in range(n_variations))]
     return tuple(_varied_lesson(samples, utterance.labels, v, generator) for v in variations)
 
 
-def _sound_of(utterance: Utterance) -> NDArray[np.float32]:
+def _sound_of(utterance: Utterance) -> Float32Array:
     with utterance.opened() as reader:
         return np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])
 
 
 def _varied_lesson(
-    samples: NDArray[np.float32], labels: tuple[Label, ...], variation: Variation, generator: np.random.Generator
-) -> Lesson:
+    samples: Float32Array, labels: tuple[Label, ...], variation: Augmentation, generator: np.random.Generator
+) -> TrainingExample:
     moved = tuple(
         replace(label, start=label.start / variation.rate, end=label.end / variation.rate) for label in labels
     )
-    return lesson_of(varied(samples, variation, generator), moved, round(variation.warp, 2))
+    return example_of(augment(samples, variation, generator), moved, round(variation.warp, 2))
 
 
 def _certainties_of(labels: tuple[Label, ...], n: int) -> NDArray[np.float16]:
@@ -114,7 +117,7 @@ def _certainties_of(labels: tuple[Label, ...], n: int) -> NDArray[np.float16]:
     return certainties
 
 
-def _windows_of(samples: NDArray[np.float32]) -> Iterator[NDArray[np.float32]]:
+def _windows_of(samples: Float32Array) -> Iterator[Float32Array]:
     framer = Framer()
     for windows in (framer.push(samples), framer.finish()):
         for k in range(0, len(windows), TOGETHER):
@@ -122,5 +125,5 @@ def _windows_of(samples: NDArray[np.float32]) -> Iterator[NDArray[np.float32]]:
 
 
 @lru_cache(maxsize=64)
-def _bank(warp: float) -> NDArray[np.float32]:
-    return bank_of(warp)
+def _bank(warp: float) -> Float32Array:
+    return warped_mel_bank(warp)

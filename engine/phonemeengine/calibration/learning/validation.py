@@ -3,11 +3,11 @@
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.calibration.learning.example_cache import Voice
+from phonemeengine.arrays import Float32Array
+from phonemeengine.calibration.learning.example_cache import SpeakerExamples
 from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.calibration.scores.evaluation import Answers, answers_to
+from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model
@@ -26,7 +26,7 @@ def folds_of(names: Sequence[str], n_folds: int) -> list[set[str]]:
     return [set(ordered[k::n_folds]) for k in range(n_folds)]
 
 
-def answers_of(model: Model, utterances: Iterable[Utterance]) -> list[Answers]:
+def answers_of(model: Model, utterances: Iterable[Utterance]) -> list[Predictions]:
     """Recognise recordings as a user's program does.
 
     Raises
@@ -34,10 +34,10 @@ def answers_of(model: Model, utterances: Iterable[Utterance]) -> list[Answers]:
     AudioError : a sound cannot be read.
     """
     preset = Preset(recogniser="learned", model=model, settings=SETTINGS, successors=UNREPLACED)
-    return [answers_to(utterance, preset) for utterance in utterances]
+    return [predict(utterance, preset) for utterance in utterances]
 
 
-def anchors_of(voices: Sequence[Voice], seed: int) -> NDArray[np.float32]:
+def anchors_of(voices: Sequence[SpeakerExamples], seed: int) -> Float32Array:
     """Draw stretches of the speech, shape (n, n_frames, 40): of voices that count more, more often."""
     generator = np.random.default_rng(seed)
     long = [[r[0] for r in voice.recordings if len(r[0]) >= N_FRAMES] for voice in voices]

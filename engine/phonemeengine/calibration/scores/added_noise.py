@@ -8,14 +8,12 @@ from enum import StrEnum
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.calibration.scores.corpus import Utterance, frame_labels_of
 from phonemeengine.errors import AudioError, CorpusError, SettingsError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import HOP, SAMPLE_RATE
-
-Block = NDArray[np.float32]
 
 LOOP = 12 * SAMPLE_RATE
 """Samples after which a noise begins again, without a seam."""
@@ -40,7 +38,7 @@ class NoiseKind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Noise:
+class AddedNoise:
     """A noise at a level.
 
     Attributes
@@ -76,16 +74,16 @@ class NoiseAdder:
     utterances : the corpus, whose other speakers babble.
     """
 
-    def __init__(self, noise: Noise, utterances: Sequence[Utterance]) -> None:
+    def __init__(self, noise: AddedNoise, utterances: Sequence[Utterance]) -> None:
         self.noise = noise
         if noise.kind is NoiseKind.BABBLE:
             self._pool = _pool_of(utterances, noise.seed)
-            self._period: Callable[[str], Block] = lru_cache(maxsize=4)(self._babble_around)
+            self._period: Callable[[str], Float32Array] = lru_cache(maxsize=4)(self._babble_around)
         else:
             loop = _loop(noise.kind, noise.seed)
             self._period = lambda _speaker: loop
 
-    def blocks(self, utterance: Utterance, n: int) -> Iterator[Block]:
+    def blocks(self, utterance: Utterance, n: int) -> Iterator[Float32Array]:
         """Give a recording with the noise in it, in blocks of at most `n` samples at 44.1 kHz.
 
         Where nothing is labelled as speech, or the speech is digital silence, no noise is added.
@@ -105,7 +103,7 @@ class NoiseAdder:
                 yield block + np.float32(gain) * period[at]
                 place += len(block)
 
-    def _babble_around(self, speaker: str) -> Block:
+    def _babble_around(self, speaker: str) -> Float32Array:
         """Let those speak at once who are not this speaker; RMS 1."""
         others = [sound for who, sound in self._pool if who != speaker][:VOICES]
         if not others:
@@ -137,7 +135,7 @@ def speech_level_of(utterance: Utterance) -> float:
     return math.sqrt(power / n) if n else 0.0
 
 
-def _loop(kind: NoiseKind, seed: int) -> Block:
+def _loop(kind: NoiseKind, seed: int) -> Float32Array:
     """Draw a period of Gaussian noise, RMS 1."""
     drawn = np.random.default_rng(seed).standard_normal(LOOP)
     spectrum = np.fft.rfft(drawn)
@@ -149,7 +147,7 @@ def _loop(kind: NoiseKind, seed: int) -> Block:
     return _of_level_one(np.fft.irfft(spectrum, LOOP))
 
 
-def _pool_of(utterances: Sequence[Utterance], seed: int) -> list[tuple[str, Block]]:
+def _pool_of(utterances: Sequence[Utterance], seed: int) -> list[tuple[str, Float32Array]]:
     """Choose voices in turn from all speakers; each repeats itself where it is short."""
     generator = np.random.default_rng(seed)
     by_speaker: dict[str, list[Utterance]] = {}
@@ -167,7 +165,7 @@ def _pool_of(utterances: Sequence[Utterance], seed: int) -> list[tuple[str, Bloc
     return pool
 
 
-def _voice_of(utterance: Utterance) -> Block | None:
+def _voice_of(utterance: Utterance) -> Float32Array | None:
     """Give a recording as a period of noise, or None where it is silent or cannot be read: its scorer tells that."""
     try:
         with utterance.opened() as reader:
@@ -177,5 +175,5 @@ def _voice_of(utterance: Utterance) -> Block | None:
     return _of_level_one(np.resize(block, LOOP)) if np.any(block) else None
 
 
-def _of_level_one(sound: NDArray[np.float64] | Block) -> Block:
+def _of_level_one(sound: Float64Array | Float32Array) -> Float32Array:
     return np.asarray(sound / np.sqrt(np.mean(sound.astype(float) ** 2)), np.float32)

@@ -5,21 +5,21 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Int64Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.calibration.scores.evaluation import Answers, CorpusScores
-from phonemeengine.calibration.scores.scoring import N_CODES, TEN, Counts
+from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions
+from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
-MOST_STRETCHES = 20
+MOST_SEGMENTS = 20
 """Stretches that are told of each preset."""
 
 
 @dataclass(frozen=True)
-class Stretch:
+class DifferingSegment:
     """A stretch of one label in which one preset is right and the other always gives the same wrong answer.
 
     Attributes
@@ -56,7 +56,7 @@ class Difference:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class PresetComparison:
     """What two presets get right.
 
     Attributes
@@ -70,16 +70,16 @@ class Comparison:
 
     one: CorpusScores
     other: CorpusScores
-    both: Counts
-    only_one: Counts
-    only_other: Counts
-    neither: Counts
+    both: Int64Array
+    only_one: Int64Array
+    only_other: Int64Array
+    neither: Int64Array
     differences: tuple[Difference, ...]
-    stretches_one: tuple[Stretch, ...]
-    stretches_other: tuple[Stretch, ...]
+    stretches_one: tuple[DifferingSegment, ...]
+    stretches_other: tuple[DifferingSegment, ...]
 
 
-def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_STRETCHES) -> Comparison:
+def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_SEGMENTS) -> PresetComparison:
     """Compare two presets on the same recordings; `most` stretches are told of each.
 
     Raises
@@ -94,7 +94,7 @@ def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_STRETCHE
     truth = np.concatenate([a.labels.phonemes for a in one.answers])
     first, second = (np.concatenate([a.right for a in scores.answers]) for scores in (one, other))
     differences = sorted((_difference(a, b) for a, b in pairs), key=lambda d: -abs(d.n_one - d.n_other))
-    return Comparison(
+    return PresetComparison(
         one=one,
         other=other,
         both=_counted(truth[first & second]),
@@ -107,16 +107,16 @@ def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_STRETCHE
     )
 
 
-def _key(answers: Answers) -> object:
+def _key(answers: Predictions) -> object:
     return answers.utterance.path, len(answers.phonemes)
 
 
-def _counted(codes: NDArray[np.uint8]) -> Counts:
+def _counted(codes: UInt8Array) -> Int64Array:
     return np.bincount(codes, minlength=N_CODES)
 
 
-def _difference(one: Answers, other: Answers) -> Difference:
-    counts = np.isin(one.labels.phonemes, TEN)
+def _difference(one: Predictions, other: Predictions) -> Difference:
+    counts = np.isin(one.labels.phonemes, SCORED_PHONEMES)
     first, second = one.right[counts], other.right[counts]
     return Difference(
         utterance=one.utterance,
@@ -127,18 +127,18 @@ def _difference(one: Answers, other: Answers) -> Difference:
     )
 
 
-def _stretches(right: Answers, wrong: Answers) -> Iterator[Stretch]:
+def _stretches(right: Predictions, wrong: Predictions) -> Iterator[DifferingSegment]:
     """Give the stretches of the ten classes in which the first is right and the second is not."""
     truth = right.labels.phonemes
-    gained = right.right & ~wrong.right & np.isin(truth, TEN)
+    gained = right.right & ~wrong.right & np.isin(truth, SCORED_PHONEMES)
     kinds = np.where(gained, truth.astype(int) * N_CODES + wrong.phonemes + 1, 0)
     borders = np.flatnonzero(np.diff(kinds, prepend=0, append=0))
     for first, last in zip(borders[:-1].tolist(), borders[1:].tolist(), strict=True):
         if kinds[first]:
             label, answer = divmod(int(kinds[first]) - 1, N_CODES)
             start, end = first * FRAME_PERIOD, last * FRAME_PERIOD
-            yield Stretch(right.utterance, start, end, Phoneme(label), Phoneme(answer))
+            yield DifferingSegment(right.utterance, start, end, Phoneme(label), Phoneme(answer))
 
 
-def _longest(stretches: Iterator[Stretch], most: int) -> tuple[Stretch, ...]:
+def _longest(stretches: Iterator[DifferingSegment], most: int) -> tuple[DifferingSegment, ...]:
     return tuple(heapq.nlargest(most, stretches, key=lambda s: round((s.end - s.start) / FRAME_PERIOD)))

@@ -4,16 +4,22 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import BoolArray, IndexArray, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
-from phonemeengine.calibration.scores.scoring import TEN, Codes, Counts, Scores, confusion_of, macro_f1_of, scores_of
+from phonemeengine.calibration.scores.scoring import (
+    SCORED_PHONEMES,
+    Scores,
+    confusion_of,
+    macro_f1_of,
+    scores_of,
+)
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 
 @dataclass(frozen=True)
-class Passage:
+class ConfusedSegment:
     """A stretch of a recording.
 
     Attributes
@@ -39,22 +45,22 @@ class Confusion:
     edges : shape (n_recordings + 1,): the first frame of each recording, and the number of all frames.
     """
 
-    counts: Counts
+    counts: Int64Array
     labels: FrameLabels
-    answers: Codes
-    edges: NDArray[np.intp]
+    answers: UInt8Array
+    edges: IndexArray
 
     @property
     def accuracy(self) -> float:
         """Share of right answers on frames labelled as one of the ten classes; NaN where there is none."""
-        known = self.counts[list(TEN)]
+        known = self.counts[list(SCORED_PHONEMES)]
         n = known.sum()
-        return float(known[:, list(TEN)].trace() / n) if n else float("nan")
+        return float(known[:, list(SCORED_PHONEMES)].trace() / n) if n else float("nan")
 
     @property
     def macro_f1(self) -> float:
         """Mean F1 of those of the ten classes that the labels hold; NaN where they hold none."""
-        return float(macro_f1_of(self._known, TEN))
+        return float(macro_f1_of(self._known, SCORED_PHONEMES))
 
     def f1_of(self, phoneme: Phoneme) -> float:
         """Give the F1 of one class; NaN where it is not labelled, or is none of the ten."""
@@ -75,11 +81,11 @@ class Confusion:
         """How many recordings there are."""
         return len(self.edges) - 1
 
-    def line(self, recording: int) -> Codes:
+    def line(self, recording: int) -> UInt8Array:
         """Give the answers in one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
         return self.answers[self._frames_of(recording)]
 
-    def label_line(self, recording: int) -> Codes:
+    def label_line(self, recording: int) -> UInt8Array:
         """Give the labels of one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
         return self.labels.phonemes[self._frames_of(recording)]
 
@@ -91,7 +97,7 @@ class Confusion:
             (FrameLabels(self.labels.phonemes[s], self.labels.certain[s]), self.answers[s]) for s in spans
         )
 
-    def frames_in(self, truth: Phoneme, answer: Phoneme) -> tuple[Passage, ...]:
+    def frames_in(self, truth: Phoneme, answer: Phoneme) -> tuple[ConfusedSegment, ...]:
         """Give where what was labelled `truth` was recognised as `answer`: the frames of a cell, in order."""
         inside = (self.labels.phonemes == truth) & (self.answers == answer)
         found = np.flatnonzero(inside)
@@ -102,21 +108,21 @@ class Confusion:
         recordings = np.searchsorted(self.edges, begins, side="right") - 1
         offsets = self.edges[recordings]
         return tuple(
-            Passage(recording, start * FRAME_PERIOD, end * FRAME_PERIOD)
+            ConfusedSegment(recording, start * FRAME_PERIOD, end * FRAME_PERIOD)
             for recording, start, end in zip(
                 recordings.tolist(), (begins - offsets).tolist(), (ends - offsets).tolist(), strict=True
             )
         )
 
     @cached_property
-    def _known(self) -> Counts:
+    def _known(self) -> Int64Array:
         """What counts for figures: frames labelled as one of the ten classes."""
         known = self.counts.copy()
         known[Phoneme.UNIDENTIFIED] = 0
         return known
 
     @cached_property
-    def _is_first(self) -> NDArray[np.bool_]:
+    def _is_first(self) -> BoolArray:
         first = np.zeros(len(self.answers), bool)
         first[self.edges[:-1][self.edges[:-1] < len(first)]] = True
         return first
@@ -124,13 +130,13 @@ class Confusion:
     def _frames_of(self, recording: int) -> slice:
         return slice(int(self.edges[recording]), int(self.edges[recording + 1]))
 
-    def _changes_per_s(self, codes: Codes) -> float:
+    def _changes_per_s(self, codes: UInt8Array) -> float:
         if not len(codes):
             return float("nan")
         changes = np.count_nonzero((codes[1:] != codes[:-1]) & ~self._is_first[1:])
         return float(changes / (len(codes) * FRAME_PERIOD))
 
 
-def confusion_between(labels: FrameLabels, answers: Codes, edges: NDArray[np.intp]) -> Confusion:
+def confusion_between(labels: FrameLabels, answers: UInt8Array, edges: IndexArray) -> Confusion:
     """Count answers against labels; the parameters are the attributes of `Confusion`."""
     return Confusion(confusion_of(labels.phonemes, answers), labels, answers, edges)

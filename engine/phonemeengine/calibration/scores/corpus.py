@@ -12,17 +12,17 @@ from itertools import islice
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import BoolArray, UInt8Array
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.files import SUFFIXES, SoundReader
-from phonemeengine.audio.file_access import shown_name
-from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_marks
-from phonemeengine.labels.label import CORE, Label, Mark
-from phonemeengine.labels.phoneme_map import Mapping, labels_named
-from phonemeengine.labels.table import rows_of
-from phonemeengine.labels.text_io import read_text
 from phonemeengine.calibration.takes.take_list import LIST
 from phonemeengine.errors import AudioError, CorpusError
+from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_marks
+from phonemeengine.labels.label import CORE, Label, RawLabel
+from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
+from phonemeengine.labels.table import rows_of
+from phonemeengine.labels.text_io import read_text
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, Channel
 
@@ -36,7 +36,7 @@ __all__ = [
     "read_recordings",
 ]
 
-PassedOver = Callable[[AudioError], None]
+OnSkipped = Callable[[AudioError], None]
 """What is told of a sound that cannot be read."""
 
 MANIFEST = "manifest.csv"
@@ -88,8 +88,8 @@ class FrameLabels:
     certain : bool, shape (n_frames,): whether the label is a core one.
     """
 
-    phonemes: NDArray[np.uint8]
-    certain: NDArray[np.bool_]
+    phonemes: UInt8Array
+    certain: BoolArray
 
 
 @dataclass(frozen=True)
@@ -104,8 +104,8 @@ class _Pair:
 
 
 def read_corpus(
-    folder: Path, mapping: Mapping | None = None, *, channel: Channel = Channel.MIX,
-    passed_over: PassedOver | None = None,
+    folder: Path, mapping: PhonemeMap | None = None, *, channel: Channel = Channel.MIX,
+    passed_over: OnSkipped | None = None,
 ) -> tuple[Utterance, ...]:  # fmt: skip
     """Read the manifest and all label files of a folder; of the sounds only their lengths.
 
@@ -114,7 +114,7 @@ def read_corpus(
 
     Raises
     ------
-    UnknownPhonemes : names in the label files stand for no phoneme; it holds those of all files.
+    UnknownPhonemeError : names in the label files stand for no phoneme; it holds those of all files.
     CorpusError : a file is missing or says something impossible; names the file, the line and what was found.
     AudioError : a sound is missing or cannot be read.
     """
@@ -122,17 +122,17 @@ def read_corpus(
     pairs = (
         _Pair(folder / row["wav"], folder / row["labels"], row["speaker"], row["corpus"], channel) for _, row in rows
     )
-    return _utterances_of(pairs, mapping or Mapping(), folder.name or str(folder), passed_over=passed_over)
+    return _utterances_of(pairs, mapping or PhonemeMap(), folder.name or str(folder), passed_over=passed_over)
 
 
 def read_recordings(
     source: Path,
-    mapping: Mapping | None = None,
+    mapping: PhonemeMap | None = None,
     *,
     speaker: str | None = None,
     tier: str | None = None,
     channel: Channel = Channel.MIX,
-    passed_over: PassedOver | None = None,
+    passed_over: OnSkipped | None = None,
 ) -> tuple[Utterance, ...]:
     """Read labelled recordings wherever they are.
 
@@ -148,20 +148,20 @@ def read_recordings(
 
     Raises
     ------
-    UnknownPhonemes : names in the label files stand for no phoneme; it holds those of all files.
+    UnknownPhonemeError : names in the label files stand for no phoneme; it holds those of all files.
     CorpusError : a label file says something impossible, or there is none.
     AudioError : a sound is missing or cannot be read.
     """
-    mapping = mapping or Mapping()
+    mapping = mapping or PhonemeMap()
     if (source / MANIFEST).is_file():
         return read_corpus(source, mapping, channel=channel, passed_over=passed_over)
     pairs = list(_pairs_beside(source, speaker, channel))
     if not pairs:
         fault = "there is no label file beside this sound" if source.is_file() else "no labelled sound was found here"
         raise CorpusError(
-            f"{shown_name(source)}: {fault}; put a .TextGrid, .csv or .txt file of the same name beside each sound"
+            f"{printable_name(source)}: {fault}; put a .TextGrid, .csv or .txt file of the same name beside each sound"
         )
-    return _utterances_of(pairs, mapping, shown_name(source), tier, passed_over)
+    return _utterances_of(pairs, mapping, printable_name(source), tier, passed_over)
 
 
 def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
@@ -181,10 +181,10 @@ def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
 
 def _utterances_of(
     pairs: Iterable[_Pair],
-    mapping: Mapping,
+    mapping: PhonemeMap,
     source: str,
     tier: str | None = None,
-    passed_over: PassedOver | None = None,
+    passed_over: OnSkipped | None = None,
 ) -> tuple[Utterance, ...]:
     """Read all label files before any name is given a meaning, so that all unknown ones are told at once."""
     read = []
@@ -203,7 +203,7 @@ def _utterances_of(
     )
 
 
-def _marks_of(pair: _Pair, mapping: Mapping, tier: str | None) -> tuple[tuple[Mark, ...], str]:
+def _marks_of(pair: _Pair, mapping: PhonemeMap, tier: str | None) -> tuple[tuple[RawLabel, ...], str]:
     """Read the marks of a sound, and what its file lacks."""
     with SoundReader(pair.sound, pair.channel) as reader:
         duration, cut_off = reader.duration, reader.cut_off

@@ -8,10 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.analyser import BLOCK, Analyser, analyses_of
+from phonemeengine.analyser import BLOCK, Analyser, analyse_blocks
+from phonemeengine.arrays import BoolArray, Float32Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.added_noise import NoiseAdder
-from phonemeengine.calibration.scores.corpus import FrameLabels, PassedOver, Utterance, frame_labels_of
-from phonemeengine.calibration.scores.scoring import N_CODES, Codes, Counts, Scores, confusion_of, macro_f1_of, scores_of
+from phonemeengine.calibration.scores.corpus import FrameLabels, OnSkipped, Utterance, frame_labels_of
+from phonemeengine.calibration.scores.scoring import (
+    N_CODES,
+    Scores,
+    confusion_of,
+    macro_f1_of,
+    scores_of,
+)
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
@@ -24,7 +31,7 @@ ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
-class Answers:
+class Predictions:
     """What was answered in one recording, frame by frame.
 
     Attributes
@@ -37,16 +44,16 @@ class Answers:
 
     utterance: Utterance
     labels: FrameLabels
-    phonemes: Codes
-    intensities: NDArray[np.float32]
+    phonemes: UInt8Array
+    intensities: Float32Array
 
     @property
-    def pair(self) -> tuple[FrameLabels, Codes]:
+    def pair(self) -> tuple[FrameLabels, UInt8Array]:
         """The labels and the answers, as `scores_of` wants them."""
         return self.labels, self.phonemes
 
     @property
-    def right(self) -> NDArray[np.bool_]:
+    def right(self) -> BoolArray:
         """Where the answer is what the label says, shape (n_frames,)."""
         return np.equal(self.phonemes, self.labels.phonemes)
 
@@ -65,7 +72,7 @@ class GroupScores:
     """
 
     scores: Scores
-    confusion: Counts
+    confusion: Int64Array
     changes: int
     label_changes: int
     intensity: float
@@ -93,7 +100,7 @@ class CorpusScores:
     preset: Preset
     look_ahead: int
     lag: float
-    answers: tuple[Answers, ...]
+    answers: tuple[Predictions, ...]
     overall: GroupScores
     by_kind: Mapping[str, GroupScores]
     by_speaker: Mapping[str, GroupScores]
@@ -105,7 +112,7 @@ def score_corpus(
     *,
     lag: float = 0.0,
     noise: NoiseAdder | None = None,
-    passed_over: PassedOver | None = None,
+    passed_over: OnSkipped | None = None,
 ) -> CorpusScores:
     """Recognise recordings with a preset, and compare the answers with the labels.
 
@@ -126,7 +133,7 @@ def score_corpus(
     answers = []
     for utterance in utterances:
         try:
-            answers.append(answers_to(utterance, preset, lag=lag, noise=noise))
+            answers.append(predict(utterance, preset, lag=lag, noise=noise))
         except AudioError as error:
             if passed_over is None:
                 raise
@@ -144,7 +151,9 @@ def score_corpus(
     )
 
 
-def answers_to(utterance: Utterance, preset: Preset, *, lag: float = 0.0, noise: NoiseAdder | None = None) -> Answers:
+def predict(
+    utterance: Utterance, preset: Preset, *, lag: float = 0.0, noise: NoiseAdder | None = None
+) -> Predictions:
     """Recognise one recording; the parameters are those of `score_corpus`.
 
     Raises
@@ -154,14 +163,14 @@ def answers_to(utterance: Utterance, preset: Preset, *, lag: float = 0.0, noise:
     labels = frame_labels_of(utterance.labels)
     with utterance.opened() as reader:
         blocks = reader.blocks(BLOCK * HOP) if noise is None else noise.blocks(utterance, BLOCK * HOP)
-        found = [(a.phonemes, a.intensities) for a in analyses_of(blocks, preset)]
+        found = [(a.phonemes, a.intensities) for a in analyse_blocks(blocks, preset)]
         n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
     phonemes, intensities = (np.concatenate(part)[:n_heard] for part in zip(*found, strict=True))
     late, n = math.floor(lag / FRAME_PERIOD + 0.5 + ROUNDING), len(labels.phonemes)
-    return Answers(utterance, labels, _moved(phonemes, late, n), _moved(intensities, late, n))
+    return Predictions(utterance, labels, _moved(phonemes, late, n), _moved(intensities, late, n))
 
 
-def group_scores_of(answers: Sequence[Answers]) -> GroupScores:
+def group_scores_of(answers: Sequence[Predictions]) -> GroupScores:
     """Score some recordings together; at least one has a frame."""
     pairs = [heard.pair for heard in answers]
     spoken = np.concatenate(
@@ -184,8 +193,8 @@ def kind_of(utterance: Utterance) -> str:
     return HUMAN if utterance.corpus.startswith(HUMAN) else utterance.corpus
 
 
-def _by(name_of: Callable[[Answers], str], answers: Iterable[Answers]) -> dict[str, GroupScores]:
-    groups: dict[str, list[Answers]] = {}
+def _by(name_of: Callable[[Predictions], str], answers: Iterable[Predictions]) -> dict[str, GroupScores]:
+    groups: dict[str, list[Predictions]] = {}
     for heard in answers:
         if len(heard.phonemes):
             groups.setdefault(name_of(heard), []).append(heard)
@@ -201,5 +210,5 @@ def _moved(values: NDArray[Any], late: int, n: int) -> NDArray[Any]:
     return moved
 
 
-def _changes(codes: Codes) -> int:
+def _changes(codes: UInt8Array) -> int:
     return int(np.count_nonzero(codes[1:] != codes[:-1]))

@@ -8,17 +8,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import BoolArray, Float64Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
-Codes = NDArray[np.uint8]
-Counts = NDArray[np.int64]
-
 N_CODES = len(Phoneme)
-TEN = tuple(p for p in Phoneme if p is not Phoneme.UNIDENTIFIED)
+SCORED_PHONEMES = tuple(p for p in Phoneme if p is not Phoneme.UNIDENTIFIED)
 """The classes that are scored."""
 
 VOWELS = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U)
@@ -62,7 +59,7 @@ class Scores:
     minutes: float
 
 
-def scores_of(pairs: Iterable[tuple[FrameLabels, Codes]]) -> Scores:
+def scores_of(pairs: Iterable[tuple[FrameLabels, UInt8Array]]) -> Scores:
     """Score utterances: for each the labels and the recognised codes, shape (n_frames,).
 
     A frame that was not recognised, at the end of a sound shorter than its labels, counts as silence.
@@ -77,7 +74,7 @@ def scores_of(pairs: Iterable[tuple[FrameLabels, Codes]]) -> Scores:
     seconds = len(truth) * FRAME_PERIOD
     return Scores(
         ten_acc=_share(right[known]),
-        ten_f1=float(macro_f1_of(confusion_of(truth[known], guess[known]), TEN)),
+        ten_f1=float(macro_f1_of(confusion_of(truth[known], guess[known]), SCORED_PHONEMES)),
         vowel5=_share(right[np.isin(truth, VOWELS) & certain]),
         mouth_acc=_share(mouths == guessed_mouths),
         mouth_f1=float(macro_f1_of(confusion_of(mouths, guessed_mouths), range(len(_MOUTHS)))),
@@ -89,13 +86,13 @@ def scores_of(pairs: Iterable[tuple[FrameLabels, Codes]]) -> Scores:
     )
 
 
-def confusion_of(truth: Codes, guess: Codes) -> Counts:
+def confusion_of(truth: UInt8Array, guess: UInt8Array) -> Int64Array:
     """Count frames by label (row) and answer (column), shape (11, 11)."""
     pairs = np.bincount(truth.astype(np.int64) * N_CODES + guess, minlength=N_CODES**2)
     return pairs.reshape(N_CODES, N_CODES)
 
 
-def macro_f1_of(confusion: Counts, classes: Iterable[int]) -> NDArray[np.float64]:
+def macro_f1_of(confusion: Int64Array, classes: Iterable[int]) -> Float64Array:
     """Give the mean F1 over those classes that the labels hold.
 
     Parameters
@@ -112,14 +109,14 @@ def macro_f1_of(confusion: Counts, classes: Iterable[int]) -> NDArray[np.float64
     return np.where(n_present > 0, f1.sum(axis=-1) / np.maximum(n_present, 1), np.nan)
 
 
-def _fitted(codes: Codes, n: int) -> Codes:
+def _fitted(codes: UInt8Array, n: int) -> UInt8Array:
     missing = max(0, n - len(codes))
     return np.concatenate((codes[:n], np.full(missing, Phoneme.SILENCE, np.uint8)))
 
 
-def _share(hits: NDArray[np.bool_]) -> float:
+def _share(hits: BoolArray) -> float:
     return float(hits.mean()) if len(hits) else float("nan")
 
 
-def _changes(codes: Codes) -> int:
+def _changes(codes: UInt8Array) -> int:
     return int(np.count_nonzero(codes[1:] != codes[:-1]))

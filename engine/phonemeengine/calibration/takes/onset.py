@@ -1,16 +1,15 @@
 """When a voice begins in what a microphone hears, and whether it has ended."""
 
 import numpy as np
-from numpy.typing import NDArray
+
+from phonemeengine.arrays import BoolArray, Float32Array
 
 PERIOD = 0.01
 QUIET_FRAMES, LOUD_FRAMES = 8, 5
 """How many of 10 ms must be quiet before a sound, and loud in a row where it begins."""
 
-Sound = NDArray[np.float32]
 
-
-def onset_in(sound: Sound, rate: int, threshold: float) -> float | None:
+def onset_in(sound: Float32Array, rate: int, threshold: float) -> float | None:
     """Say when a voice begins, seconds: after some quiet, where it stays as loud as a threshold (RMS); None if never.
 
     Parameters
@@ -31,13 +30,13 @@ def onset_in(sound: Sound, rate: int, threshold: float) -> float | None:
     return None
 
 
-def quiet_at_end(sound: Sound, rate: int, threshold: float) -> float:
+def quiet_at_end(sound: Float32Array, rate: int, threshold: float) -> float:
     """Say for how long it has been quieter than a threshold, seconds; the parameters are those of `onset_in`."""
     loud = np.flatnonzero(_loud(sound, rate, threshold))
     return len(sound) / rate - (int(loud[-1]) + 1) * PERIOD if len(loud) else len(sound) / rate
 
 
-def _loud(sound: Sound, rate: int, threshold: float) -> NDArray[np.bool_]:
+def _loud(sound: Float32Array, rate: int, threshold: float) -> BoolArray:
     frame = max(1, round(PERIOD * rate))
     n = len(sound) // frame
     levels = np.sqrt(np.mean(sound[: n * frame].reshape(n, frame) ** 2, axis=1)) if n else np.zeros(0)

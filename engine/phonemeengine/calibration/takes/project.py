@@ -7,11 +7,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-import numpy as np
-from numpy.typing import NDArray
-
-from phonemeengine.calibration.takes.quality import TakeReport
+from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.takes.label_exports import write_copy
+from phonemeengine.calibration.takes.quality import TakeReport
 from phonemeengine.calibration.takes.storage import TakeFolder
 from phonemeengine.calibration.takes.take import Take
 from phonemeengine.errors import TakeError
@@ -81,7 +79,7 @@ class TakeProject:
 
     def add(
         self,
-        samples: NDArray[np.float32],
+        samples: Float32Array,
         speaker: str,
         phoneme: Phoneme,
         *,

@@ -6,14 +6,11 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.level import FULL
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, HOP
-
-Sound = NDArray[np.float32]
-Levels = NDArray[np.float64]
 
 LEAST_SOUND = 0.3
 """Seconds of sound that a take needs."""
@@ -103,7 +100,7 @@ class TakeReport:
         return replace(self, onset=0.0, offset=math.inf, start=start + first, end=start + last, pauses=pauses)
 
 
-def check_take(samples: Sound, noise: float, phoneme: Phoneme) -> TakeReport:
+def check_take(samples: Float32Array, noise: float, phoneme: Phoneme) -> TakeReport:
     """Check a take.
 
     Parameters
@@ -193,7 +190,7 @@ def _faults_of_silence(report: TakeReport, loudest: float) -> Iterator[tuple[Fau
         )
 
 
-def _levels_of(samples: Sound) -> Levels:
+def _levels_of(samples: Float32Array) -> Float64Array:
     """Give the RMS level of each 10 ms, without a constant offset; what is left at the end counts as well."""
     sound = samples.astype(np.float64)
     sound -= sound.mean() if len(sound) else 0.0
@@ -202,7 +199,7 @@ def _levels_of(samples: Sound) -> Levels:
     return np.sqrt(powers / np.minimum(HOP, len(sound) - starts))
 
 
-def _heard_in(levels: Levels, noise: float, *, bridged: bool) -> slice:
+def _heard_in(levels: Float64Array, noise: float, *, bridged: bool) -> slice:
     """Give the longest stretch of sound, over short pauses; over all of them where they belong to the sound."""
     least = max(
         noise * _ratio(LOUDER_THAN_ROOM), levels.max(initial=0.0) * _ratio(-SOFTEST_PART), _ratio(SILENT_BELOW)
@@ -216,7 +213,7 @@ def _heard_in(levels: Levels, noise: float, *, bridged: bool) -> slice:
     return slice(int(longest[0]), int(longest[-1]) + 1)
 
 
-def _pauses_in(levels: Levels, heard: slice) -> tuple[tuple[float, float], ...]:
+def _pauses_in(levels: Float64Array, heard: slice) -> tuple[tuple[float, float], ...]:
     """Give the pauses between puffs, seconds: what is left when every puff has what belongs to it."""
     loud = np.flatnonzero(levels[heard] > levels[heard].max(initial=0.0) * _ratio(-SOFTEST_PUFF)) + heard.start
     before, after, least = (round(t / FRAME_PERIOD) for t in (BEFORE_PUFF, AFTER_PUFF, LEAST_PAUSE))
@@ -224,7 +221,7 @@ def _pauses_in(levels: Levels, heard: slice) -> tuple[tuple[float, float], ...]:
     return tuple((first * FRAME_PERIOD, end * FRAME_PERIOD) for first, end in gaps if end - first >= least)
 
 
-def _steady_in(levels: Levels, heard: slice) -> slice:
+def _steady_in(levels: Float64Array, heard: slice) -> slice:
     """Leave out how a sound begins and ends: some time, and until it is as loud as in its middle."""
     attack = round(ATTACK / FRAME_PERIOD)
     inner = slice(heard.start + attack, heard.stop - attack)

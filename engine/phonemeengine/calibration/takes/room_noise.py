@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analyser
+from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.takes.room_silence import sensitivity_for, silence_level_for
 from phonemeengine.errors import TakeError
 from phonemeengine.features.measure import Features
@@ -19,9 +19,6 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.settings import FRAME_PERIOD, HOP, LIMITS, SAMPLE_RATE, WINDOW, Filter
-
-Sound = NDArray[np.float32]
-Values = NDArray[np.float64]
 
 LEAST_SECONDS = 1.0
 """A measurement needs this much silence, seconds."""
@@ -56,7 +53,7 @@ MEASURED = {
 
 
 @dataclass(frozen=True)
-class Bound:
+class ConfidenceInterval:
     """A threshold, and between which values a long measurement would most likely put it."""
 
     value: float
@@ -65,7 +62,7 @@ class Bound:
 
 
 @dataclass(frozen=True)
-class Sureness:
+class SilenceAccuracy:
     """How well a preset tells the room from speech; bounds are of a confidence of 95 %.
 
     Attributes
@@ -74,8 +71,8 @@ class Sureness:
     speech_silent : share of the speech's frames that are; None where there was no speech.
     """
 
-    room_silent: Bound
-    speech_silent: Bound | None
+    room_silent: ConfidenceInterval
+    speech_silent: ConfidenceInterval | None
 
     def __str__(self) -> str:
         speech = self.speech_silent
@@ -96,16 +93,16 @@ class RoomNoise:
     samples : what was measured.
     """
 
-    bounds: Mapping[str, Bound]
+    bounds: Mapping[str, ConfidenceInterval]
     level: float
     seconds: float
     notes: tuple[str, ...]
-    samples: Sound = field(repr=False, compare=False)
+    samples: Float32Array = field(repr=False, compare=False)
 
     def __str__(self) -> str:
         return f"{20 * np.log10(max(self.level, SILENT)):.0f} dB, heard for {self.seconds:.1f} s"
 
-    def thresholds(self, preset: Preset, speech: Sound | None = None) -> Preset:
+    def thresholds(self, preset: Preset, speech: Float32Array | None = None) -> Preset:
         """Give the preset that takes the room for silence, otherwise the same.
 
         Parameters
@@ -127,7 +124,7 @@ class RoomNoise:
             return replace(preset, templates=replace(preset.templates, silence_below=level))
         return preset
 
-    def sureness(self, preset: Preset, speech: Sound | None = None) -> Sureness:
+    def sureness(self, preset: Preset, speech: Float32Array | None = None) -> SilenceAccuracy:
         """Say how well a preset tells the room from speech.
 
         Parameters
@@ -136,7 +133,7 @@ class RoomNoise:
         speech : as there.
         """
         of_speech = None if speech is None or len(speech) < WINDOW else _share_silent(speech, preset)
-        return Sureness(_share_silent(self.samples, preset), of_speech)
+        return SilenceAccuracy(_share_silent(self.samples, preset), of_speech)
 
     def _with_thresholds(self, preset: Preset) -> Preset:
         """Set the silence of the thesis rules.
@@ -159,7 +156,7 @@ class RoomNoise:
         return (Rule(Phoneme.SILENCE, conditions), *(preset.rules[1:] if known else preset.rules))
 
 
-def measure_room(samples: Sound, preset: Preset) -> RoomNoise:
+def measure_room(samples: Float32Array, preset: Preset) -> RoomNoise:
     """Measure a room while nobody speaks, with the front end of a preset.
 
     Parameters
@@ -187,7 +184,7 @@ def measure_room(samples: Sound, preset: Preset) -> RoomNoise:
     return RoomNoise(bounds, level, seconds, tuple(_notes(samples)), samples)
 
 
-def _bound_of(values: Sound, least: float) -> Bound:
+def _bound_of(values: Float32Array, least: float) -> ConfidenceInterval:
     """Give the quantile of a variable in the room with its margin, and how far resampling moves it.
 
     Blocks of frames that overlap are drawn with replacement (moving-block bootstrap, Künsch 1989).
@@ -198,11 +195,11 @@ def _bound_of(values: Sound, least: float) -> Bound:
     doubt = SPREAD * float(np.quantile(drawn.reshape(N_RESAMPLES, -1), SHARE, axis=1).std())
     found = float(np.quantile(values, SHARE))
     value, low, high = (max(least, MARGIN * x) for x in (found, found - doubt, found + doubt))
-    return Bound(value, low, high)
+    return ConfidenceInterval(value, low, high)
 
 
-def _capped(bound: Bound, most: float) -> Bound:
-    return Bound(min(bound.value, most), min(bound.low, most), min(bound.high, most))
+def _capped(bound: ConfidenceInterval, most: float) -> ConfidenceInterval:
+    return ConfidenceInterval(min(bound.value, most), min(bound.low, most), min(bound.high, most))
 
 
 def _least_thresholds(preset: Preset) -> dict[str, float]:
@@ -215,12 +212,12 @@ def _least_thresholds(preset: Preset) -> dict[str, float]:
     }
 
 
-def _features_of(samples: Sound, preset: Preset) -> Features:
+def _features_of(samples: Float32Array, preset: Preset) -> Features:
     """Measure the frames whose windows lie in the sound, whatever the preset recognises with."""
     return Analyser(replace(preset, recogniser="thesis")).push(samples).features
 
 
-def _share_silent(samples: Sound, preset: Preset) -> Bound:
+def _share_silent(samples: Float32Array, preset: Preset) -> ConfidenceInterval:
     """Give the share of frames that are recognised as silence, with Wilson's bounds (1927).
 
     Frames whose windows overlap say nearly the same, so they count as one observation.
@@ -230,14 +227,14 @@ def _share_silent(samples: Sound, preset: Preset) -> Bound:
     n = max(1.0, len(found) / CORRELATED)
     middle = (share + CONFIDENT**2 / (2 * n)) / (1 + CONFIDENT**2 / n)
     doubt = CONFIDENT / (1 + CONFIDENT**2 / n) * (share * (1 - share) / n + CONFIDENT**2 / (4 * n**2)) ** 0.5
-    return Bound(share, max(0.0, middle - doubt), min(1.0, middle + doubt))
+    return ConfidenceInterval(share, max(0.0, middle - doubt), min(1.0, middle + doubt))
 
 
-def _in_words(share: Bound) -> str:
+def _in_words(share: ConfidenceInterval) -> str:
     return f"{share.value:.0%} ({share.low:.0%}..{share.high:.0%})"
 
 
-def _notes(samples: Sound) -> list[str]:
+def _notes(samples: Float32Array) -> list[str]:
     frame = round(FRAME_PERIOD * SAMPLE_RATE)
     n_frames = len(samples) // frame
     parts = samples[: n_frames * frame].reshape(n_frames, frame).astype(np.float64)

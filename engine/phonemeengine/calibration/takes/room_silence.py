@@ -7,17 +7,15 @@ bears.
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analyser
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.dsp.framing import Framer
-from phonemeengine.dsp.log_mel import log_mels_of
+from phonemeengine.dsp.log_mel import log_mels
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.scores import MOST_LOG_ODDS, scores_in
 from phonemeengine.recognition.templates import levels_of
-
-Sound = NDArray[np.float32]
 
 SHARE = 0.99
 """Share of the room's frames that shall be silence, and of the speech's that shall not."""
@@ -30,7 +28,7 @@ HIGHEST_LEVEL = -10.0
 LEAST_LIKELY = 1e-7
 
 
-def sensitivity_for(room: Sound, preset: Preset, speech: Sound | None = None) -> float:
+def sensitivity_for(room: Float32Array, preset: Preset, speech: Float32Array | None = None) -> float:
     """Give the sensitivity for silence, nats, with which the learned recogniser takes a room for silence.
 
     Parameters
@@ -46,7 +44,7 @@ def sensitivity_for(room: Sound, preset: Preset, speech: Sound | None = None) ->
     return round(min(max(now, found), MOST_LOG_ODDS), 2)
 
 
-def silence_level_for(room: Sound, now: float, speech: Sound | None = None) -> float:
+def silence_level_for(room: Float32Array, now: float, speech: Float32Array | None = None) -> float:
     """Give the level below which templates take a frame for silence, dB; at least what it is `now`."""
     found = float(np.quantile(_levels_in(room), SHARE)) + MARGIN_LEVEL
     if speech is not None and len(speech):
@@ -54,7 +52,7 @@ def silence_level_for(room: Sound, now: float, speech: Sound | None = None) -> f
     return round(min(max(now, found), HIGHEST_LEVEL), 1)
 
 
-def _log_odds_of(sound: Sound, preset: Preset) -> NDArray[np.float64]:
+def _log_odds_of(sound: Float32Array, preset: Preset) -> Float64Array:
     """Give how much likelier silence is than the likeliest other phoneme, nats, without its own sensitivity."""
     others = {**preset.sensitivities, Phoneme.SILENCE: 0.0}
     analyser = Analyser(replace(preset, sensitivities=others), phonemes_only=True)
@@ -65,5 +63,5 @@ def _log_odds_of(sound: Sound, preset: Preset) -> NDArray[np.float64]:
     return np.asarray(silence - scores.max(axis=1))
 
 
-def _levels_in(sound: Sound) -> Sound:
-    return levels_of(log_mels_of(Framer().push(sound)))
+def _levels_in(sound: Float32Array) -> Float32Array:
+    return levels_of(log_mels(Framer().push(sound)))

@@ -3,22 +3,21 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.labels.label import CORE
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.takes.room_noise import LEAST_SECONDS
+from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 
-Sound = NDArray[np.float32]
 BLOCK = 1 << 16
 BRIEF = frozenset({Phoneme.P, Phoneme.UNIDENTIFIED})
 """What is no speech to measure by: puffs are mostly the room."""
 
 
-def room_in(takes: Sequence[Utterance]) -> Sound | None:
+def room_in(takes: Sequence[Utterance]) -> Float32Array | None:
     """Give the sound of the newest take in which nobody speaks, float32, shape (n,), 44.1 kHz; None without one.
 
     Raises
@@ -34,7 +33,7 @@ def room_in(takes: Sequence[Utterance]) -> Sound | None:
     return None
 
 
-def speech_in(takes: Sequence[Utterance]) -> Sound | None:
+def speech_in(takes: Sequence[Utterance]) -> Float32Array | None:
     """Give what is surely said in takes, without pauses and p, one after the other; None where nothing is.
 
     Raises
@@ -45,7 +44,7 @@ def speech_in(takes: Sequence[Utterance]) -> Sound | None:
     return found if len(found) else None
 
 
-def _stretches(take: Utterance, without: frozenset[Phoneme] = BRIEF) -> Iterator[Sound]:
+def _stretches(take: Utterance, without: frozenset[Phoneme] = BRIEF) -> Iterator[Float32Array]:
     """Give the sound of each label that is certain."""
     wanted = [label for label in take.labels if label.certainty == CORE and label.phoneme not in without]
     if not wanted:
@@ -56,5 +55,5 @@ def _stretches(take: Utterance, without: frozenset[Phoneme] = BRIEF) -> Iterator
         yield sound[round(label.start * SAMPLE_RATE) : round(label.end * SAMPLE_RATE)]
 
 
-def _joined(parts: Iterable[Sound]) -> Sound:
+def _joined(parts: Iterable[Float32Array]) -> Float32Array:
     return np.concatenate([np.zeros(0, np.float32), *parts])

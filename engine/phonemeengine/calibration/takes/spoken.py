@@ -5,26 +5,24 @@ So nothing learns from it: who reads the project as a corpus gets the takes alon
 
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.flac import write_flac
-from phonemeengine.audio.file_access import shown_name
-from phonemeengine.paths import free_path, reason_of
 from phonemeengine.calibration.alignment import aligned
-from phonemeengine.labels.table import format_table
-from phonemeengine.labels.text_io import write_text
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import folder_for
 from phonemeengine.errors import TakeError
+from phonemeengine.labels.table import format_table
+from phonemeengine.labels.text_io import write_text
+from phonemeengine.paths import free_path, reason_of
 
 FOLDER = "held-back"
 """Of sentences, in a project of takes."""
 
 
 def keep_sentence(
-    folder: Path, samples: NDArray[np.float32], rate: int, mono: NDArray[np.float32], sentence: Sentence, speaker: str
+    folder: Path, samples: Float32Array, rate: int, mono: Float32Array, sentence: Sentence, speaker: str
 ) -> Utterance:
     """Label a sentence by its known text, and keep it in a project of takes.
 
@@ -47,7 +45,7 @@ def keep_sentence(
         place.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise TakeError(
-            f"{shown_name(place)}: this folder cannot be made ({reason_of(error)}); choose another for the takes"
+            f"{printable_name(place)}: this folder cannot be made ({reason_of(error)}); choose another for the takes"
         ) from error
     path = free_path(place / f"{sentence.language.lower()}-1.flac")
     write_flac(path, samples, rate)

@@ -14,14 +14,12 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.flac import write_flac
 from phonemeengine.audio.locking import lock_at
-from phonemeengine.audio.file_access import shown_name
-from phonemeengine.paths import free_path, reason_of
 from phonemeengine.calibration.takes.label_exports import remove_copies, write_copies
+from phonemeengine.calibration.takes.take import DELETED, TAKES, Take, folder_for
 from phonemeengine.calibration.takes.take_list import (
     SOUND_SUFFIX,
     read_take_list,
@@ -29,8 +27,8 @@ from phonemeengine.calibration.takes.take_list import (
     write_take_labels,
     write_take_list,
 )
-from phonemeengine.calibration.takes.take import DELETED, TAKES, Take, folder_for
 from phonemeengine.errors import CorpusError, TakeError
+from phonemeengine.paths import free_path, reason_of
 from phonemeengine.phonemes import Phoneme
 
 LOCK = "takes.lock"
@@ -94,7 +92,7 @@ class TakeFolder:
             return place
         return free_path(self._folder / place).relative_to(self._folder).as_posix()
 
-    def add(self, take: Take, samples: NDArray[np.float32], rate: int) -> None:
+    def add(self, take: Take, samples: Float32Array, rate: int) -> None:
         """Keep a new take with its sound.
 
         Raises
@@ -219,13 +217,13 @@ def _locked(folder: Path) -> Any:
         lock.acquire(blocking=False)
     except TimeoutError as error:
         raise TakeError(
-            f"{shown_name(folder)}: this project is open in another window or program; close it there first"
+            f"{printable_name(folder)}: this project is open in another window or program; close it there first"
         ) from error
     except NotImplementedError:
         return None
     except OSError as error:
         raise TakeError(
-            f"{shown_name(folder)}: this project cannot be written ({reason_of(error)}); choose another folder"
+            f"{printable_name(folder)}: this project cannot be written ({reason_of(error)}); choose another folder"
         ) from error
     return lock
 
@@ -235,5 +233,5 @@ def _make_folder(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except (OSError, ValueError) as error:
         raise TakeError(
-            f"{shown_name(folder)}: this folder cannot be made ({reason_of(error)}); choose another"
+            f"{printable_name(folder)}: this folder cannot be made ({reason_of(error)}); choose another"
         ) from error

@@ -6,8 +6,8 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import PurePosixPath
 from typing import Any
 
-from phonemeengine.labels.label import CORE, Label
 from phonemeengine.errors import TakeError
+from phonemeengine.labels.label import CORE, Label
 from phonemeengine.phonemes import Phoneme
 
 TRIMMED = "trimmed"

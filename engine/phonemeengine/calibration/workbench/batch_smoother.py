@@ -7,21 +7,17 @@ next one is, so it leaps from change to change.
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import BoolArray, IndexArray, UInt8Array
 from phonemeengine.calibration.workbench.successors import last_identified
-from phonemeengine.calibration.scores.scoring import Codes
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
-
-Places = NDArray[np.intp]
-"""Numbers of frames."""
 
 STRETCH = 64
 """Frames that are leaped through at once."""
 
 
-class Calmer:
+class BatchSmoother:
     """Calms the phonemes of recordings that follow one another; nothing is remembered from one to the next.
 
     Parameters
@@ -29,14 +25,14 @@ class Calmer:
     edges : shape (n_recordings + 1,): the first frame of each recording, and the number of all frames.
     """
 
-    def __init__(self, edges: Places) -> None:
+    def __init__(self, edges: IndexArray) -> None:
         heard = edges[1:] > edges[:-1]
         self._n = int(edges[-1])
         self._firsts, self._ends = edges[:-1][heard], edges[1:][heard]
         self._first = np.zeros(self._n, bool)
         self._first[self._firsts] = True
 
-    def steadied(self, codes: Codes, may_stay: NDArray[np.bool_]) -> Codes:
+    def steadied(self, codes: UInt8Array, may_stay: BoolArray) -> UInt8Array:
         """Let each phoneme stay while it may.
 
         Parameters
@@ -53,7 +49,7 @@ class Calmer:
         begun = self._leaving(may_stay[Phoneme.SILENCE], self._firsts)
         return self._drawn(codes, begun, np.repeat(following, ends - starts))
 
-    def filled(self, codes: Codes, successors: Mapping[Phoneme, Phoneme]) -> Codes:
+    def filled(self, codes: UInt8Array, successors: Mapping[Phoneme, Phoneme]) -> UInt8Array:
         """Replace what is unidentified by the successor of what was identified last."""
         table = np.array([successors.get(p, p) for p in Phoneme], np.uint8)
         unidentified = np.flatnonzero(codes == Phoneme.UNIDENTIFIED)
@@ -61,7 +57,7 @@ class Calmer:
         filled[unidentified] = table[last_identified(codes, self._first)[unidentified]]
         return filled
 
-    def held(self, codes: Codes, minimum_hold: float) -> Codes:
+    def held(self, codes: UInt8Array, minimum_hold: float) -> UInt8Array:
         """Let each phoneme stay at least so many seconds before another follows."""
         least = max(1, round(minimum_hold / FRAME_PERIOD))
         if least == 1 or not self._n:
@@ -76,14 +72,14 @@ class Calmer:
         silent = codes[self._firsts] == Phoneme.SILENCE
         return self._drawn(codes, np.where(silent, run_ends[self._firsts], self._firsts), following)
 
-    def _runs_of(self, codes: Codes) -> tuple[Places, Places]:
+    def _runs_of(self, codes: UInt8Array) -> tuple[IndexArray, IndexArray]:
         """Give where stretches of equal codes start and end; none goes beyond its recording."""
         changes = self._first.copy()
         changes[1:] |= codes[1:] != codes[:-1]
         starts = np.flatnonzero(changes)
         return starts, np.append(starts[1:], self._n)
 
-    def _leaving(self, may_stay: NDArray[np.bool_], frames: Places) -> Places:
+    def _leaving(self, may_stay: BoolArray, frames: IndexArray) -> IndexArray:
         """Give for each frame the first one, not before it, in which a phoneme must give way to what is named there.
 
         While it is named itself it gives way to nobody, so it matters only where its run has ended.
@@ -95,7 +91,7 @@ class Calmer:
         later = np.append(begins, self._n)[np.searchsorted(begins, frames)]
         return np.where(leaves[frames], frames, later)
 
-    def _drawn(self, codes: Codes, begun: Places, following: Places) -> Codes:
+    def _drawn(self, codes: UInt8Array, begun: IndexArray, following: IndexArray) -> UInt8Array:
         """Let each recording begin with silence, and take the code of every frame in which the phoneme changes.
 
         Parameters
@@ -110,7 +106,7 @@ class Calmer:
         return np.repeat(told, np.diff(places, append=self._n))
 
 
-def _leapt(begun: Places, ends: Places, following: Places) -> NDArray[np.bool_]:
+def _leapt(begun: IndexArray, ends: IndexArray, following: IndexArray) -> BoolArray:
     """Say where the changes of all recordings are, shape (n_frames,).
 
     Leaps that begin at different frames soon meet. So from the start of each stretch all leaps are made at once, and
@@ -135,7 +131,7 @@ def _leapt(begun: Places, ends: Places, following: Places) -> NDArray[np.bool_]:
     return met
 
 
-def _leapt_through(following: Places) -> tuple[NDArray[np.bool_], Places]:
+def _leapt_through(following: IndexArray) -> tuple[BoolArray, IndexArray]:
     """Leap through every stretch from its first frame; gives the frames that are met, and where each is left."""
     n = len(following)
     places = np.arange(0, n, STRETCH)

@@ -4,14 +4,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.calibration.workbench.separability import mean_separation, separations_of
-from phonemeengine.calibration.workbench.labelled_features import Workbench
-from phonemeengine.progress import Heed, go_on, tell
-from phonemeengine.calibration.scores.scoring import TEN, Codes
+from phonemeengine.arrays import Float32Array, Float64Array, Int64Array, UInt8Array
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.calibration.workbench.separability import mean_separability, separabilities
 from phonemeengine.features.variables import DEFICITS
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.scores import NO_SENSITIVITIES
 
 N_BINS = 60
@@ -26,7 +26,7 @@ Pair = tuple[Phoneme, Phoneme]
 
 
 @dataclass(frozen=True, eq=False)
-class Spread:
+class Quartiles:
     """The values of a variable in the frames of one phoneme.
 
     Attributes
@@ -42,7 +42,7 @@ class Spread:
     median: float
     upper_quartile: float
     maximum: float
-    counts: NDArray[np.int64]
+    counts: Int64Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,15 +61,15 @@ class Distribution:
     """
 
     variable: str
-    edges: NDArray[np.float64]
+    edges: Float64Array
     logarithmic: bool
-    spreads: Mapping[Phoneme, Spread]
-    separations: NDArray[np.float64]
+    spreads: Mapping[Phoneme, Quartiles]
+    separations: Float64Array
 
     @property
     def separation(self) -> float:
         """How well the variable separates the ten phonemes: the mean over all pairs, 0.5..1; NaN without a pair."""
-        return mean_separation(self.separations, TEN)
+        return mean_separability(self.separations, SCORED_PHONEMES)
 
     def separation_of(self, one: Phoneme, other: Phoneme) -> float:
         """Say how well a threshold on the variable parts two phonemes, 0.5..1; NaN where one has no frames."""
@@ -85,7 +85,7 @@ class RankedVariable:
 
 
 def distribution_of(
-    workbench: Workbench, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
+    workbench: LabelledFeatures, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
 ) -> Distribution:
     """Return the distribution of a variable over those frames whose label is certain.
 
@@ -100,17 +100,17 @@ def distribution_of(
     return distribution_in(variable, values[certain], workbench.labels.phonemes[certain])
 
 
-def distribution_in(variable: str, values: NDArray[np.float32], phonemes: Codes) -> Distribution:
+def distribution_in(variable: str, values: Float32Array, phonemes: UInt8Array) -> Distribution:
     """Give the distribution of a variable over frames: its values, and what is said; both (n_frames,)."""
     logarithmic = variable not in NO_AMPLITUDES and _spans_decades(values)
     edges = _edges_over(values, logarithmic=logarithmic)
     present = [p for p in Phoneme if np.any(phonemes == p)]
     spreads = {p: _spread_of(values[phonemes == p], edges) for p in present}
-    return Distribution(variable, edges, logarithmic, spreads, separations_of(values, phonemes))
+    return Distribution(variable, edges, logarithmic, spreads, separabilities(values, phonemes))
 
 
 def ranked_variables(
-    workbench: Workbench, pair: Pair | None = None, heed: Heed = go_on
+    workbench: LabelledFeatures, pair: Pair | None = None, heed: Progress = no_progress
 ) -> tuple[RankedVariable, ...]:
     """Rank all measured variables by how well they separate the ten phonemes, or one pair; the best one first.
 
@@ -122,28 +122,28 @@ def ranked_variables(
     """
     certain = workbench.labels.certain
     phonemes = workbench.labels.phonemes[certain]
-    wanted = TEN if pair is None else pair
+    wanted = SCORED_PHONEMES if pair is None else pair
     chosen = np.isin(phonemes, wanted)
     ranked = []
     for k, name in enumerate(workbench.variables):
-        tell(heed, k / len(workbench.variables))
+        report_progress(heed, k / len(workbench.variables))
         separation = _separation(workbench.values(name)[certain][chosen], phonemes[chosen], wanted)
         ranked.append(RankedVariable(name, separation))
-    tell(heed, 1.0)
+    report_progress(heed, 1.0)
     return tuple(sorted(ranked, key=lambda r: -np.nan_to_num(r.separation, nan=0.0)))
 
 
-def _separation(values: NDArray[np.float32], phonemes: Codes, wanted: tuple[Phoneme, ...]) -> float:
-    return mean_separation(separations_of(values, phonemes), wanted)
+def _separation(values: Float32Array, phonemes: UInt8Array, wanted: tuple[Phoneme, ...]) -> float:
+    return mean_separability(separabilities(values, phonemes), wanted)
 
 
-def _spread_of(values: NDArray[np.float32], edges: NDArray[np.float64]) -> Spread:
+def _spread_of(values: Float32Array, edges: Float64Array) -> Quartiles:
     minimum, lower, median, upper, maximum = np.quantile(values, (0, 0.25, 0.5, 0.75, 1)).tolist()
     counts, _ = np.histogram(np.clip(values, edges[0], edges[-1]), edges)
-    return Spread(len(values), minimum, lower, median, upper, maximum, counts.astype(np.int64))
+    return Quartiles(len(values), minimum, lower, median, upper, maximum, counts.astype(np.int64))
 
 
-def _spans_decades(values: NDArray[np.float32]) -> bool:
+def _spans_decades(values: Float32Array) -> bool:
     positive = values[values > 0]
     if len(positive) < len(values) / 2 or not len(positive):
         return False
@@ -151,7 +151,7 @@ def _spans_decades(values: NDArray[np.float32]) -> bool:
     return bool(high - low > DECADES)
 
 
-def _edges_over(values: NDArray[np.float32], *, logarithmic: bool) -> NDArray[np.float64]:
+def _edges_over(values: Float32Array, *, logarithmic: bool) -> Float64Array:
     """Spread the bins over the values; those at zero belong to the lowest bin of a logarithmic scale."""
     reach = values[values > 0] if logarithmic else values
     low, high = np.quantile(reach, (OUTERMOST, 1 - OUTERMOST)).tolist() if len(reach) else (0.0, 1.0)

@@ -4,10 +4,10 @@ It holds no sound, only what was measured, so an hour takes some 30 MB. What a n
 successor, hold or hysteresis changes is worked out in milliseconds; another front end or another variable means
 measuring anew, which takes seconds and is the caller's to do in the background::
 
-    workbench = Workbench(utterances, preset, heed=progress)    # in the background
+    workbench = LabelledFeatures(utterances, preset, heed=progress)    # in the background
     confusion = workbench.confusion(edited)                     # at once, while a threshold is dragged
     if workbench.needs_measuring(edited):
-        workbench = Workbench(utterances, edited, known=workbench, heed=progress)   # in the background
+        workbench = LabelledFeatures(utterances, edited, known=workbench, heed=progress)   # in the background
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -18,18 +18,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.calibration.workbench.batch_smoother import Calmer
-from phonemeengine.calibration.workbench.measuring import Measurement, front_end_of, knowledge_of, measure, names_of, rules_in
-from phonemeengine.calibration.workbench.rule_cache import RuleSheet
-from phonemeengine.progress import Heed, go_on, part_of, tell
+from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, UInt8Array
 from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
-from phonemeengine.calibration.scores.scoring import Codes
+from phonemeengine.calibration.workbench.batch_smoother import BatchSmoother
+from phonemeengine.calibration.workbench.measuring import (
+    Measurement,
+    front_end_key,
+    measure,
+    names_of,
+    recogniser_key,
+    rules_in,
+)
+from phonemeengine.calibration.workbench.rule_cache import RuleCache
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import DEFICITS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.rules import RuleRecogniser
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, Sensitivity, deficits_of
 
@@ -37,7 +44,7 @@ _Stamp = tuple[Path, int, int, int]
 """A sound file as it was measured: path, time of its last change, size, frames."""
 
 
-class Workbench:
+class LabelledFeatures:
     """Holds labelled recordings in memory as measured variables.
 
     Making one takes as long as analysing the recordings that `known` has not measured yet; asking it takes
@@ -58,18 +65,23 @@ class Workbench:
     """
 
     def __init__(
-        self, utterances: Sequence[Utterance], preset: Preset, *, known: "Workbench | None" = None, heed: Heed = go_on
+        self,
+        utterances: Sequence[Utterance],
+        preset: Preset,
+        *,
+        known: "LabelledFeatures | None" = None,
+        heed: Progress = no_progress,
     ) -> None:
         self._utterances = tuple(utterances)
         self._names = names_of(preset)
-        self._front_end = front_end_of(preset)
-        self._knowledge = None if rules_in(preset) is not None else knowledge_of(preset)
+        self._front_end = front_end_key(preset)
+        self._knowledge = None if rules_in(preset) is not None else recogniser_key(preset)
         labels = [frame_labels_of(u.labels) for u in self._utterances]
         lengths = [len(part.phonemes) for part in labels]
         self._edges = np.concatenate(([0], np.cumsum(lengths, dtype=np.intp))).astype(np.intp)
         self._labels = FrameLabels(_joined([p.phonemes for p in labels]), _joined([p.certain for p in labels], bool))
         measurements = self._measure(preset, known, heed)
-        self._calmer = Calmer(self._edges)
+        self._calmer = BatchSmoother(self._edges)
         self._join(list(measurements))
 
     @property
@@ -88,11 +100,11 @@ class Workbench:
         return self._labels
 
     @property
-    def edges(self) -> NDArray[np.intp]:
+    def edges(self) -> IndexArray:
         """The first frame of each recording, and the number of all frames; shape (n_recordings + 1,)."""
         return self._edges
 
-    def values(self, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES) -> NDArray[np.float32]:
+    def values(self, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES) -> Float32Array:
         """Return what was measured in all frames, shape (n_frames,).
 
         Parameters
@@ -119,7 +131,7 @@ class Workbench:
         """Give all that was measured, as a recogniser gets it."""
         return Features(self._names, self._values.T)
 
-    def twin(self) -> "Workbench":
+    def twin(self) -> "LabelledFeatures":
         """Give a workbench with the same measurements, for another thread; it takes no time and hardly any memory."""
         twin = copy(self)
         twin._sheet = self._new_sheet()
@@ -142,7 +154,7 @@ class Workbench:
         """
         return confusion_between(self._labels, self.answers(preset), self._edges)
 
-    def answers(self, preset: Preset) -> Codes:
+    def answers(self, preset: Preset) -> UInt8Array:
         """Recognise all frames with a preset: what the analyser says of the files, after the statistics.
 
         Raises
@@ -164,27 +176,29 @@ class Workbench:
         return codes
 
     def _measures_otherwise(self, preset: Preset, rules: RuleRecogniser | None) -> bool:
-        return front_end_of(preset) != self._front_end or (rules is None and knowledge_of(preset) != self._knowledge)
+        return front_end_key(preset) != self._front_end or (
+            rules is None and recogniser_key(preset) != self._knowledge
+        )
 
-    def _scores_with(self, preset: Preset) -> NDArray[np.float32] | None:
+    def _scores_with(self, preset: Preset) -> Float32Array | None:
         """Return the probabilities with the preset's sensitivities, shape (n_phonemes, n_frames), or None."""
         return None if self._scores is None else Sensitivity(preset.sensitivities).apply(self._scores.T).T
 
-    def _recognised(self, rules: RuleRecogniser | None, scores: NDArray[np.float32] | None) -> Codes:
+    def _recognised(self, rules: RuleRecogniser | None, scores: Float32Array | None) -> UInt8Array:
         if rules is not None:
             return self._sheet.recognised(rules)
         return self._heard if scores is None else scores.argmax(axis=0).astype(np.uint8)
 
     def _may_stay(
-        self, rules: RuleRecogniser | None, scores: NDArray[np.float32] | None, hysteresis: float
-    ) -> NDArray[np.bool_] | None:
+        self, rules: RuleRecogniser | None, scores: Float32Array | None, hysteresis: float
+    ) -> BoolArray | None:
         if rules is not None:
             return self._sheet.may_stay(rules, hysteresis)
         return None if scores is None else np.asarray(scores.max(axis=0) - scores <= hysteresis)
 
-    def _measure(self, preset: Preset, known: "Workbench | None", heed: Heed) -> Iterator[Measurement]:
+    def _measure(self, preset: Preset, known: "LabelledFeatures | None", heed: Progress) -> Iterator[Measurement]:
         """Measure what is not known yet; the stamps are of the files as they were before."""
-        tell(heed, 0.0)
+        report_progress(heed, 0.0)
         again = {} if known is None or known.needs_measuring(preset) else known.measured
         self._stamps: list[_Stamp] = []
         total = max(1, int(self._edges[-1]))
@@ -192,9 +206,9 @@ class Workbench:
             first, end = self._edges[k : k + 2].tolist()
             stamp = _stamp_of(utterance.path, end - first)
             self._stamps.append(stamp)
-            share = part_of(heed, first / total, end / total)
+            share = subrange(heed, first / total, end / total)
             yield again.get(stamp) or measure(utterance.path, preset, end - first, share)
-        tell(heed, 1.0)
+        report_progress(heed, 1.0)
 
     def _join(self, measurements: list[Measurement]) -> None:
         """Put all recordings side by side, so that each variable is one array."""
@@ -213,8 +227,8 @@ class Workbench:
         self._n_heard = [m.n_heard for m in measurements]
         self._sheet = self._new_sheet()
 
-    def _new_sheet(self) -> RuleSheet:
-        return RuleSheet(dict(zip(self._names, self._values, strict=True)), int(self._edges[-1]))
+    def _new_sheet(self) -> RuleCache:
+        return RuleCache(dict(zip(self._names, self._values, strict=True)), int(self._edges[-1]))
 
     @property
     def measured(self) -> dict[_Stamp, Measurement]:

@@ -5,15 +5,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.analyser import BLOCK, analyses_of
+from phonemeengine.analyser import BLOCK, analyse_blocks
+from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.progress import Heed, go_on, tell
-from phonemeengine.calibration.scores.scoring import Codes
 from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recogniser import RECOGNISERS, recogniser_of
 from phonemeengine.recognition.rules import RuleRecogniser
@@ -40,10 +39,10 @@ class Measurement:
     scores : float32, shape (n_phonemes, n_frames): the probabilities before the sensitivities, or None.
     """
 
-    values: NDArray[np.float32]
+    values: Float32Array
     n_heard: int
-    recognised: Codes
-    scores: NDArray[np.float32] | None
+    recognised: UInt8Array
+    scores: Float32Array | None
 
     @property
     def n_frames(self) -> int:
@@ -56,13 +55,13 @@ def names_of(preset: Preset) -> tuple[str, ...]:
     return (*BUILT_IN_NAMES, *(v.name for v in preset.variables))
 
 
-def front_end_of(preset: Preset) -> object:
+def front_end_key(preset: Preset) -> object:
     """Give all on which the variables depend: where it is equal, nothing need be measured anew."""
     kept = {name: getattr(_PLAIN, name) for name in AFTER_MEASURING}
     return replace(preset.settings, **kept), preset.variables
 
 
-def knowledge_of(preset: Preset) -> object:
+def recogniser_key(preset: Preset) -> object:
     """Give all on which the answers of a recogniser without rules depend, but for the sensitivities."""
     tuning = replace(preset.tuning, rules=(), sensitivities={})
     if preset.recogniser in RECOGNISERS:
@@ -76,7 +75,7 @@ def rules_in(preset: Preset) -> RuleRecogniser | None:
     return recogniser if isinstance(recogniser, RuleRecogniser) else None
 
 
-def measure(path: Path, preset: Preset, n_frames: int, heed: Heed = go_on) -> Measurement:
+def measure(path: Path, preset: Preset, n_frames: int, heed: Progress = no_progress) -> Measurement:
     """Analyse a sound file as it is analysed everywhere, and keep what was measured in its first frames.
 
     Parameters
@@ -98,8 +97,8 @@ def measure(path: Path, preset: Preset, n_frames: int, heed: Heed = go_on) -> Me
     scores = None
     preset = replace(preset, settings=replace(preset.settings, statistics=False), sensitivities={})
     with SoundReader(path) as reader:
-        for analysis in analyses_of(reader.blocks(BLOCK * HOP), preset):
-            tell(heed, min(1.0, (analysis.start + len(analysis)) / max(1, n_frames)))
+        for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), preset):
+            report_progress(heed, min(1.0, (analysis.start + len(analysis)) / max(1, n_frames)))
             span = slice(analysis.start, min(analysis.start + len(analysis), n_frames))
             wanted = analysis.part(slice(max(0, span.stop - span.start)))
             if not len(wanted):
@@ -113,7 +112,7 @@ def measure(path: Path, preset: Preset, n_frames: int, heed: Heed = go_on) -> Me
     return Measurement(values, min(n_heard, n_frames), recognised, scores)
 
 
-def _silent_scores(n_frames: int) -> NDArray[np.float32]:
+def _silent_scores(n_frames: int) -> Float32Array:
     """Return what is likely where there is no sound: silence, as surely as can be."""
     scores = np.zeros((len(Phoneme), n_frames), np.float32)
     scores[Phoneme.SILENCE] = 1

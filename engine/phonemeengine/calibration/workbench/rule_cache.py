@@ -9,17 +9,14 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
 
-Said = NDArray[np.bool_]
-"""What a comparison or a rule says of each frame, shape (n_frames,)."""
-
 
 @dataclass(frozen=True)
-class _Question:
+class _ConditionKey:
     """A comparison of a variable with a limit: ``>``, ``<``, or whether its margin is more or not less than a share.
 
     Attributes
@@ -36,7 +33,7 @@ class _Question:
     beyond: bool = False
 
 
-class RuleSheet:
+class RuleCache:
     """Asks rules of the same frames with ever other limits.
 
     Parameters
@@ -45,23 +42,23 @@ class RuleSheet:
     n_frames : how many frames there are.
     """
 
-    def __init__(self, values: Mapping[str, NDArray[np.float32]], n_frames: int) -> None:
+    def __init__(self, values: Mapping[str, Float32Array], n_frames: int) -> None:
         self._values = values
         self._n_frames = n_frames
         self._recognised = _Memory()
         self._steadied = _Memory()
 
-    def recognised(self, recogniser: RuleRecogniser) -> NDArray[np.uint8]:
+    def recognised(self, recogniser: RuleRecogniser) -> UInt8Array:
         """Give the codes that `recogniser.recognise` gives, shape (n_frames,)."""
         self._recognised.begin()
         codes = np.full(self._n_frames, Phoneme.UNIDENTIFIED, np.uint8)
         for rule in reversed(recogniser.rules):
-            holds = self._all(self._recognised, _questions_of(rule, recogniser)).view(np.uint8)
+            holds = self._all(self._recognised, _condition_keys(rule, recogniser)).view(np.uint8)
             codes *= 1 - holds  # far quicker than to choose frame by frame
             codes += holds * np.uint8(rule.phoneme)
         return codes
 
-    def may_stay(self, recogniser: RuleRecogniser, hysteresis: float) -> NDArray[np.bool_]:
+    def may_stay(self, recogniser: RuleRecogniser, hysteresis: float) -> BoolArray:
         """Say where `recogniser.shortfalls` are at most `hysteresis`; shape (n_phonemes, n_frames).
 
         A phoneme may stay where the comparisons of one of its rules fail by no more than that, and no rule before
@@ -71,23 +68,23 @@ class RuleSheet:
         stays = np.zeros((len(Phoneme), self._n_frames), bool)
         free = np.ones(self._n_frames, bool)
         for rule in recogniser.rules:
-            nearly = self._all(self._steadied, _questions_of(rule, recogniser, -hysteresis))
+            nearly = self._all(self._steadied, _condition_keys(rule, recogniser, -hysteresis))
             stays[rule.phoneme] |= nearly & free
-            free &= ~self._all(self._steadied, _questions_of(rule, recogniser, hysteresis, beyond=True))
+            free &= ~self._all(self._steadied, _condition_keys(rule, recogniser, hysteresis, beyond=True))
         return stays
 
-    def _all(self, memory: "_Memory", questions: tuple[_Question, ...]) -> Said:
+    def _all(self, memory: "_Memory", questions: tuple[_ConditionKey, ...]) -> BoolArray:
         """Say where all of these hold."""
         if not questions:
             return np.ones(self._n_frames, bool)
 
-        def answered() -> Said:
-            said: Said = np.logical_and.reduce([memory.recall(q, partial(self._answer, q)) for q in questions])
+        def answered() -> BoolArray:
+            said: BoolArray = np.logical_and.reduce([memory.recall(q, partial(self._answer, q)) for q in questions])
             return said
 
         return memory.recall(questions, answered)
 
-    def _answer(self, question: _Question) -> Said:
+    def _answer(self, question: _ConditionKey) -> BoolArray:
         values, limit = self._values[question.variable], np.float32(question.limit)
         if question.least is None:
             return np.asarray(values > limit if question.sign == ">" else values < limit)
@@ -99,14 +96,14 @@ class _Memory:
     """Remembers what was worked out for the last question of each kind, and forgets what is no longer asked."""
 
     def __init__(self) -> None:
-        self._before: dict[Hashable, Said] = {}
-        self._now: dict[Hashable, Said] = {}
+        self._before: dict[Hashable, BoolArray] = {}
+        self._now: dict[Hashable, BoolArray] = {}
 
     def begin(self) -> None:
         """Keep only what has been asked since the last beginning."""
         self._before, self._now = self._now, {}
 
-    def recall(self, key: Hashable, work_out: Callable[[], Said]) -> Said:
+    def recall(self, key: Hashable, work_out: Callable[[], BoolArray]) -> BoolArray:
         """Give what was said of the same, or work it out."""
         said = self._now.get(key)
         if said is None:
@@ -117,7 +114,9 @@ class _Memory:
         return said
 
 
-def _questions_of(
+def _condition_keys(
     rule: Rule, recogniser: RuleRecogniser, least: float | None = None, *, beyond: bool = False
-) -> tuple[_Question, ...]:
-    return tuple(_Question(c.variable, c.sign, recogniser.limit_of(c), least, beyond=beyond) for c in rule.conditions)
+) -> tuple[_ConditionKey, ...]:
+    return tuple(
+        _ConditionKey(c.variable, c.sign, recogniser.limit_of(c), least, beyond=beyond) for c in rule.conditions
+    )

@@ -12,15 +12,13 @@ from collections.abc import Iterable
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from phonemeengine.calibration.scores.scoring import N_CODES, Codes
+from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
+from phonemeengine.calibration.scores.scoring import N_CODES
 from phonemeengine.phonemes import Phoneme
 
-Values = NDArray[np.float32]
 
-
-def separation_of(values: Values, others: Values) -> float:
+def separability(values: Float32Array, others: Float32Array) -> float:
     """Say how well a threshold can part two sets of values, 0.5..1; NaN where one is empty."""
     if not (len(values) and len(others)):
         return float("nan")
@@ -31,7 +29,7 @@ def separation_of(values: Values, others: Values) -> float:
     return float(max(larger, 1 - larger))
 
 
-def separations_of(values: Values, phonemes: Codes) -> NDArray[np.float64]:
+def separabilities(values: Float32Array, phonemes: UInt8Array) -> Float64Array:
     """Say how well a threshold can part each pair of phonemes.
 
     Parameters
@@ -61,14 +59,14 @@ def separations_of(values: Values, phonemes: Codes) -> NDArray[np.float64]:
     return np.maximum(separations, separations.T)  # equal but for rounding
 
 
-def mean_separation(separations: NDArray[np.float64], phonemes: Iterable[Phoneme]) -> float:
+def mean_separability(separations: Float64Array, phonemes: Iterable[Phoneme]) -> float:
     """Give the mean over all pairs of phonemes of which there are frames; NaN where there is no such pair."""
     pairs = np.array([separations[p, q] for p, q in combinations(phonemes, 2)])
     known = pairs[~np.isnan(pairs)]
     return float(known.mean()) if len(known) else float("nan")
 
 
-def best_threshold(values: Values, others: Values) -> float:
+def best_threshold(values: Float32Array, others: Float32Array) -> float:
     """Give the threshold that parts two sets best, in the middle of the gap where it lies.
 
     Best is where the shares of both that lie on their own side are largest together (Youden, Cancer 3, 1950); of

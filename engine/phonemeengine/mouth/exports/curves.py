@@ -14,9 +14,7 @@
 import json
 from collections.abc import Iterator, Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
+from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.own_files import begins_like
@@ -52,7 +50,7 @@ def _cue(cue: Cue) -> str:
     return json.dumps(times | words, ensure_ascii=False)
 
 
-def _curves(names: Sequence[str], values: NDArray[np.float32], digits: int) -> Iterator[str]:
+def _curves(names: Sequence[str], values: Float32Array, digits: int) -> Iterator[str]:
     for name, column in zip(names, values.T, strict=True):
         if column.any():
             numbers = ", ".join(map(f"%.{digits}f".__mod__, column.tolist()))

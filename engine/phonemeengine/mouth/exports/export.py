@@ -4,10 +4,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from phonemeengine.mouth.animation import Animation, Life, animation_of
+from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
 from phonemeengine.mouth.cues import Cue, joined_by_shape
-from phonemeengine.mouth.utterance import Speech
 from phonemeengine.mouth.table import MouthTable
+from phonemeengine.mouth.utterance import Utterance
 
 
 @dataclass(frozen=True)
@@ -24,11 +24,11 @@ class Export:
     mesh : the file of the face that shall move, where the format holds one; None for the program's own head.
     """
 
-    speech: Speech
+    speech: Utterance
     table: MouthTable
     cues: tuple[Cue, ...]
     rate: float
-    life: Life = field(default_factory=Life)
+    life: IdleMotion = field(default_factory=IdleMotion)
     mesh: Path | None = None
 
     @cached_property

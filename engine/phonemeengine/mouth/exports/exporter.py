@@ -5,16 +5,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from phonemeengine.errors import ExportError
-from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Life
+from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, IdleMotion
 from phonemeengine.mouth.cues import MINIMUM, cues_of
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.utterance import Speech
 from phonemeengine.mouth.table import load_table
+from phonemeengine.mouth.utterance import Utterance
 
 
 @dataclass(frozen=True)
-class Wishes:
+class ExportOptions:
     """How speech shall be written; None leaves what suits the format.
 
     Attributes
@@ -32,7 +32,7 @@ class Wishes:
     anticipation: float | None = None
     table: str | Path | None = None
     mesh: Path | None = None
-    life: Life = field(default_factory=Life)
+    life: IdleMotion = field(default_factory=IdleMotion)
 
 
 class Exporter:
@@ -49,19 +49,19 @@ class Exporter:
     MouthError : the table cannot be used.
     """
 
-    def __init__(self, name: str, wishes: Wishes | None = None) -> None:
+    def __init__(self, name: str, wishes: ExportOptions | None = None) -> None:
         if name not in FORMATS:
             raise ExportError(f"there is no format {name!r}; choose one of {', '.join(FORMATS)}")
         self.name, self.format = name, FORMATS[name]
-        self._wishes = wishes or Wishes()
+        self._wishes = wishes or ExportOptions()
         self.life = self._wishes.life
         self._table = load_table(self._wishes.table or self.format.table)
         self._rate = self._checked_rate()
         self._check_table()
         self._check_mesh()
-        self.export_of(Speech("", 0.0))
+        self.export_of(Utterance("", 0.0))
 
-    def export_of(self, speech: Speech) -> Export:
+    def export_of(self, speech: Utterance) -> Export:
         """Clean the cues of speech, and put together what the format writes."""
         wishes, anticipation = self._wishes, self._wishes.anticipation
         cues = cues_of(
@@ -72,7 +72,7 @@ class Exporter:
         )
         return Export(speech, self._table, cues, self._rate, self.life, wishes.mesh)
 
-    def parts_of(self, speech: Speech) -> Iterator[bytes]:
+    def chunks_of(self, speech: Utterance) -> Iterator[bytes]:
         """Give the file, in parts as they are made."""
         written = self.format.write(self.export_of(speech))
         if isinstance(written, bytes):

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from phonemeengine.audio.file_access import shown_name
+from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.files.glb import MAGIC, Table, chunks_of, document_of, glb_of
 from phonemeengine.mouth.files.gltf_writing import format_glb
@@ -84,7 +84,7 @@ def read_glb(path: Path) -> Glb:
     ------
     ExportError : it cannot be read, is no GLB, or is damaged.
     """
-    name = shown_name(path)
+    name = printable_name(path)
     try:
         size = path.stat().st_size
         content = path.read_bytes() if size <= LARGEST_FILE else b""

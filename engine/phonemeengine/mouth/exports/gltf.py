@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.export import Export
@@ -101,7 +102,7 @@ def _turn(nodes: Sequence[int], animation: Animation, samplers: _Samplers) -> No
             samplers.push(turning.node, path, values)
 
 
-def _weights_for(names: Sequence[str], animation: Animation) -> NDArray[np.float32] | None:
+def _weights_for(names: Sequence[str], animation: Animation) -> Float32Array | None:
     """Give the weights of a mesh's targets, shape (n_frames, n_targets); None where none of them moves."""
     columns = {name: k for k, name in enumerate(animation.movestates)}
     if not columns.keys() & set(names):
@@ -113,7 +114,7 @@ def _weights_for(names: Sequence[str], animation: Animation) -> NDArray[np.float
     return weights
 
 
-def _accessor(glb: Glb, values: NDArray[np.float32], form: str, limits: dict[str, Any]) -> int:
+def _accessor(glb: Glb, values: Float32Array, form: str, limits: dict[str, Any]) -> int:
     views, accessors = glb.list_of("bufferViews"), glb.list_of("accessors")
     offset = glb.append(values.tobytes())
     views.append({"buffer": 0, "byteOffset": offset, "byteLength": values.nbytes})

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float64Array
 from phonemeengine.errors import ExportError
 
 HEAD = re.compile(r"(?:.*[^a-z])?head", re.IGNORECASE)
@@ -21,7 +21,6 @@ LARGEST = 1e30
 ORTHOGONAL = 1e-3
 """How far axes may be from right angles, as a cosine, and still turn."""
 
-Numbers = NDArray[np.float64]
 Node = dict[str, Any]
 
 
@@ -37,16 +36,16 @@ class Turning:
     """
 
     node: int
-    rotations: Numbers
-    translations: Numbers | None
+    rotations: Float64Array
+    translations: Float64Array | None
 
-    def tracks(self) -> dict[str, Numbers]:
+    def tracks(self) -> dict[str, Float64Array]:
         """Give what moves, by the name that glTF has for it."""
         moved = {} if self.translations is None else {"translation": self.translations}
         return {"rotation": self.rotations, **moved}
 
 
-def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Numbers) -> list[Turning]:
+def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Float64Array) -> list[Turning]:
     """Give what turns a head; nothing where none of its nodes can.
 
     Parameters
@@ -80,7 +79,7 @@ class _Scene:
         found = {node for face in faces if (node := self._node_of(face)) is not None}
         return sorted(node for node in found if not found & set(list(self._chain(node))[1:]))
 
-    def turning_of(self, number: int, turns: Numbers) -> Turning | None:
+    def turning_of(self, number: int, turns: Float64Array) -> Turning | None:
         """Say how a node turns; None where its axes are not at right angles."""
         node = self._nodes[number]
         if "matrix" in node and not _take_apart(node):
@@ -108,7 +107,7 @@ class _Scene:
             node = self._above[node]
         raise ValueError("a node lies below itself")
 
-    def _rotation_above(self, number: int) -> Numbers:
+    def _rotation_above(self, number: int) -> Float64Array:
         rotation = np.array((0.0, 0.0, 0.0, 1.0))
         for k in list(self._chain(number))[1:]:
             node = self._nodes[k]
@@ -116,17 +115,17 @@ class _Scene:
             rotation = product(own, rotation)
         return rotation
 
-    def _translations_of(self, node: Node, rotation: Numbers, turned: Numbers) -> Numbers | None:
+    def _translations_of(self, node: Node, rotation: Float64Array, turned: Float64Array) -> Float64Array | None:
         """Keep in its place what a mesh turns about, unless that is the node's origin."""
         pivot = self._pivot_of(node)
         if not pivot.any():
             return None
         arm = rotated(rotation, pivot * np.array(node.get("scale", (1, 1, 1)), float))
         stays = np.array(node.get("translation", (0, 0, 0)), float) + arm
-        moved: Numbers = stays - rotated(turned, arm)
+        moved: Float64Array = stays - rotated(turned, arm)
         return moved
 
-    def _pivot_of(self, node: Node) -> Numbers:
+    def _pivot_of(self, node: Node) -> Float64Array:
         if "mesh" not in node:
             return np.zeros(3)
         parts = self._document["meshes"][node["mesh"]]["primitives"]
@@ -138,7 +137,7 @@ class _Scene:
         return np.array(((low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2))
 
 
-def product(one: Numbers, other: Numbers) -> Numbers:
+def product(one: Float64Array, other: Float64Array) -> Float64Array:
     """Give the rotation that does the other first, and then the one; quaternions x, y, z, w, shape (..., 4)."""
     one, other = np.broadcast_arrays(one, other)
     (a, u), (b, v) = ((q[..., 3:], q[..., :3]) for q in (one, other))
@@ -146,12 +145,12 @@ def product(one: Numbers, other: Numbers) -> Numbers:
     return np.concatenate((a * v + b * u + np.cross(u, v), real), axis=-1)
 
 
-def inverse(rotation: Numbers) -> Numbers:
+def inverse(rotation: Float64Array) -> Float64Array:
     """Give the rotation back."""
     return np.asarray(rotation * np.array((-1.0, -1.0, -1.0, 1.0)))
 
 
-def rotated(rotation: Numbers, point: Numbers) -> Numbers:
+def rotated(rotation: Float64Array, point: Float64Array) -> Float64Array:
     """Rotate a point, shape (3,), by quaternions, shape (..., 4)."""
     pure = np.append(point, 0.0)
     return product(product(rotation, pure), inverse(rotation))[..., :3]
@@ -167,7 +166,7 @@ def _take_apart(node: Node) -> bool:
     return straight
 
 
-def _parts_of(node: Node) -> tuple[Numbers, Numbers, Numbers, bool]:
+def _parts_of(node: Node) -> tuple[Float64Array, Float64Array, Float64Array, bool]:
     """Give the translation, rotation and scale of a node's matrix, and whether they are all that is in it."""
     matrix = np.array(node["matrix"], float).reshape(4, 4).T
     scale = np.linalg.norm(matrix[:3, :3], axis=0)
@@ -179,7 +178,7 @@ def _parts_of(node: Node) -> tuple[Numbers, Numbers, Numbers, bool]:
     return matrix[:3, 3], _quaternion_of(axes), scale, straight
 
 
-def _quaternion_of(axes: Numbers) -> Numbers:
+def _quaternion_of(axes: Float64Array) -> Float64Array:
     """Give the quaternion of a rotation matrix: the eigenvector with the largest eigenvalue (Bar-Itzhack 2000)."""
     (a, b, c), (d, e, f), (g, h, i) = axes
     lower = np.diag([a - e - i, e - a - i, i - a - e, a + e + i])

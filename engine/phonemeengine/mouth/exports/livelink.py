@@ -8,9 +8,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from phonemeengine.mouth.exports.export import Export
-from phonemeengine.mouth.exports.number_lines import lines_of
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.exports.export import Export
+from phonemeengine.mouth.exports.number_lines import number_lines
 from phonemeengine.own_files import begins_like
 
 ANGLES = (
@@ -31,7 +31,7 @@ def write(export: Export) -> Iterator[str]:
     yield ",".join(COLUMNS) + "\n"
     eyes = np.zeros((len(animation.weights), len(ANGLES) - 3), np.float32)
     rows = np.hstack((animation.weights, np.radians(animation.head), eyes))
-    for frame, line in enumerate(lines_of(rows)):
+    for frame, line in enumerate(number_lines(rows)):
         yield f"{timecode_of(frame, animation.rate)},{COUNT},{line}\n"
 
 

@@ -3,10 +3,11 @@
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
+
+from phonemeengine.arrays import Float32Array
 
 
-def lines_of(weights: NDArray[np.float32], separator: str = ",", digits: int = 5) -> Iterator[str]:
+def number_lines(weights: Float32Array, separator: str = ",", digits: int = 5) -> Iterator[str]:
     """Give each row of weights, shape (n, n_columns), as text with a fixed number of digits."""
     moving = np.any(weights != 0, axis=0)
     pattern = separator.join(f"%.{digits}f" if moves else f"{0:.{digits}f}" for moves in moving.tolist())

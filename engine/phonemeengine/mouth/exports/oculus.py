@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from phonemeengine.mouth.exports.export import Export
-from phonemeengine.mouth.exports.number_lines import lines_of
 from phonemeengine.mouth.blendshape_names import OCULUS
+from phonemeengine.mouth.exports.export import Export
+from phonemeengine.mouth.exports.number_lines import number_lines
 from phonemeengine.own_files import begins_like
 
 HEADER = ",".join(["time_s", *OCULUS]) + "\n"
@@ -16,5 +16,5 @@ def write(export: Export) -> Iterator[str]:
     """Write the header and a row for each frame."""
     animation = export.animation
     yield HEADER
-    for time, line in zip(animation.times.tolist(), lines_of(animation.weights), strict=True):
+    for time, line in zip(animation.times.tolist(), number_lines(animation.weights), strict=True):
         yield f"{time:.6f},{line}\n"

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array, Int64Array, UInt32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import MOST_STATES, Figure
 from phonemeengine.mouth.files.glb import Table
 from phonemeengine.mouth.files.gltf_accessors import array_of, count_of
 from phonemeengine.mouth.files.gltf_document import (
@@ -18,8 +18,15 @@ from phonemeengine.mouth.files.gltf_document import (
     text_of,
     whole_of,
 )
-from phonemeengine.mouth.files.gltf_scene import Transform, name_of, placed, target_names
-from phonemeengine.mouth.mesh import MOST_MATERIALS, MOST_TRIANGLES, MOST_VERTICES, Material, Numbers, Vectors, mesh_of
+from phonemeengine.mouth.files.gltf_scene import name_of, placed, target_names
+from phonemeengine.mouth.mesh import (
+    MOST_MATERIALS,
+    MOST_TRIANGLES,
+    MOST_VERTICES,
+    Material,
+    mesh_of,
+)
+from phonemeengine.mouth.morph_mesh import MOST_STATES, MorphMesh
 from phonemeengine.mouth.movestate import LEAST_MOVE, Movestate, movestate_at
 
 TRIANGLES, STRIP, FAN = 4, 5, 6
@@ -30,7 +37,7 @@ NUMBER = "_VERTEX"
 """The attribute that keeps the numbers of vertices of which a .3dm file tells no more."""
 
 
-def parse_gltf(content: bytes, beside: Beside = lambda _name: None) -> Figure:
+def parse_gltf(content: bytes, beside: Beside = lambda _name: None) -> MorphMesh:
     """Read a .glb or .gltf file: positions, normals, colours, triangles, and morph targets.
 
     The meshes are put where the scene's nodes put them, unless bones carry them. Morph targets of one name in several
@@ -55,12 +62,12 @@ def parse_gltf(content: bytes, beside: Beside = lambda _name: None) -> Figure:
         return gathered.figure(name_of(document))
 
 
-def linear_of(colours: Vectors) -> Vectors:
+def linear_of(colours: Float32Array) -> Float32Array:
     """Turn sRGB colours into the linear ones that glTF has (IEC 61966-2-1)."""
     return np.where(colours <= 0.04045, colours / 12.92, ((colours + 0.055) / 1.055) ** 2.4).astype(np.float32)
 
 
-def srgb_of(colours: Vectors) -> Vectors:
+def srgb_of(colours: Float32Array) -> Float32Array:
     """Turn linear colours into sRGB (IEC 61966-2-1)."""
     bounded = np.clip(np.nan_to_num(colours), 0, 1)
     return np.where(bounded <= 0.0031308, bounded * 12.92, 1.055 * bounded ** (1 / 2.4) - 0.055).astype(np.float32)
@@ -71,19 +78,19 @@ class _Gathered:
     """What the primitives that were read so far make together."""
 
     document: Document
-    points: list[Vectors] = field(default_factory=list)
-    normals: list[Vectors] = field(default_factory=list)
-    colours: list[Vectors] = field(default_factory=list)
-    triangles: list[Numbers] = field(default_factory=list)
+    points: list[Float32Array] = field(default_factory=list)
+    normals: list[Float32Array] = field(default_factory=list)
+    colours: list[Float32Array] = field(default_factory=list)
+    triangles: list[UInt32Array] = field(default_factory=list)
     kinds: list[NDArray[np.uint16]] = field(default_factory=list)
-    numbers: list[NDArray[np.int64]] = field(default_factory=list)
+    numbers: list[Int64Array] = field(default_factory=list)
     moved: dict[str, list[Movestate]] = field(default_factory=dict)
     n: int = 0
     n_triangles: int = 0
     n_offsets: int = 0
     n_primitives: int = 0
 
-    def push(self, primitive: Table, names: list[str], transform: Transform) -> None:
+    def push(self, primitive: Table, names: list[str], transform: Float64Array) -> None:
         attributes, targets = table_of(primitive, "attributes"), tables_of(primitive, "targets")
         n = self._count(attributes, len(targets))
         if not n:
@@ -99,7 +106,7 @@ class _Gathered:
             self._push_target(name, target, n, transform)
         self.n += n
 
-    def figure(self, name: str) -> Figure:
+    def figure(self, name: str) -> MorphMesh:
         if not self.n:
             raise MeshError("there is no mesh in it; export one with it")
         numbers = np.concatenate(self.numbers)
@@ -110,8 +117,8 @@ class _Gathered:
         )  # fmt: skip
         states = tuple(_joined(name, parts) for name, parts in self.moved.items())
         if np.array_equal(numbers, np.arange(self.n)):
-            return Figure(mesh, states)
-        return _renumbered(Figure(mesh, states), numbers)
+            return MorphMesh(mesh, states)
+        return _renumbered(MorphMesh(mesh, states), numbers)
 
     def _count(self, attributes: Table, n_targets: int) -> int:
         self.n_primitives += 1
@@ -127,7 +134,7 @@ class _Gathered:
             raise MeshError(f"all morph targets have at most {MOST_OFFSETS} vertices together; make it coarser")
         return n
 
-    def _vectors(self, attributes: Table, key: str, n: int) -> Vectors:
+    def _vectors(self, attributes: Table, key: str, n: int) -> Float32Array:
         found = array_of(self.document, whole_of(attributes, key))
         if found.shape != (n, 3):
             raise MeshError(f"its {key} is of shape {found.shape}, and there are {n} vertices; export it again")
@@ -136,13 +143,13 @@ class _Gathered:
             raise MeshError(f"its {key} holds a number that is not finite; export it again")
         return vectors
 
-    def _normals(self, attributes: Table, n: int, transform: Transform) -> Vectors:
+    def _normals(self, attributes: Table, n: int, transform: Float64Array) -> Float32Array:
         if "NORMAL" not in attributes:
             return np.zeros((n, 3), np.float32)
         cofactors = np.cross(transform[[1, 2, 0], :3], transform[[2, 0, 1], :3])
         return (self._vectors(attributes, "NORMAL", n) @ cofactors.T).astype(np.float32)
 
-    def _colours(self, attributes: Table, primitive: Table, n: int) -> Vectors:
+    def _colours(self, attributes: Table, primitive: Table, n: int) -> Float32Array:
         colours = np.ones((n, 3), np.float32)
         if "COLOR_0" in attributes:
             found = array_of(self.document, whole_of(attributes, "COLOR_0"))
@@ -151,7 +158,7 @@ class _Gathered:
             colours = np.clip(np.nan_to_num(found[:, :3]), 0, 1).astype(np.float32)
         return srgb_of(colours * self._base_colour(primitive))
 
-    def _base_colour(self, primitive: Table) -> Vectors:
+    def _base_colour(self, primitive: Table) -> Float32Array:
         if "material" not in primitive:
             return np.ones(3, np.float32)
         material = self.document.entry("materials", whole_of(primitive, "material"))
@@ -195,7 +202,7 @@ class _Gathered:
             numbers = found[:, 0].astype(np.int64)
         self.numbers.append(numbers)
 
-    def _push_target(self, name: str, target: Table, n: int, transform: Transform) -> None:
+    def _push_target(self, name: str, target: Table, n: int, transform: Float64Array) -> None:
         if len(self.moved) >= MOST_STATES and name not in self.moved:
             raise MeshError(f"a face has at most {MOST_STATES} morph targets; leave some out")
         parts = self.moved.setdefault(name, [])
@@ -213,7 +220,7 @@ def _joined(name: str, parts: list[Movestate]) -> Movestate:
     )
 
 
-def _triangles(corners: NDArray[np.int64], mode: int) -> NDArray[np.int64]:
+def _triangles(corners: Int64Array, mode: int) -> Int64Array:
     if mode == TRIANGLES:
         return corners[: len(corners) // 3 * 3].reshape(-1, 3)
     if len(corners) < 3:
@@ -225,7 +232,7 @@ def _triangles(corners: NDArray[np.int64], mode: int) -> NDArray[np.int64]:
     return strip
 
 
-def _renumbered(figure: Figure, numbers: NDArray[np.int64]) -> Figure:
+def _renumbered(figure: MorphMesh, numbers: Int64Array) -> MorphMesh:
     """Give the vertices the numbers that they had; those between are at the origin, and nothing uses them."""
     if len(np.unique(numbers)) < len(numbers):
         raise MeshError(f"its {NUMBER} names a vertex twice; export it again")
@@ -237,4 +244,4 @@ def _renumbered(figure: Figure, numbers: NDArray[np.int64]) -> Figure:
     made = mesh_of(
         points, triangles, name=mesh.name, colours=colours, materials=mesh.materials, material_of=mesh.material_of
     )
-    return Figure(made, tuple(states))
+    return MorphMesh(made, tuple(states))

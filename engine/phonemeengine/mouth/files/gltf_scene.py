@@ -3,15 +3,13 @@
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float64Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.glb import Table
 from phonemeengine.mouth.files.gltf_document import Document, numbers_of, text_of, whole_of, wholes_of
 
 MOST_NODES = 1 << 14
-
-Transform = NDArray[np.float64]
 
 
 def target_names(mesh: Table) -> list[str]:
@@ -29,7 +27,7 @@ def name_of(document: Document) -> str:
     return text_of(meshes[0], "name", "")[:255] if meshes else ""
 
 
-def placed(document: Document) -> Iterator[tuple[int, Transform]]:
+def placed(document: Document) -> Iterator[tuple[int, Float64Array]]:
     """Give each mesh of the scene and where it is; all meshes where they are if no node has one."""
     nodes = document.list_of("nodes")
     if len(nodes) > MOST_NODES:
@@ -57,7 +55,7 @@ def placed(document: Document) -> Iterator[tuple[int, Transform]]:
         yield from ((place, np.eye(4)) for place in range(len(document.list_of("meshes"))))
 
 
-def _transform_of(node: Table) -> Transform:
+def _transform_of(node: Table) -> Float64Array:
     """Give a node's matrix; it is stated by columns, or as scale, rotation (x, y, z, w) and translation."""
     if "matrix" in node:
         return np.array(numbers_of(node, "matrix", [0.0] * 16)).reshape(4, 4).T

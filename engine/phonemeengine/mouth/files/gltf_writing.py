@@ -3,12 +3,13 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import Face, Figure
 from phonemeengine.mouth.files.glb import Table, glb_of
 from phonemeengine.mouth.files.gltf import NUMBER, TRIANGLES, linear_of
 from phonemeengine.mouth.files.gltf_document import LARGEST_BUFFER
-from phonemeengine.mouth.mesh import Mesh, Vectors
+from phonemeengine.mouth.mesh import Mesh
+from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets
 from phonemeengine.mouth.movestate import Movestate
 
 POINTS = 0
@@ -17,7 +18,7 @@ VERTICES, CORNERS = 34962, 34963
 GENERATOR = "PhonemeAnalyser"
 
 
-def format_glb(figure: Figure) -> bytes:
+def format_glb(figure: MorphMesh) -> bytes:
     """Write a mesh and its movestates as a .glb file; each movestate is a morph target of its name.
 
     Raises
@@ -39,7 +40,7 @@ def format_glb(figure: Figure) -> bytes:
     return _glb(primitive, figure.states, mesh, buffer)
 
 
-def format_points(face: Face) -> bytes:
+def format_points(face: MorphTargets) -> bytes:
     """Write the vertices of a face as points with morph targets, where its mesh is not known.
 
     The attribute ``_VERTEX`` keeps their numbers, so that reading the file gives the same movestates.
@@ -97,7 +98,7 @@ def _push_targets(primitive: Table, states: tuple[Movestate, ...] | list[Movesta
         primitive["targets"] = [{"POSITION": buffer.push(_dense(state, n), bounded=True)} for state in states]
 
 
-def _dense(state: Movestate, n: int) -> Vectors:
+def _dense(state: Movestate, n: int) -> Float32Array:
     offsets = np.zeros((n, 3), np.float32)
     offsets[state.numbers] = state.offsets
     return offsets

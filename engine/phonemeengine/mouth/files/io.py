@@ -8,13 +8,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import Face, Figure, face_of
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
+from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, morph_targets_of
 
 MEGABYTE = 1 << 20
 LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".x": 16}
@@ -26,7 +26,7 @@ FIGURES = (".obj", ".gltf", ".glb", ".x")
 Beside = Callable[[str], bytes | None]
 
 
-def load_figure(path: Path) -> Figure:
+def load_morph_mesh(path: Path) -> MorphMesh:
     """Load a mesh, and the movestates that its file has: .obj, .gltf, .glb or .x.
 
     Raises
@@ -39,10 +39,10 @@ def load_figure(path: Path) -> Figure:
         figure = _figure_of(kind, content, _beside(path.parent))
     except MeshError as error:
         raise MeshError(f"{path.name}: {error}") from error
-    return Figure(replace(figure.mesh, name=figure.mesh.name or path.stem), figure.states)
+    return MorphMesh(replace(figure.mesh, name=figure.mesh.name or path.stem), figure.states)
 
 
-def load_face(path: Path) -> Face:
+def load_morph_targets(path: Path) -> MorphTargets:
     """Load movestates: .3dm or .3dma, or a mesh with morph targets.
 
     Raises
@@ -51,10 +51,10 @@ def load_face(path: Path) -> Face:
     """
     kind = _kind_of(path, (*FACES, *FIGURES))
     if kind in FIGURES:
-        figure = load_figure(path)
+        figure = load_morph_mesh(path)
         if not figure.states:
             raise MeshError(f"{path.name}: this is a mesh without morph targets; use 'movestates export'")
-        return face_of(figure.mesh, figure.states)
+        return morph_targets_of(figure.mesh, figure.states)
     content = _content_of(path, LARGEST[kind])
     try:
         return parse_3dm(content) if kind == ".3dm" else parse_3dma(content)
@@ -62,7 +62,7 @@ def load_face(path: Path) -> Face:
         raise MeshError(f"{path.name}: {error}") from error
 
 
-def save_face(face: Face, path: Path, figure: Figure | None = None) -> None:
+def save_morph_targets(face: MorphTargets, path: Path, figure: MorphMesh | None = None) -> None:
     """Save movestates: .3dm, .3dma, or .glb, which holds the mesh too if it is given, else just points.
 
     The old file stays until the new one is complete.
@@ -74,7 +74,7 @@ def save_face(face: Face, path: Path, figure: Figure | None = None) -> None:
     kind = _kind_of(path, (*FACES, ".glb"))
     try:
         if kind == ".glb":
-            content = format_points(face) if figure is None else format_glb(Figure(figure.mesh, face.states))
+            content = format_points(face) if figure is None else format_glb(MorphMesh(figure.mesh, face.states))
         else:
             content = format_3dm(face) if kind == ".3dm" else format_3dma(face)
     except MeshError as error:
@@ -84,7 +84,7 @@ def save_face(face: Face, path: Path, figure: Figure | None = None) -> None:
     _write(path, content)
 
 
-def _figure_of(kind: str, content: bytes, beside: Beside) -> Figure:
+def _figure_of(kind: str, content: bytes, beside: Beside) -> MorphMesh:
     if kind == ".obj":
         return parse_obj(content, beside)
     return parse_x(content) if kind == ".x" else parse_gltf(content, beside)

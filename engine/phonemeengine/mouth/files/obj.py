@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import Figure
 from phonemeengine.mouth.mesh import (
     GREY,
     MOST_MATERIALS,
@@ -16,10 +16,10 @@ from phonemeengine.mouth.mesh import (
     MOST_VERTICES,
     Material,
     Mesh,
-    Vectors,
     mesh_of,
     summed_at,
 )
+from phonemeengine.mouth.morph_mesh import MorphMesh
 
 LONGEST_LINE = 1 << 16
 MOST_LIBRARIES = 16
@@ -27,7 +27,7 @@ Beside = Callable[[str], bytes | None]
 """Gives the content of a file beside the one that is read, or None if there is none."""
 
 
-def parse_obj(content: bytes, beside: Beside = lambda _name: None) -> Figure:
+def parse_obj(content: bytes, beside: Beside = lambda _name: None) -> MorphMesh:
     """Read an .obj file: positions, normals, colours of vertices, polygons, and materials.
 
     Parameters
@@ -38,7 +38,7 @@ def parse_obj(content: bytes, beside: Beside = lambda _name: None) -> Figure:
     ------
     MeshError : it is no .obj file, or says something impossible; names the line.
     """
-    reader = _Reader(beside)
+    reader = _ObjReader(beside)
     for number, line in _lines_of(content):
         try:
             reader.push(line.split())
@@ -48,7 +48,7 @@ def parse_obj(content: bytes, beside: Beside = lambda _name: None) -> Figure:
             raise MeshError(
                 f"line {number} holds {_shown(line)}, which is no number of a mesh; correct it"
             ) from error
-    return Figure(reader.mesh())
+    return MorphMesh(reader.mesh())
 
 
 def format_obj(mesh: Mesh) -> bytes:
@@ -61,7 +61,7 @@ def format_obj(mesh: Mesh) -> bytes:
     return out.getvalue().encode()
 
 
-class _Reader:
+class _ObjReader:
     """Gathers what the lines of a file say."""
 
     def __init__(self, beside: Beside) -> None:
@@ -139,7 +139,7 @@ class _Reader:
     def _called(self, words: list[bytes]) -> None:
         self._name = self._name or _text(words)
 
-    def _vertex_normals(self, n: int) -> Vectors | None:
+    def _vertex_normals(self, n: int) -> Float32Array | None:
         if not len(self._corners):
             return None
         given = _vectors(self._normals)[np.array(self._corner_normals)]

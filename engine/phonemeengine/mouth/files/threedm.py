@@ -5,9 +5,10 @@ import struct
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, UInt32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import MOST_STATES, Face, checked
-from phonemeengine.mouth.mesh import MOST_VERTICES, Vectors
+from phonemeengine.mouth.mesh import MOST_VERTICES
+from phonemeengine.mouth.morph_mesh import MOST_STATES, MorphTargets, checked
 from phonemeengine.mouth.movestate import LONGEST_NAME, movestate_at
 
 MAGIC = b"3dm01\0"
@@ -15,7 +16,7 @@ MIRROR = np.array([1, 1, -1], np.float32)
 """Turns left-handed coordinates into right-handed ones, and back."""
 
 
-def parse_3dm(content: bytes) -> Face:
+def parse_3dm(content: bytes) -> MorphTargets:
     """Read a .3dm file.
 
     Nothing is allocated for a count before the file has been found to be long enough for it.
@@ -38,10 +39,10 @@ def parse_3dm(content: bytes) -> Face:
     numbers, positions = pieces.array("<u4", n), pieces.vectors(n)
     pieces.end()
     moving = movestate_at("all vertices that move", numbers, positions)
-    return checked(Face(tuple(states), moving.numbers, moving.offsets))
+    return checked(MorphTargets(tuple(states), moving.numbers, moving.offsets))
 
 
-def format_3dm(face: Face) -> bytes:
+def format_3dm(face: MorphTargets) -> bytes:
     """Write a .3dm file."""
     parts = [MAGIC, struct.pack("<I", len(face.states))]
     for state in face.states:
@@ -50,7 +51,7 @@ def format_3dm(face: Face) -> bytes:
     return b"".join((*parts, *_block(face.numbers, face.positions)))
 
 
-def _block(numbers: NDArray[np.uint32], vectors: Vectors) -> tuple[bytes, bytes, bytes]:
+def _block(numbers: UInt32Array, vectors: Float32Array) -> tuple[bytes, bytes, bytes]:
     mirrored = vectors * MIRROR + np.float32(0)  # no -0
     return struct.pack("<I", len(numbers)), numbers.astype("<u4").tobytes(), mirrored.astype("<f4").tobytes()
 
@@ -98,9 +99,9 @@ class _Pieces:
         self._at += 4 * n
         return found
 
-    def vectors(self, n: int) -> Vectors:
+    def vectors(self, n: int) -> Float32Array:
         """Read n vectors, as right-handed coordinates, shape (n, 3)."""
-        found: Vectors = self.array("<f4", 3 * n).reshape(n, 3).astype(np.float32)
+        found: Float32Array = self.array("<f4", 3 * n).reshape(n, 3).astype(np.float32)
         np.negative(found[:, 2], out=found[:, 2])  # unlike a product, it says nothing of signalling NaNs
         return found
 

@@ -19,12 +19,12 @@ from collections.abc import Iterator
 from itertools import islice
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float32Array, Float64Array, Int64Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import MOST_STATES, Face, checked
 from phonemeengine.mouth.files.threedm import MIRROR
-from phonemeengine.mouth.mesh import MOST_VERTICES, Vectors
+from phonemeengine.mouth.mesh import MOST_VERTICES
+from phonemeengine.mouth.morph_mesh import MOST_STATES, MorphTargets, checked
 from phonemeengine.mouth.movestate import Movestate, movestate_at
 
 TITLE = "3dma01"
@@ -34,7 +34,7 @@ SHORTEST_ROW = 8
 """Characters of the shortest line of a vertex, ``0 0 0 0`` and a line break."""
 
 
-def parse_3dma(content: bytes) -> Face:
+def parse_3dma(content: bytes) -> MorphTargets:
     """Read a .3dma file.
 
     Raises
@@ -50,10 +50,10 @@ def parse_3dma(content: bytes) -> Face:
         states.append(movestate_at(name, *lines.rows(lines.count(VERTICES, MOST_VERTICES))))
     moving = movestate_at(ALL, *lines.rows(lines.count(ALL, MOST_VERTICES)))
     lines.end()
-    return checked(Face(tuple(states), moving.numbers, moving.offsets))
+    return checked(MorphTargets(tuple(states), moving.numbers, moving.offsets))
 
 
-def format_3dma(face: Face) -> bytes:
+def format_3dma(face: MorphTargets) -> bytes:
     """Write a .3dma file, each number with the fewest digits that keep its float32 value."""
     out = io.BytesIO()
     out.write(f"{TITLE}\n{STATES}: {len(face.states)}\n".encode())
@@ -107,7 +107,7 @@ class _Lines:
             )
         return int(word)
 
-    def rows(self, n: int) -> tuple[NDArray[np.int64], Vectors]:
+    def rows(self, n: int) -> tuple[Int64Array, Float32Array]:
         """Give n vertices: their numbers, and their vectors as right-handed coordinates."""
         begin = self._number + 1
         table = self._table(n)
@@ -125,7 +125,7 @@ class _Lines:
         if next(self._lines, None) is not None:
             raise MeshError(f"line {self._number} is beyond the end; remove what follows")
 
-    def _table(self, n: int) -> NDArray[np.float64]:
+    def _table(self, n: int) -> Float64Array:
         if not n:
             return np.empty((0, 4))
         begin = self._number + 1

@@ -10,10 +10,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float64Array, Int64Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.morph_mesh import Figure
-from phonemeengine.mouth.files.x_text import DEEPEST, Words
+from phonemeengine.mouth.files.x_text import DEEPEST, Tokenizer
 from phonemeengine.mouth.mesh import GREY, MOST_MATERIALS, MOST_TRIANGLES, MOST_VERTICES, Material, mesh_of, summed_at
+from phonemeengine.mouth.morph_mesh import MorphMesh
 
 MAGIC = b"xof 03"
 MIRROR = np.array([1.0, 1.0, -1.0])
@@ -22,7 +23,7 @@ MOST_MESHES = 4096
 MATRIX = np.eye(4)
 
 
-def parse_x(content: bytes) -> Figure:
+def parse_x(content: bytes) -> MorphMesh:
     """Read a .x text file; all its meshes become one.
 
     Raises
@@ -34,7 +35,7 @@ def parse_x(content: bytes) -> Figure:
     if content[8:12] != b"txt ":
         kind = content[8:12].decode("ascii", "replace").strip()
         raise MeshError(f"this .x file is of the kind {kind!r}, and only text can be read; save it as text")
-    reader = _Reader(Words(content[16:].decode(errors="replace")))
+    reader = _XReader(Tokenizer(content[16:].decode(errors="replace")))
     with np.errstate(all="ignore"):  # what overflows is refused as infinite
         reader.blocks(MATRIX, 0)
         return reader.figure()
@@ -45,31 +46,31 @@ class _Part:
     """A mesh of the file, right-handed."""
 
     name: str
-    points: NDArray[np.float64]
-    normals: NDArray[np.float64]
-    triangles: NDArray[np.int64]
+    points: Float64Array
+    normals: Float64Array
+    triangles: Int64Array
     materials: list[Material] = field(default_factory=list)
     material_of: NDArray[np.uint16] = field(default_factory=lambda: np.zeros(0, np.uint16))
 
 
-class _Reader:
+class _XReader:
     """Walks through the blocks, and gathers the meshes."""
 
-    def __init__(self, words: Words) -> None:
+    def __init__(self, words: Tokenizer) -> None:
         self._words = words
         self._materials: dict[str, Material] = {}
         self._parts: list[_Part] = []
         self._n = 0
         self._n_triangles = 0
 
-    def blocks(self, above: NDArray[np.float64], depth: int) -> None:
+    def blocks(self, above: Float64Array, depth: int) -> None:
         """Read blocks until the one that holds them ends, or the file."""
         if depth > DEEPEST:
             raise MeshError(f"{self._words.place}: frames lie in more than {DEEPEST} others; export it flatter")
         while (kind := self._words.next_word()) not in {"", "}"}:
             above = self._block(kind, above, depth)
 
-    def figure(self) -> Figure:
+    def figure(self) -> MorphMesh:
         """Give all meshes as one."""
         if not self._parts:
             raise MeshError("there is no mesh in it; export one with it")
@@ -87,9 +88,9 @@ class _Reader:
             name=self._parts[0].name, normals=np.concatenate([p.normals for p in self._parts]).astype(np.float32),
             materials=materials, material_of=np.concatenate(kinds),
         )  # fmt: skip
-        return Figure(mesh)
+        return MorphMesh(mesh)
 
-    def _block(self, kind: str, above: NDArray[np.float64], depth: int) -> NDArray[np.float64]:
+    def _block(self, kind: str, above: Float64Array, depth: int) -> Float64Array:
         words = self._words
         if kind == "template":
             words.head()
@@ -112,7 +113,7 @@ class _Reader:
             words.leave()
         return above
 
-    def _mesh(self, name: str, above: NDArray[np.float64]) -> None:
+    def _mesh(self, name: str, above: Float64Array) -> None:
         words = self._words
         n = words.count(MOST_VERTICES - self._n, 3)
         points = words.numbers(n, 3)
@@ -136,7 +137,7 @@ class _Reader:
             inner.get(kind, words.leave)()
         self._parts.append(part)
 
-    def _normals(self, part: _Part, faces: "_Faces", above: NDArray[np.float64]) -> None:
+    def _normals(self, part: _Part, faces: "_Faces", above: Float64Array) -> None:
         """Read normals; they belong to the corners of faces, and a vertex gets the sum of those of its corners."""
         words = self._words
         n = words.count(MOST_TRIANGLES, 3)
@@ -190,7 +191,7 @@ class _Faces:
     face_of : shape (m,), the polygon that each triangle is of.
     """
 
-    def __init__(self, words: Words, n: int, most: int) -> None:
+    def __init__(self, words: Tokenizer, n: int, most: int) -> None:
         self.sizes, self.corners = array("H"), array("l")
         triangles, face_of = array("l"), array("l")
         for face in range(words.count(MOST_TRIANGLES, 1)):
@@ -206,11 +207,11 @@ class _Faces:
         self.face_of = np.array(face_of, np.int64)
 
 
-def _moved(points: NDArray[np.float64], matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+def _moved(points: Float64Array, matrix: Float64Array) -> Float64Array:
     """Place points with a matrix whose rows are added up, as DirectX has it, and mirror them to the right hand."""
     return np.asarray((points @ matrix[:3, :3] + matrix[3, :3]) * MIRROR)
 
 
-def _cofactors(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+def _cofactors(matrix: Float64Array) -> Float64Array:
     """Give what turns normals where a matrix moves points."""
     return np.asarray(np.cross(matrix[[1, 2, 0]], matrix[[2, 0, 1]]), np.float64)

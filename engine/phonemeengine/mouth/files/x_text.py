@@ -5,8 +5,8 @@ import re
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from phonemeengine.arrays import Float64Array
 from phonemeengine.errors import MeshError
 
 WORD = re.compile(r'(?://|#)[^\n]*|"[^"\n]{0,4096}"|<[^<>\n]{0,64}>|[{}\[\]]|[^\s;,{}\[\]"<>#/]+|[^\s;,]')
@@ -16,7 +16,7 @@ SHORTEST_NUMBER = 2
 DEEPEST = 64
 
 
-class Words:
+class Tokenizer:
     """Hands out the words of a text one after the other, without making a list of them."""
 
     def __init__(self, text: str) -> None:
@@ -70,7 +70,7 @@ class Words:
             raise MeshError(f"{self.place}: {n} entries are announced, and there is room for {room}; export it again")
         return n
 
-    def numbers(self, n: int, width: int) -> NDArray[np.float64]:
+    def numbers(self, n: int, width: int) -> Float64Array:
         """Take n rows of numbers, shape (n, width)."""
         return np.fromiter((self.number() for _ in range(n * width)), np.float64, n * width).reshape(n, width)
 

@@ -1,0 +1,12 @@
+"""The array types of the engine: NumPy arrays by the type of their entries, whatever their shape."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Float32Array = NDArray[np.float32]
+Float64Array = NDArray[np.float64]
+UInt8Array = NDArray[np.uint8]
+UInt32Array = NDArray[np.uint32]
+Int64Array = NDArray[np.int64]
+IndexArray = NDArray[np.intp]
+BoolArray = NDArray[np.bool_]

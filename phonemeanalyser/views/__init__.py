@@ -1,1 +1,0 @@
-"""One widget a file: takes models, draws, never computes."""
