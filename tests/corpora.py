@@ -6,12 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
+
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.labels.files import write_labels
-from phonemeengine.labels.label import Label, labels_of
+from phonemeengine.labels.label import Label
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
-
+from tests.labelled import labels_of
 from tests.sounds import Sound, noise, silence, vowel
 
 MANIFEST = ("corpus", "speaker", "wav", "labels")

@@ -7,12 +7,12 @@ import moderngl
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from phonemeengine.mouth.mesh import Mesh, mesh_of
-from phonemeengine.mouth.morph_mesh import MorphMesh
 
 from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
+from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
 
 Picture = NDArray[np.uint8]
 LIGHT, DARK, MAGENTA = (0.95, 0.955, 0.965), (0.12, 0.13, 0.16), (1.0, 0.0, 1.0)

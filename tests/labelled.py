@@ -5,11 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
+
+from phonemeengine.arrays import UInt8Array
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import SAMPLE_RATE
-
+from phonemeengine.recognition.segments import labels_of_segments, segments_of
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
 from tests.sounds import Sound, noise, silence, vowel
 
 FORMANTS = {
@@ -56,3 +58,27 @@ def recordings(folder: Path) -> tuple[Utterance, ...]:
         )
         for k in range(4)
     )  # fmt: skip
+
+
+OF_THE_SCORER = {
+    "ten_acc": "accuracy",
+    "ten_f1": "macro_f1",
+    "vowel5": "vowel_accuracy",
+    "mouth_acc": "viseme_accuracy",
+    "mouth_f1": "viseme_f1",
+    "silence_recall": "silence_recall",
+    "false_silence": "false_silence",
+}
+"""What the figures of the corpus scorer are called here, those that are shares."""
+
+
+def labels_of(phonemes: UInt8Array, duration: float | None = None) -> tuple[Label, ...]:
+    """Join equal frames of 10 ms into labels without gaps.
+
+    Parameters
+    ----------
+    phonemes : codes of `Phoneme`, shape (n_frames,).
+    duration : length of the sound, seconds, where the last label ends; that of the frames where it is None.
+    """
+    seconds = len(phonemes) * FRAME_PERIOD if duration is None else duration
+    return labels_of_segments(segments_of([(phonemes, np.zeros(len(phonemes), np.float32))], seconds))

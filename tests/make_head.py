@@ -10,14 +10,14 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from phonemeengine.mouth.mesh import normals_of
 
+from phonemeengine.mouth.mesh import normals_of
 from tests.head_colours import brow_region, eye_colours, painted
 
 Floats = NDArray[np.float32]
 Numbers = NDArray[np.int64]
 
-OUT = Path(__file__).resolve().parents[1] / "engine" / "mouth" / "head.npz"
+OUT = Path(__file__).resolve().parents[1] / "engine" / "phonemeengine" / "mouth" / "head.npz"
 PARTS = ("skin", "left eye", "lower teeth", "right eye", "tongue", "upper teeth")
 PIVOT = np.array([0.0, 7.75, 0.25], np.float32)
 """Where the head turns on the neck, in the original's coordinates; becomes the origin."""

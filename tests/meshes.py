@@ -5,6 +5,7 @@ import json
 
 import numpy as np
 from numpy.typing import NDArray
+
 from phonemeengine.mouth.mesh import Mesh, mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import movestate_of

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.dsp.framing import LEAD
@@ -17,7 +18,6 @@ from phonemeengine.live import listener as live
 from phonemeengine.live.listener import Listener
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
-
 from tests.players import PRESET, joined, wait_for
 
 SILENCE = np.zeros(SAMPLE_RATE // 10, np.float32)
@@ -108,7 +108,7 @@ class Hearing:
 
     def has(self, n_frames: int) -> bool:
         """Take what there is; whether so many frames were taken altogether."""
-        self.taken += self.listener.take()
+        self.taken += self.listener.take_analyses()
         assert sum(map(len, self.taken)) <= n_frames
         return sum(map(len, self.taken)) == n_frames
 

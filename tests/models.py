@@ -1,6 +1,7 @@
 """Small models whose answers are known, since they are built by hand."""
 
 import numpy as np
+
 from phonemeengine.dsp.log_mel import FLOOR, N_BANDS, log_mels
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead

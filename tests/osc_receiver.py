@@ -2,9 +2,10 @@
 
 import threading
 
-from phonemeengine.mouth.osc import OscAddress
 from pythonosc.dispatcher import Dispatcher
 from pythonosc.osc_server import BlockingOSCUDPServer
+
+from phonemeengine.mouth.osc import OscAddress
 
 Message = tuple[str, tuple[object, ...]]
 

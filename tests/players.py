@@ -6,13 +6,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.live import player as live
 from phonemeengine.live.player import Player
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import HOP, AnalysisSettings, Channel
-
 from tests.outputs import HandDrivenOutput
 from tests.sounds import noise, silence, tone, vowel
 
@@ -72,7 +72,7 @@ class Rig:
         for _ in range(n_frames):
             self.settle()
             self.output.move(HOP)
-            taken += self.player.take()
+            taken += self.player.take_analyses()
         return taken
 
     def hear_all(self, most: int = 10 * N_FRAMES) -> list[Analysis]:

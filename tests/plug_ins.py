@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+
 from phonemeengine.recognition.plug_ins import GROUP
 
 EXAMPLE = Path(__file__).parent / "plugin_package"

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import soundfile
+
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.recording import Recording
 

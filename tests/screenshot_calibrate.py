@@ -5,15 +5,15 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import FACTORY
-from phonemeengine.settings import SAMPLE_RATE
 from PySide6.QtCore import QSettings
 
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bench.desktop import live_for
 from tests.sounds import noise, silence, vowel
 
@@ -48,7 +48,7 @@ def main(out: Path, theme: str, width: int, height: int) -> None:
         page.takes.speaker.setText(calibration.takes.speaker)
         page.takes.list.setCurrentCell(1, 0)
         _settle(calibration)
-        desktop.window.banner.say("")
+        desktop.window.banner.show_error("")
         live_for(0.2)
         desktop.window.grab().save(str(out), "PNG")
         desktop.close()

@@ -4,12 +4,6 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from phonemeengine.arrays import UInt8Array
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.movestate_set import MovestateSet
-from phonemeengine.mouth.table import load_table
-from phonemeengine.phonemes import Phoneme
 from PIL import Image, ImageDraw, ImageFont
 
 from phonemeanalyser.colours import DARK, LIGHT
@@ -17,6 +11,12 @@ from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
 from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeengine.arrays import UInt8Array
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
 
 SAID = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U, Phoneme.M)
 N_COLUMNS, SIZE, LABEL_AT = 3, 400, (16, 8)

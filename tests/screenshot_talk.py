@@ -4,11 +4,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from phonemeengine.audio.output import ClockOutput
 from PySide6.QtCore import QSettings
 
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeengine.audio.output import ClockOutput
 from tests.bench.desktop import live_for
 
 DEMO = Path(__file__).resolve().parents[1] / "phonemeanalyser" / "demo" / "demo.flac"
@@ -29,7 +29,7 @@ def main(out: Path, theme: str, width: int, height: int, at: float) -> None:
         desktop.talking.set_blinks(False)
         while desktop.talking.face.states is None:
             live_for(0.1)
-        desktop.session.follow(at)
+        desktop.session.analyse_until(at)
         live_for(0.3)
         desktop.window.drawing.refresh_all()
         desktop.window.drawing.timer.stop()  # for a picture without jagged edges

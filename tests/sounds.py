@@ -2,6 +2,7 @@
 
 import numpy as np
 from numpy.typing import NDArray
+
 from phonemeengine.settings import SAMPLE_RATE
 
 Sound = NDArray[np.float32]

@@ -4,9 +4,9 @@ import csv
 from itertools import pairwise
 
 import pytest
-from phonemeengine.phonemes import Phoneme
 
 from phonemeanalyser.cli.main import main
+from phonemeengine.phonemes import Phoneme
 
 LABELS = {phoneme.label for phoneme in Phoneme}
 HEADER = "start_s,end_s,phoneme,intensity"

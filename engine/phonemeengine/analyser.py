@@ -89,7 +89,7 @@ class LookAheadBuffer:
     def __init__(self) -> None:
         self._blocks: deque[FrameBlock] = deque()
 
-    def push(self, block: FrameBlock, n: int) -> FrameBlock:
+    def delay(self, block: FrameBlock, n: int) -> FrameBlock:
         """Take a block, and give the oldest `n` frames of all."""
         if len(block.spectra):
             self._blocks.append(block)
@@ -146,7 +146,7 @@ class Analyser:
         """The recogniser in use; its `explain` says why."""
         return self._recogniser
 
-    def use(self, preset: Preset) -> None:
+    def set_preset(self, preset: Preset) -> None:
         """Go on with another preset from the next frame; what need not change remembers its past.
 
         Raises
@@ -166,7 +166,7 @@ class Analyser:
 
     def push(self, samples: Float32Array) -> Analysis:
         """Take the next samples (float32, shape (n,), 44.1 kHz, ±1) and analyse the frames they complete."""
-        return self._analyse(self._framer.push(samples))
+        return self._analyse(self._framer.cut_frames(samples))
 
     def push_windows(self, windows: Float32Array) -> Analysis:
         """Analyse windows that the caller cut, shape (n, 2048), as if they followed each other every 10 ms."""
@@ -178,21 +178,21 @@ class Analyser:
         n = self._recogniser.look_ahead
         if n == 0:
             return last
-        silence = self._path.push(np.zeros((n, WINDOW), np.float32))
+        silence = self._path.measure(np.zeros((n, WINDOW), np.float32))
         return self._join([last, self._recognise(silence)])
 
     def _analyse(self, frames: Float32Array) -> Analysis:
         if 0 < len(frames) <= BLOCK and not self._unasked:
-            return self._recognise(self._path.push(frames))
+            return self._recognise(self._path.measure(frames))
         waiting, self._unasked = self._waiting.clear() if self._unasked else None, False
         ready = [] if waiting is None else [self._recognise(waiting)]
-        pushed = [self._path.push(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
+        pushed = [self._path.measure(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
         return self._join([*ready, *(self._recognise(block) for block in pushed)])
 
     def _recognise(self, measured: FrameBlock) -> Analysis:
         recognition = self._recogniser.recognise(measured.features)
         if self._recogniser.look_ahead:
-            measured = self._waiting.push(measured, len(recognition.phonemes))
+            measured = self._waiting.delay(measured, len(recognition.phonemes))
         return self._completed(measured, recognition)
 
     def _completed(self, measured: FrameBlock, recognition: Recognition) -> Analysis:
@@ -203,8 +203,8 @@ class Analyser:
             features = features.with_columns(self._recogniser.scores, recognition.scores)
         phonemes = recognised
         if settings.statistics:
-            wavers = self._statistics.wavers(recognised)
-            phonemes = self._statistics.push(recognised, self._recogniser.shortfalls(features) if wavers else None)
+            wavers = self._statistics.has_change(recognised)
+            phonemes = self._statistics.smooth(recognised, self._recogniser.deficits(features) if wavers else None)
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         intensities *= phonemes != _SILENCE
         start, self._next = self._next, self._next + len(recognised)
@@ -227,7 +227,7 @@ class Analyser:
         self._path = self._path_of(preset)
         waiting = self._waiting.clear()
         if waiting is not None:
-            self._waiting.push(self._path.push(waiting.features.windows), 0)
+            self._waiting.delay(self._path.measure(waiting.features.windows), 0)
         self._path.smoother.last = last
 
     def _change_recogniser(self, recogniser: Recogniser) -> None:

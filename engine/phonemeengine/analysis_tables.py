@@ -10,13 +10,13 @@ from typing import Any, TextIO
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.features.variables import BUILT_IN_NAMES
+from phonemeengine.files import JSON_TEXT, Owns, begins_like
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.audacity import format_audacity
-from phonemeengine.labels.label import Label, labels_of_runs
-from phonemeengine.own_files import JSON_TEXT, Owns, begins_like
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, segments_of
+from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, labels_of_segments, segments_of
 from phonemeengine.settings import FRAME_PERIOD
 
 Writer = Callable[[TextIO, Iterator[Analysis], SoundReader, Preset], None]
@@ -89,7 +89,7 @@ def _runs(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[Segment
 
 
 def _labels(analyses: Iterator[Analysis], reader: SoundReader) -> tuple[Label, ...]:
-    return labels_of_runs(_runs(analyses, reader))
+    return labels_of_segments(_runs(analyses, reader))
 
 
 def _frames(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[str, Any]]:

@@ -1,11 +1,10 @@
 """Where recordings and presets go: folders and free names. The only door to platformdirs."""
 
-import os
 from datetime import datetime
 from pathlib import Path
 
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import RecordingError
+from phonemeengine.files import free_path, printable_name, reason_of
 
 FOLDER = "PhonemeAnalyser"
 """Name of our folders among those of the user."""
@@ -43,20 +42,7 @@ def new_recording_path(folder: Path, suffix: str) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
     except (OSError, ValueError) as error:
         raise RecordingError(
-            f"{printable_name(folder)}: this folder for recordings cannot be made ({reason_of(error)}); choose another"
+            f"{printable_name(folder)}: this folder for recordings cannot be made "
+            f"({reason_of(error)}); choose another"
         ) from error
     return free_path(folder / f"{datetime.now().astimezone():%Y-%m-%d %H-%M-%S}{suffix}")
-
-
-def free_path(path: Path) -> Path:
-    """Give the path itself, or if there is such a file, one with a number behind its name."""
-    number, free = 1, path
-    while os.path.lexists(free):
-        number += 1
-        free = path.with_name(f"{path.stem} ({number}){path.suffix}")
-    return free
-
-
-def reason_of(error: OSError | ValueError) -> str:
-    """Give the system's own words for an error."""
-    return (error.strerror if isinstance(error, OSError) else None) or str(error)

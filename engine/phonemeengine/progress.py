@@ -15,17 +15,17 @@ def no_progress(_share: float) -> bool:
     return True
 
 
-def report_progress(heed: Progress, share: float) -> None:
+def report_progress(progress: Progress, share: float) -> None:
     """Tell how much is done.
 
     Raises
     ------
     Cancelled : the answer is not to go on.
     """
-    if not heed(share):
+    if not progress(share):
         raise Cancelled
 
 
-def subrange(heed: Progress, first: float, last: float) -> Progress:
+def subrange(progress: Progress, first: float, last: float) -> Progress:
     """Give what a part of the work heeds, which is the whole from `first` to `last`."""
-    return lambda share: heed(first + share * (last - first))
+    return lambda share: progress(first + share * (last - first))

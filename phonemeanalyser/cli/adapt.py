@@ -5,6 +5,9 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+
+from phonemeanalyser.cli.arguments import add_channel
+from phonemeanalyser.cli.jobs import say_cut_off
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.calibrate import Outcome, calibrate
@@ -15,9 +18,6 @@ from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
-
-from phonemeanalyser.cli.arguments import add_channel
-from phonemeanalyser.cli.jobs import say_cut_off
 
 BLOCK = 1 << 16
 MOST_ROOM = 60.0
@@ -65,11 +65,11 @@ def _told(outcome: Outcome) -> str:
     one, other = outcome.before, outcome.after
     on = f"on {'quarters held back in turn' if outcome.in_turn else 'what was held back'}, {outcome.seconds:.0f} s"
     if not outcome.gains:
-        return f"nothing better was found {on} (macro F1 {one.ten_f1:.1%}); unchanged"
+        return f"nothing better was found {on} (macro F1 {one.macro_f1:.1%}); unchanged"
     return (
-        f"{on}: macro F1 {one.ten_f1:.1%} -> {other.ten_f1:.1%}, mouth shapes {one.mouth_acc:.1%} -> "
-        f"{other.mouth_acc:.1%}, silence found {one.silence_recall:.1%} -> {other.silence_recall:.1%}, speech called "
-        f"silence {one.false_silence:.1%} -> {other.false_silence:.1%}"
+        f"{on}: macro F1 {one.macro_f1:.1%} -> {other.macro_f1:.1%}, mouth shapes {one.viseme_accuracy:.1%} -> "
+        f"{other.viseme_accuracy:.1%}, silence found {one.silence_recall:.1%} -> {other.silence_recall:.1%}, "
+        f"speech called silence {one.false_silence:.1%} -> {other.false_silence:.1%}"
     )
 
 

@@ -5,15 +5,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
+from phonemeanalyser.cli.arguments import add_channel, add_overwrite
+from phonemeanalyser.cli.jobs import Job, analyse_with_progress, is_single, jobs_of, open_sound, run_all
+from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
 from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
-
-from phonemeanalyser.cli.arguments import add_channel, add_overwrite
-from phonemeanalyser.cli.jobs import Job, analyse_with_progress, is_single, jobs_of, open_sound, run_all
-from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
 
 
 @dataclass(frozen=True)

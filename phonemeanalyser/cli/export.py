@@ -3,8 +3,11 @@
 import argparse
 from pathlib import Path
 
-from phonemeengine.audio.file_access import printable_name
+from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, number
+from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
+from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
 from phonemeengine.errors import EngineError
+from phonemeengine.files import printable_name
 from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
@@ -14,10 +17,6 @@ from phonemeengine.mouth.utterance import utterance_of
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
-
-from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, number
-from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
-from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
 
 
 def export(words: list[str]) -> int:

@@ -6,14 +6,15 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from tqdm import tqdm
+
 from phonemeengine.analyser import Analysis, analyse_blocks
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.files import SUFFIXES, SoundReader
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.errors import AudioError, EngineError
+from phonemeengine.files import printable_name
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
-from tqdm import tqdm
 
 BLOCK = 5 * SAMPLE_RATE
 """Samples that are read at a time."""

@@ -16,10 +16,10 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import InputChoice, chosen_input, inputs_of
 from phonemeengine.audio.stream import devices
 from phonemeengine.errors import DeviceError, RecordingError
+from phonemeengine.files import free_path
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.mouth.osc import OscMouth, OscSettings
-from phonemeengine.paths import free_path
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD
@@ -69,7 +69,7 @@ def listen(
         def follow(analysis: Analysis) -> None:
             changes.follow(analysis)
             if mouth is not None:
-                mouth.follow(analysis)
+                mouth.add_analysis(analysis)
 
         changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_heard=follow)
         try:
@@ -162,7 +162,7 @@ def _attend(listener: Listener, seconds: float | None, look: Callable[[], None])
     said = ""
     while (left := wanted - listener.seconds) > 0 and time.monotonic() < end:
         time.sleep(min(LOOK, left))
-        listener.take()
+        listener.take_analyses()
         look()
         status = listener.status
         words = f"listening to {status.words}" if status.listening else status.words.split(" since ")[0]

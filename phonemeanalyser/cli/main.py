@@ -10,6 +10,9 @@ from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
 
+from phonemeanalyser.cli.arguments import add_channel
+from phonemeanalyser.cli.display import why_no_qt, why_no_window
+from phonemeanalyser.cli.listen import list_devices, listen, record
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.errors import EngineError
@@ -17,10 +20,6 @@ from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import Channel
-
-from phonemeanalyser.cli.arguments import add_channel
-from phonemeanalyser.cli.display import why_no_qt, why_no_window
-from phonemeanalyser.cli.listen import list_devices, listen, record
 
 DEMO = Path(__file__).parents[1] / "demo" / "demo.flac"
 LATENCY = 0.12
@@ -179,19 +178,19 @@ def _app() -> ModuleType:
 
 def _of(module: str, name: str) -> Callable[[list[str]], int]:
     """Give a command whose module is imported when it runs, since nobody should wait for the others."""
-    return lambda words: int(getattr(importlib.import_module(f"phonemeanalyser.{module}"), name)(words))
+    return lambda words: int(getattr(importlib.import_module(f"phonemeanalyser.cli.{module}"), name)(words))
 
 
 COMMANDS: dict[str, Callable[[list[str]], int]] = {
-    "adapt": _of("adapting", "adapt"),
-    "analyse": _of("batch", "analyse"),
-    "export": _of("exporting", "export"),
+    "adapt": _of("adapt", "adapt"),
+    "analyse": _of("analyse", "analyse"),
+    "export": _of("export", "export"),
     "listen": _listen,
     "movestates": _of("movestates", "movestates"),
     "preview": _preview,
     "record": _record,
     "score": _of("score", "score"),
     "screenshot": _screenshot,
-    "train": _of("training", "train"),
+    "train": _of("train", "train"),
 }
 """Every command, and what runs it."""

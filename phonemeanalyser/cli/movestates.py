@@ -4,13 +4,12 @@ import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
+from phonemeanalyser.cli.output_files import print_whole
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.io import FACES, load_morph_mesh, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.morph_mesh import TOLERANCE, MorphMesh, MorphTargets, matched, morph_targets_of
 from phonemeengine.mouth.movestate import LONGEST_NAME, Movestate, movestate_of
-
-from phonemeanalyser.cli.output_files import print_whole
 
 OWN = "head"
 """What is named instead of a file, for the head that ships with the program."""

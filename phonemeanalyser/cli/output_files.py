@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import BinaryIO, TextIO
 
 from phonemeengine.errors import EngineError
-from phonemeengine.own_files import Owns, is_own
+from phonemeengine.files import Owns, is_own
 
 
 @dataclass(frozen=True)

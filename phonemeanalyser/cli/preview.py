@@ -5,19 +5,6 @@ import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.audio.file_access import printable_name
-from phonemeengine.audio.files import SoundReader
-from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
-from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
-from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.morph_mesh import MorphMesh, matched
-from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
-from phonemeengine.mouth.utterance import utterance_of
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
-from phonemeengine.settings import SAMPLE_RATE
 from tqdm import tqdm
 
 from phonemeanalyser.cli.arguments import add_channel, add_mouth
@@ -31,6 +18,19 @@ from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif, write_film, write_gif, write_pictures
+from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.files import printable_name
+from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
+from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
+from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.morph_mesh import MorphMesh, matched
+from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
+from phonemeengine.mouth.utterance import utterance_of
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.settings import SAMPLE_RATE
 
 SMALLEST, LARGEST = 16, 4096
 """Pixels along an edge of the picture."""

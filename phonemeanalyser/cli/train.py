@@ -5,15 +5,15 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+from tqdm import tqdm
+
+from phonemeanalyser.cli.arguments import add_channel
+from phonemeanalyser.cli.output_files import write_whole
 from phonemeengine.calibration.learning.model_card import model_card
 from phonemeengine.calibration.learning.pipeline import TrainingResult, train_and_validate
 from phonemeengine.calibration.learning.training import TrainingConfig
 from phonemeengine.errors import ModelError
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
-from tqdm import tqdm
-
-from phonemeanalyser.cli.arguments import add_channel
-from phonemeanalyser.cli.output_files import write_whole
 
 
 def train(words: list[str]) -> int:
@@ -39,12 +39,15 @@ def train(words: list[str]) -> int:
     print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}; {preset} uses it")
     if taught.everyone is not None:
         e = taught.everyone
-        print(f"speakers left out: macro F1 {e.ten_f1:.3f}, mouth shapes {e.mouth_acc:.3f}, vowels {e.vowel5:.3f}")
+        print(
+            f"speakers left out: macro F1 {e.macro_f1:.3f}, mouth shapes {e.viseme_accuracy:.3f}, "
+            f"vowels {e.vowel_accuracy:.3f}"
+        )
     return 0
 
 
 def _about(name: str, taught: TrainingResult, course: TrainingConfig) -> dict[str, object]:
-    figures = {} if taught.everyone is None else {"macro_f1": round(taught.everyone.ten_f1, 3)}
+    figures = {} if taught.everyone is None else {"macro_f1": round(taught.everyone.macro_f1, 3)}
     return {"name": name, "seed": course.seed, "epochs": course.n_epochs, "speakers": len(taught.sources), **figures}
 
 

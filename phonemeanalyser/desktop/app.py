@@ -9,9 +9,6 @@ from functools import partial
 from pathlib import Path
 from types import TracebackType
 
-from phonemeengine.audio.output import ClockOutput, Output, open_output
-from phonemeengine.errors import EngineError
-from phonemeengine.settings import Channel
 from PySide6.QtCore import (
     QCoreApplication,
     QEvent,
@@ -38,6 +35,9 @@ from phonemeanalyser.desktop.shutdown import SessionKeeper
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme, apply_theme, system_theme
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeengine.audio.output import ClockOutput, Output, open_output
+from phonemeengine.errors import EngineError
+from phonemeengine.settings import Channel
 
 AFTER_PAINTING_MS = 20
 """The window is to be seen before the sound card is awake."""
@@ -77,7 +77,7 @@ class Desktop:
         self.session.close()
         self.calibration.close()
         self.talking.close()
-        self.window.retire()
+        self.window.close_without_asking()
         for model in (self.talking, self.calibration, self.session, self.preset):
             model.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # in this order; no event loop runs now
@@ -100,8 +100,8 @@ class Desktop:
         old.save_state()
         self.window = self._make_window()
         self.window.show()  # which lays the docks out, before a page without them is shown
-        self.window.look_like(old)
-        old.retire()
+        self.window.copy_view_from(old)
+        old.close_without_asking()
 
     def _make_window(self) -> MainWindow:
         apply_theme(self._app, self.theme)
@@ -218,12 +218,12 @@ def screenshot(
 
 def _follow(session: Session, file: Path, at: float | None, channel: Channel) -> None:
     failures: list[str] = []
-    session.failed.connect(failures.append)
+    session.error.connect(failures.append)
     if session.open(file):
         session.set_channel(channel)
     if failures:
         raise EngineError(failures[0])
-    session.follow(session.duration if at is None else at)
+    session.analyse_until(session.duration if at is None else at)
 
 
 def _pass_message(_kind: QtMsgType, _context: QMessageLogContext, message: str) -> None:

@@ -15,7 +15,7 @@ class BackgroundModel(QObject):
     failed : a sentence for the user.
     """
 
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
@@ -44,5 +44,5 @@ class BackgroundModel(QObject):
 
     def _room(self, refuse: Callable[[str], object] | None = None) -> TaskQueue:
         """Give another room; what the engine refuses in it is told to the user, unless something else is said."""
-        self._rooms.append(TaskQueue(refuse or self.failed.emit))
+        self._rooms.append(TaskQueue(refuse or self.error.emit))
         return self._rooms[-1]

@@ -6,12 +6,6 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from phonemeengine.errors import EngineError
-from phonemeengine.features.variables import Variable
-from phonemeengine.labels.files import LABEL_SUFFIXES
-from phonemeengine.paths import free_path, presets_folder
-from phonemeengine.presets.entries import PresetEntry, preset_entries
-from phonemeengine.presets.files import FACTORY_PRESETS, own_presets
 from PySide6.QtCore import QIODevice, QObject, QSaveFile, QSettings, Signal
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
@@ -20,6 +14,13 @@ from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeengine.errors import EngineError
+from phonemeengine.features.variables import Variable
+from phonemeengine.files import free_path
+from phonemeengine.labels.files import LABEL_SUFFIXES
+from phonemeengine.paths import presets_folder
+from phonemeengine.presets.entries import PresetEntry, preset_entries
+from phonemeengine.presets.files import FACTORY_PRESETS, own_presets
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
@@ -44,11 +45,11 @@ class Dialogs(QObject):
     offered : a sentence, what can be done about it, and the function that does it.
     """
 
-    refused = Signal(str)
-    told = Signal(str)
+    rejected = Signal(str)
+    info = Signal(str)
     sound_opened = Signal()
     variable_added = Signal(str)
-    offered = Signal(str, str, object)
+    action_offered = Signal(str, str, object)
 
     def __init__(self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings) -> None:
         super().__init__(window)
@@ -73,9 +74,9 @@ class Dialogs(QObject):
         """Open a sound file; says whether it is in hand."""
         if not self._session.open(path):
             return False
-        self.refused.emit("")
+        self.rejected.emit("")
         if self._session.cut_off:
-            self.told.emit(self._session.cut_off)
+            self.info.emit(self._session.cut_off)
         here = str(path.resolve())
         recent = [here] + [other for other in self.recent_sounds() if other != here]
         self._settings.setValue("recent", recent[:N_RECENT])
@@ -112,7 +113,7 @@ class Dialogs(QObject):
         """Let the user choose a file to save the phonemes of the opened sound to; its ending says in which format."""
         sound = self._session.path
         if sound is None or self._session.source is not SoundSource.FILE:
-            self.refused.emit("There is no sound file in hand; open the one whose phonemes are to be saved.")
+            self.rejected.emit("There is no sound file in hand; open the one whose phonemes are to be saved.")
             return
         suggested = Path(self._folder("phonemes", sound.parent)) / f"{sound.stem}.TextGrid"
         filters = ";;".join(LABEL_FILTERS)
@@ -137,7 +138,7 @@ class Dialogs(QObject):
     def offer_recording(self, path: str, seconds: float, gaps: str) -> None:
         """Offer to open a recording that is complete; `gaps` says what is missing in it, if anything is."""
         sentence = f"Recorded {seconds:.1f} s into {path}{', ' if gaps else ''}{gaps}"
-        self.offered.emit(sentence, "Open It", lambda: self.open_sound(Path(path)))
+        self.action_offered.emit(sentence, "Open It", lambda: self.open_sound(Path(path)))
 
     def offer_unfinished(self) -> None:
         """Offer to open a recording that was cut off when the program ended; the newest, if there are several."""
@@ -150,7 +151,7 @@ class Dialogs(QObject):
             f"The program ended while it recorded; {newest.seconds:.1f} s of {newest.begun:%d %B, %H:%M} are safe in "
             f"{newest.path}{others}"
         )
-        self.offered.emit(sentence, "Open It", lambda: self.open_sound(newest.path))
+        self.action_offered.emit(sentence, "Open It", lambda: self.open_sound(newest.path))
         for recording in found:
             recording.forget()
 
@@ -176,12 +177,12 @@ class Dialogs(QObject):
         try:
             found = unsaved.take_up()
         except EngineError as error:
-            self.refused.emit(f"The changes that were not saved when the program ended cannot be read: {error}")
+            self.rejected.emit(f"The changes that were not saved when the program ended cannot be read: {error}")
             return
         if found:
             name, stack = self._preset.preset.name, self._preset.undo_stack
             sentence = f"The changes of the preset {name} that were not saved when the program ended are here again."
-            self.offered.emit(sentence, "Undo Them", partial(stack.setIndex, 0))
+            self.action_offered.emit(sentence, "Undo Them", partial(stack.setIndex, 0))
 
     def ask_preset(self) -> None:
         """Let the user choose a preset file."""
@@ -297,7 +298,7 @@ class Dialogs(QObject):
         """Let the user choose a variable of his own to remove."""
         names = [v.name for v in self._preset.preset.variables]
         if not names:
-            self.refused.emit("There are no variables of your own yet; mark a range on the averaged spectrum first.")
+            self.rejected.emit("There are no variables of your own yet; mark a range on the averaged spectrum first.")
             return
         name, chosen = QInputDialog.getItem(self._window, "Remove a variable", "Variable:", names, editable=False)
         if chosen:
@@ -317,7 +318,7 @@ class Dialogs(QObject):
     def ask_save_curve(self) -> None:
         """Let the user choose a file to save the averaged spectrum to."""
         if not self._session.averages.n_frames:
-            self.refused.emit("There is no averaged spectrum yet; play a sound first.")
+            self.rejected.emit("There is no averaged spectrum yet; play a sound first.")
             return
         name, _ = QFileDialog.getSaveFileName(
             self._window, "Save the averaged spectrum", self._folder("curve"), CURVE_FILTER
@@ -339,9 +340,9 @@ class Dialogs(QObject):
         try:
             act()
         except EngineError as error:
-            self.refused.emit(str(error))
+            self.rejected.emit(str(error))
             return False
-        self.refused.emit("")
+        self.rejected.emit("")
         return True
 
     def _folder(self, kind: str, default: Path | None = None) -> str:

@@ -17,4 +17,4 @@ def open_dropped(mime: QMimeData, dialogs: Dialogs, talking: TalkDialogs) -> Non
             dialogs.open_any(path)
     for url in mime.urls():
         if not url.isLocalFile():
-            dialogs.refused.emit(f"{url.toString()}: only files on this computer can be opened; save it here first")
+            dialogs.rejected.emit(f"{url.toString()}: only files on this computer can be opened; save it here first")

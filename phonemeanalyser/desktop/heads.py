@@ -30,16 +30,16 @@ class Heads:
             if not frozen:
                 view.refresh()
 
-    def look_like(self, other: "Heads") -> None:
+    def copy_view_from(self, other: "Heads") -> None:
         """Show the heads from where another window shows them."""
         if other._page.made is not None:
-            self._page.get().head.look_like(other._page.made.head)
-        self._docked.look_like(other._docked)
+            self._page.get().head.copy_view_from(other._page.made.head)
+        self._docked.copy_view_from(other._docked)
 
-    def let_go(self) -> None:
+    def release_gl(self) -> None:
         """Give everything back to the graphics driver."""
         if self._page.made is not None:
-            self._page.made.head.let_go()
+            self._page.made.head.release_gl()
         if self._calibrating.made is not None:
-            self._calibrating.made.guide.head.let_go()
-        self._docked.let_go()
+            self._calibrating.made.guide.head.release_gl()
+        self._docked.release_gl()

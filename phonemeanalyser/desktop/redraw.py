@@ -58,14 +58,14 @@ class RedrawLoop(QObject):
     def tick(self) -> None:
         """Draw the next picture."""
         known_at = None
-        if self._session.tick():
+        if self._session.poll():
             self.stale = True
             known_at = time.monotonic() - self._session.microphone.known_for
         self._calibration.tick()
         self._heads.move(frozen=self.frozen)
         self.n_ticks += 1
         slow = self.n_ticks % SLOW == 0
-        self.stale |= self._session.deaf != self._phoneme.deaf
+        self.stale |= self._session.input_silent != self._phoneme.input_silent
         if slow and (self._session.playing or self._session.microphone.recording):
             self._transport.refresh()
             self.refresh_status()

@@ -7,15 +7,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from phonemeengine.audio.devices import InputChoice
-from phonemeengine.errors import SettingsError
-from phonemeengine.settings import Channel
 from PySide6.QtCore import QByteArray, QSettings
 from PySide6.QtWidgets import QAbstractButton, QMainWindow, QSplitter
 
 from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
 from phonemeanalyser.desktop.session.microphone import SUFFIXES, Microphone
 from phonemeanalyser.desktop.session.session import Session
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.errors import SettingsError
+from phonemeengine.settings import Channel
 
 LAYOUT_VERSION = 1
 

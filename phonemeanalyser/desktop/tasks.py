@@ -5,10 +5,9 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, TypeVar
 
+from phonemeanalyser.desktop.threads import start_thread
 from phonemeengine.errors import EngineError
 from phonemeengine.progress import Cancelled, Progress
-
-from phonemeanalyser.desktop.threads import start_thread
 
 Result = TypeVar("Result")
 
@@ -26,12 +25,13 @@ class Task:
         self.thread: threading.Thread | None = None
 
     def run(self) -> None:
+        """Run the work, and keep its result or its error."""
         try:
-            self.result = self._act(self._heed)
+            self.result = self._act(self._progress)
         except Exception as error:  # noqa: BLE001 - `see` raises it where it is seen
             self.error = error
 
-    def _heed(self, share: float) -> bool:
+    def _progress(self, share: float) -> bool:
         self.share = share
         return not self.cancelled
 

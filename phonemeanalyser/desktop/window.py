@@ -2,7 +2,6 @@
 
 from functools import partial
 
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QWidget
@@ -42,6 +41,7 @@ from phonemeanalyser.desktop.widgets.banner import Banner
 from phonemeanalyser.desktop.widgets.bars import add_bar
 from phonemeanalyser.desktop.widgets.key_filters import ButtonKeys
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 280, 310, 230
 USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
@@ -184,9 +184,9 @@ class MainWindow(QMainWindow):
         self.transport.open_asked.connect(dialogs.ask_sound)
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
         session.microphone.recorded.connect(dialogs.offer_recording)
-        session.microphone.told.connect(self.banner.tell)
-        session.writer.told.connect(self.banner.tell)
-        dialogs.offered.connect(self.banner.offer)
+        session.microphone.info.connect(self.banner.show_info)
+        session.writer.info.connect(self.banner.show_info)
+        dialogs.action_offered.connect(self.banner.offer)
         self.analysis.picture_asked.connect(dialogs.ask_save_picture)
         self.analysis.averaged.load_asked.connect(dialogs.ask_curves)
         self.analysis.averaged.save_asked.connect(dialogs.ask_save_curve)
@@ -194,15 +194,15 @@ class MainWindow(QMainWindow):
         self.filters.bypass_asked.connect(preset.set_bypassed)
         self.recogniser.chosen.connect(dialogs.choose_recogniser)
         self.preset_box.chosen.connect(dialogs.load_preset)
-        dialogs.refused.connect(self.banner.say)
-        dialogs.told.connect(self.banner.tell)
-        preset.refused.connect(self.banner.say)
+        dialogs.rejected.connect(self.banner.show_error)
+        dialogs.info.connect(self.banner.show_info)
+        preset.rejected.connect(self.banner.show_error)
         dialogs.variable_added.connect(self.analysis.time_view.variable.setCurrentText)
         self.banner.shown.connect(self._banner_bar.setVisible)
         self.switch.chosen.connect(self.show_page)
         for model in (self._calibration, self._talking, session):
-            model.failed.connect(self.banner.say)
-        self._calibration.told.connect(self.banner.tell)
+            model.error.connect(self.banner.show_error)
+        self._calibration.info.connect(self.banner.show_info)
         self._calibration.edits.changed.connect(self._show_edits)
         self._calibration.guide.changed.connect(self._lend_keys)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
@@ -261,7 +261,7 @@ class MainWindow(QMainWindow):
     def _measure_latency(self) -> None:
         """Play clicks, with the microphone and the loudspeaker free for that."""
         self._session.set_source(SoundSource.MICROPHONE)
-        self.banner.tell("Listening for clicks from the loudspeaker, for three seconds …")
+        self.banner.show_info("Listening for clicks from the loudspeaker, for three seconds …")
         self._session.microphone.measure()
 
     def _show_names(self) -> None:
@@ -330,17 +330,17 @@ class MainWindow(QMainWindow):
         if self._last_page in {CALIBRATE, TALK}:
             self.show_page(self._last_page)
 
-    def look_like(self, other: "MainWindow") -> None:
+    def copy_view_from(self, other: "MainWindow") -> None:
         """Have the same size and page, frozen or not, and show the heads from where the other window shows them."""
         if not self.isMaximized() and not self.isFullScreen():
             self.resize(other.size())
         self.show_page(other.pages.currentIndex())
         self.set_frozen(other.drawing.frozen)
-        self._heads.look_like(other._heads)
+        self._heads.copy_view_from(other._heads)
 
-    def retire(self) -> None:
+    def close_without_asking(self) -> None:
         """Close without asking, since another window takes over."""
         self._retired = True
-        self._heads.let_go()
+        self._heads.release_gl()
         self.close()
         self.deleteLater()

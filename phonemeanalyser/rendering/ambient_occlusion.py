@@ -4,11 +4,11 @@ import math
 
 import moderngl
 import numpy as np
-from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
-from phonemeengine.mouth.mesh import Mesh
 
 from phonemeanalyser.rendering.light import BoundingSphere
 from phonemeanalyser.rendering.shader_programs import set_uniforms
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
+from phonemeengine.mouth.mesh import Mesh
 
 N_DIRECTIONS = 40
 SIZE = 192

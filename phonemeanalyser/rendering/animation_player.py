@@ -2,13 +2,12 @@
 
 from collections.abc import Iterator
 
+from phonemeanalyser.rendering.errors import RenderingError
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate_set import MovestateSet
-
-from phonemeanalyser.rendering.errors import RenderingError
 
 
 class AnimationPlayer:

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
+
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.mouth.mesh import Mesh
 

@@ -4,11 +4,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+
+from phonemeanalyser.rendering.camera import Point
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.mesh import Mesh
-
-from phonemeanalyser.rendering.camera import Point
 
 
 @dataclass(frozen=True)

@@ -4,10 +4,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.mouth.mesh import Mesh
 
 from phonemeanalyser.rendering.camera import Camera, Point
+from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.mouth.mesh import Mesh
 
 MORE = 1.12
 """The key light sees so much more than the mesh at rest."""

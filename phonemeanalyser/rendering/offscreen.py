@@ -5,15 +5,15 @@ from types import TracebackType
 
 import moderngl
 import numpy as np
-from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.morph_mesh import MorphMesh
 
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import LIGHT, Light
 from phonemeanalyser.rendering.renderer import STILL, Colour, HeadRenderer
+from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.morph_mesh import MorphMesh
 
 USUAL_SIZE = (640, 640)
 

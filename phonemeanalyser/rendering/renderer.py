@@ -4,9 +4,6 @@ from dataclasses import dataclass
 
 import moderngl
 import numpy as np
-from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.morph_mesh import MorphMesh
 
 from phonemeanalyser.rendering.ambient_occlusion import ambient_occlusion
 from phonemeanalyser.rendering.camera import Camera
@@ -17,6 +14,9 @@ from phonemeanalyser.rendering.light import LIGHT, BoundingSphere, Light, direct
 from phonemeanalyser.rendering.shader_programs import fields_of, program_of, set_uniforms
 from phonemeanalyser.rendering.shadow import Shadow, taps_of
 from phonemeanalyser.rendering.surface import Surface, specular_mask
+from phonemeengine.arrays import Float32Array
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.morph_mesh import MorphMesh
 
 PROGRAMS = {
     "wire": ("head", "wire"),

@@ -7,14 +7,14 @@ edge, or an end, that stays a smooth curve by itself; colours are kept apart whe
 from dataclasses import dataclass
 
 import numpy as np
-from phonemeengine.arrays import BoolArray, Float32Array, IndexArray
-from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.morph_mesh import MorphMesh
-from phonemeengine.mouth.movestate import Movestate, movestate_of
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
 
 from phonemeanalyser.rendering.surface import places_of, points_of
+from phonemeengine.arrays import BoolArray, Float32Array, IndexArray
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
+from phonemeengine.mouth.movestate import Movestate, movestate_of
 
 MOST_TRIANGLES = 40_000
 """A mesh that has more is fine enough."""

@@ -1,10 +1,11 @@
 """The surface of a mesh: which way it faces while it moves, and where it is wet."""
 
 import numpy as np
-from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArray
-from phonemeengine.mouth.mesh import Mesh
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
+
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArray
+from phonemeengine.mouth.mesh import Mesh
 
 ROUND = 0.03
 """A part is a ball, an eye, where the distances from its centre vary by less than this share of them."""

@@ -9,10 +9,10 @@ from types import ModuleType
 from typing import Any, BinaryIO
 
 import numpy as np
-from phonemeengine.arrays import Float32Array, UInt8Array
 from PIL import Image
 
 from phonemeanalyser.rendering.errors import RenderingError
+from phonemeengine.arrays import Float32Array, UInt8Array
 
 QUALITY = "18"
 """The constant rate factor of H.264: smaller is better, 18 looks like the original."""

@@ -4,15 +4,15 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
+
+from phonemeanalyser.colours import PHONEME_COLOURS
+from phonemeanalyser.reports.markup import element, text
+from phonemeanalyser.reports.report import CLASSES, signed, written
 from phonemeengine.arrays import Float64Array, Int64Array
 from phonemeengine.calibration.scores.comparison import PresetComparison
 from phonemeengine.calibration.scores.evaluation import GroupScores
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
-
-from phonemeanalyser.colours import PHONEME_COLOURS
-from phonemeanalyser.reports.markup import element, text
-from phonemeanalyser.reports.report import CLASSES, signed, written
 
 BAR, GAP, NAMES, LENGTH = 13, 11, 74, 380
 """Height and distance of bars, room for names, and length of a bar of 1, pixels."""

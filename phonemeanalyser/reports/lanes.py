@@ -5,15 +5,15 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
-from phonemeengine.calibration.scores.evaluation import Predictions
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import FRAME_PERIOD
 
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.charts import short
 from phonemeanalyser.reports.markup import element, text
 from phonemeanalyser.reports.report import clock
+from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
+from phonemeengine.calibration.scores.evaluation import Predictions
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 
 ROW_SECONDS, MOST_ROWS = 6.0, 5
 """How much is drawn in a row, and how many rows of a recording are drawn."""

@@ -5,14 +5,13 @@ import math
 from dataclasses import asdict
 from typing import Any
 
+from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeengine.arrays import Int64Array
 from phonemeengine.calibration.scores.comparison import Difference, DifferingSegment, PresetComparison
 from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions
 from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
-
-from phonemeanalyser.reports.report import Report, ScoredPreset
 
 
 def json_of(report: Report) -> str:

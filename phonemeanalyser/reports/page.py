@@ -4,11 +4,6 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
-from phonemeengine.calibration.scores.comparison import PresetComparison
-from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions
-from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import FRAME_PERIOD
 
 from phonemeanalyser.reports.charts import difference_map, f1_bars, heat_map
 from phonemeanalyser.reports.lanes import drawn_seconds, time_lines
@@ -24,10 +19,15 @@ from phonemeanalyser.reports.tables import (
     phoneme_table,
     stretches_table,
 )
+from phonemeengine.calibration.scores.comparison import PresetComparison
+from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 
 SPOKEN_FRAMES = 50
 """Frames of the nine sounds that a recording should have to be drawn as an example."""
-HEADLINES = ("ten_f1", "mouth_acc", "vowel5", "silence_recall", "false_silence")
+HEADLINES = ("macro_f1", "viseme_accuracy", "vowel_accuracy", "silence_recall", "false_silence")
 """The figures that the page begins with; the changes follow."""
 
 

@@ -80,11 +80,11 @@ class ReportedFigure:
 
 
 FIGURES = (
-    ReportedFigure("ten_f1", "Macro F1", "mean F1 of the ten classes"),
-    ReportedFigure("ten_acc", "Right", "share of frames right, of those labelled as one of the ten classes"),
-    ReportedFigure("vowel5", "Clear vowels", "share right of the frames labelled as a clear a, e, i, o or u"),
-    ReportedFigure("mouth_acc", "Mouth shapes", "share of all frames with the right one of six mouth shapes"),
-    ReportedFigure("mouth_f1", "Mouth F1", "mean F1 of the six mouth shapes"),
+    ReportedFigure("macro_f1", "Macro F1", "mean F1 of the ten classes"),
+    ReportedFigure("accuracy", "Right", "share of frames right, of those labelled as one of the ten classes"),
+    ReportedFigure("vowel_accuracy", "Clear vowels", "share right of the frames labelled as a clear a, e, i, o or u"),
+    ReportedFigure("viseme_accuracy", "Mouth shapes", "share of all frames with the right one of six mouth shapes"),
+    ReportedFigure("viseme_f1", "Mouth F1", "mean F1 of the six mouth shapes"),
     ReportedFigure("silence_recall", "Silence found", "share of silent frames called silence"),
     ReportedFigure("false_silence", "False silence", "share of spoken frames called silence: less is better"),
 )

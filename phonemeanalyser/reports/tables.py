@@ -6,14 +6,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from phonemeengine.calibration.scores.comparison import DifferingSegment, PresetComparison
-from phonemeengine.calibration.scores.evaluation import GroupScores
-from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
-from phonemeengine.phonemes import Phoneme
 
 from phonemeanalyser.colours import PHONEME_COLOURS
 from phonemeanalyser.reports.markup import element, text
 from phonemeanalyser.reports.report import CLASSES, FIGURES, Report, clock, flicker_of, signed, written
+from phonemeengine.calibration.scores.comparison import DifferingSegment, PresetComparison
+from phonemeengine.calibration.scores.evaluation import GroupScores
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.phonemes import Phoneme
 
 MOST_ROWS, MOST_MISTAKES = 12, 14
 """Rows of lists that could be long."""

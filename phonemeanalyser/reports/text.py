@@ -3,10 +3,6 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, fields
 
-from phonemeengine.calibration.scores.comparison import DifferingSegment, PresetComparison
-from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
-from phonemeengine.calibration.scores.scoring import Scores
-
 from phonemeanalyser.reports.report import (
     CLASSES,
     Report,
@@ -16,6 +12,9 @@ from phonemeanalyser.reports.report import (
     printable,
     written,
 )
+from phonemeengine.calibration.scores.comparison import DifferingSegment, PresetComparison
+from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
+from phonemeengine.calibration.scores.scoring import Scores
 
 MOST_SHOWN = 10
 """Recordings and stretches that are listed of each preset."""

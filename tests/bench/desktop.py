@@ -3,11 +3,11 @@
 from pathlib import Path
 
 import soundfile
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.settings import SAMPLE_RATE
 from PySide6.QtCore import QEventLoop, QSettings, QTimer
 
 from phonemeanalyser.desktop.app import Desktop, make_application
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bench.figures import speech
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
+
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
@@ -15,7 +16,6 @@ from phonemeengine.labels.files import read_labels
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.bench.figures import ROOT, Absolute, Figure, shown
 
 SECONDS = 3600

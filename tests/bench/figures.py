@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from phonemeengine.audio.files import SoundReader
-from phonemeengine.settings import SAMPLE_RATE
 
 import phonemeanalyser
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bench import PINS
 from tests.sounds import Sound
 

@@ -6,16 +6,16 @@ from collections.abc import Callable
 
 import moderngl
 import numpy as np
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.movestate_set import MovestateSet
-from phonemeengine.mouth.table import load_table
-from phonemeengine.phonemes import Phoneme
 
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import HeadRenderer
 from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
 from tests.bench.figures import Absolute, Figure
 
 GREY = (0.5, 0.5, 0.5)

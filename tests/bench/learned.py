@@ -3,6 +3,7 @@
 import time
 
 import numpy as np
+
 from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.scores.corpus import Utterance
@@ -12,7 +13,6 @@ from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.settings import HOP, WINDOW
-
 from tests.bench.dragging import CARDS
 from tests.bench.figures import Absolute, Figure, interleaved, shown, speech
 

@@ -8,9 +8,9 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from phonemeengine.settings import SAMPLE_RATE
 from PySide6.QtCore import QTimer
 
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bench.desktop import live_for, shown_desktop
 from tests.bench.figures import Figure, answer_of, speech
 

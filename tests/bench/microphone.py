@@ -23,8 +23,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from phonemeengine.settings import SAMPLE_RATE
 
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bench.desktop import written_speech
 from tests.bench.figures import ROOT, Absolute, Figure, child_environment
 from tests.bench.onsets import LEAST_GAP

@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.mouth.blendshape_names import ARKIT
@@ -16,7 +17,6 @@ from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.utterance import Utterance, utterance_of
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import FRAME_PERIOD
-
 from tests.bench.figures import DEMO, Absolute, Figure, interleaved, shown
 from tests.glb_faces import face_with_targets
 

@@ -1,10 +1,10 @@
 """One frame at a time, as a game asks for it, against one bare transform of 512 values."""
 
 import scipy.fft
+
 from phonemeengine.analyser import Analyser
 from phonemeengine.presets.files import THESIS_PRESET, load_preset
 from phonemeengine.settings import HOP
-
 from tests.bench.figures import Figure, interleaved, ratio_of, shown, speech
 
 N_FRAMES = 1000

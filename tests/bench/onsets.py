@@ -11,9 +11,9 @@ import time
 from typing import Any
 
 import numpy as np
+
 from phonemeengine.audio.stream import CardStream
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.sounds import Sound, vowel
 
 LENGTH = 0.2

@@ -6,13 +6,13 @@ import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from phonemeengine.analyser import Analyser, Analysis
-from phonemeengine.live.player import STEP
-from phonemeengine.settings import FRAME_PERIOD
 from PySide6.QtCore import QEvent, QObject
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.session import Session
+from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.live.player import STEP
+from phonemeengine.settings import FRAME_PERIOD
 from tests.bench.desktop import live_for, shown_desktop, written_speech
 from tests.bench.figures import Absolute, Figure, answer_of, speech
 
@@ -93,7 +93,7 @@ def _gather(session: Session, blocks: list[Analysis], minutes: float) -> None:
     for _ in range(round(minutes * 60 / 12)):
         for block in blocks:
             if len(block):
-                session.findings.gather(block)
+                session.findings.add(block)
 
 
 def _measured(desktop: Desktop) -> Cost:
@@ -106,7 +106,7 @@ def _measured(desktop: Desktop) -> Cost:
     wall, processor = time.perf_counter(), time.process_time()
     live_for(MEASURED)
     processor, wall = time.process_time() - processor, time.perf_counter() - wall
-    session.tick()
+    session.poll()
     heard = round((session.position - position) / FRAME_PERIOD)
     late = heard - (session.history.n - n_frames)
     viewport.removeEventFilter(painted)

@@ -11,12 +11,12 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from phonemeengine.settings import FRAME_PERIOD
 from PySide6.QtWidgets import QDockWidget
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.talk.head_view import HeadView
 from phonemeanalyser.desktop.window import ANALYSE, TALK
+from phonemeengine.settings import FRAME_PERIOD
 from tests.bench.desktop import live_for, shown_desktop, written_speech
 from tests.bench.figures import Absolute, Figure, answer_of
 
@@ -94,7 +94,7 @@ def _measured(desktop: Desktop, head: HeadView) -> Cost:
     wall, processor = time.perf_counter(), time.process_time()
     live_for(MEASURED)
     processor, wall = time.process_time() - processor, time.perf_counter() - wall
-    session.tick()
+    session.poll()
     heard = round((session.position - position) / FRAME_PERIOD)
     late = heard - (session.history.n - n_frames)
     session.pause()

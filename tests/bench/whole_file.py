@@ -3,10 +3,10 @@
 import librosa
 import numpy as np
 import scipy.fft
+
 from phonemeengine.analyser import BLOCK, analyse_blocks
 from phonemeengine.presets.files import THESIS_PRESET, load_preset
 from phonemeengine.settings import HOP, WINDOW
-
 from tests.bench.figures import Figure, interleaved, ratio_of, shown, speech
 from tests.sounds import Sound
 

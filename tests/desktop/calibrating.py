@@ -6,15 +6,15 @@ from pathlib import Path
 import numpy as np
 import soundfile
 from numpy.typing import NDArray
-from phonemeengine.calibration.takes.take import Take
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import HOP, SAMPLE_RATE
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
+from phonemeengine.calibration.takes.take import Take
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.desktop.hands import press
 from tests.desktop.studio import Booth
 from tests.microphones import HandDrivenMicrophone

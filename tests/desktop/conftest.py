@@ -8,17 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-from phonemeengine.settings import SAMPLE_RATE
 
+from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import noise, silence, vowel
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.features.variables import Variable
-from phonemeengine.live import listener
-from phonemeengine.presets.files import THESIS_PRESET, save_preset
-from phonemeengine.presets.preset import Preset
 from PySide6.QtCore import QEvent, QSettings
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -28,6 +23,11 @@ from phonemeanalyser.desktop.garbage import WindowThreadCollector
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.features.variables import Variable
+from phonemeengine.live import listener
+from phonemeengine.presets.files import THESIS_PRESET, save_preset
+from phonemeengine.presets.preset import Preset
 from tests.desktop.hands import shown
 from tests.desktop.studio import DESK, Booth, Studio
 from tests.microphones import HandDrivenMicrophone
@@ -144,7 +144,7 @@ def play(session: Session, outputs: Outputs, qtbot: QtBot) -> Callable[[float], 
         while session.playing and session.position < until - 1e-9:
             qtbot.waitUntil(lambda: outputs.last.n_written - outputs.last.heard >= AHEAD or ended(session))
             outputs.last.move(min(STEP, (until - session.position) * SAMPLE_RATE))
-            session.tick()
+            session.poll()
 
     return play
 

@@ -5,13 +5,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-from phonemeengine.audio.output import ClockOutput
 from PySide6.QtCore import QSettings
 
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.talk import head_view
 from phonemeanalyser.desktop.window import TALK
+from phonemeengine.audio.output import ClockOutput
 from tests.bench.desktop import live_for
 
 PATIENCE = 60

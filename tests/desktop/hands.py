@@ -7,7 +7,6 @@ import numpy as np
 import pyqtgraph as pg
 import soundfile
 from numpy.typing import NDArray
-from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
@@ -25,6 +24,7 @@ from pytestqt.qtbot import QtBot
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 from tests.conftest import ROOT
 
 CARDS = ROOT / "tests" / "data" / "cards.flac"
@@ -49,7 +49,7 @@ def shown(desktop: Desktop, qtbot: QtBot, sound: Path | None = CARDS) -> MainWin
 def followed(desktop: Desktop, qtbot: QtBot, sound: Path = CARDS, seconds: float = 3.4) -> MainWindow:
     """Show the window with a sound that has been analysed up to a time."""
     window = shown(desktop, qtbot, sound)
-    desktop.session.follow(seconds)
+    desktop.session.analyse_until(seconds)
     window.drawing.refresh_all()
     return window
 

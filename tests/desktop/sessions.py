@@ -1,10 +1,10 @@
 """What is seen and waited for in a session."""
 
-from phonemeengine.settings import HOP, SAMPLE_RATE
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.history import NOWHERE
 from phonemeanalyser.desktop.session.session import Session
+from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.desktop.conftest import SPEECH
 
 N_FRAMES = -(-len(SPEECH) // HOP)

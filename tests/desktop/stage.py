@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import SAMPLE_RATE
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.conftest import AHEAD, STEP, ended
 from tests.outputs import Outputs
 from tests.sounds import silence, vowel
@@ -30,7 +30,7 @@ class Stage:
         self.now = 100.0
         self.failed: list[str] = []
         self.talking = TalkModel(session, lambda: self.now)
-        self.talking.failed.connect(self.failed.append)
+        self.talking.error.connect(self.error.append)
 
     def look(self) -> None:
         """Look at the head until it is there."""
@@ -61,7 +61,7 @@ class Stage:
             )
             self.outputs.last.move(STEP)
             self.now += STEP / SAMPLE_RATE
-            self.session.tick()
+            self.session.poll()
             self.talking.tick()
             watch()
 

@@ -7,11 +7,6 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from phonemeengine.analyser import Analysis
-from phonemeengine.audio.devices import Device
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.live.listener import Listener
-from phonemeengine.presets.files import THESIS_PRESET
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox
@@ -22,6 +17,11 @@ from phonemeanalyser.desktop.session.history import NOWHERE
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeengine.analyser import Analysis
+from phonemeengine.audio.devices import Device
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.live.listener import Listener
+from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.hands import press
 from tests.microphones import HandDrivenMicrophone, Microphones, frames_in
 from tests.players import wait_for
@@ -49,8 +49,8 @@ class Studio:
         self.told: list[str] = []
         self.failed: list[str] = []
         self.recorded: list[tuple[str, float]] = []
-        self.model.told.connect(self.told.append)
-        self.model.failed.connect(self.failed.append)
+        self.model.info.connect(self.info.append)
+        self.model.error.connect(self.error.append)
         self.gaps: list[str] = []
         self.model.recorded.connect(lambda path, seconds, _gaps: self.recorded.append((path, seconds)))
         self.model.recorded.connect(lambda _path, _seconds, gaps: self.gaps.append(gaps))
@@ -59,7 +59,7 @@ class Studio:
         """Wait, taking what is found, until something is so."""
 
         def look() -> bool:
-            self.taken += self.model.take()
+            self.taken += self.model.take_analyses()
             return bool(true())
 
         wait_for(look, what)

@@ -7,8 +7,8 @@ import parselmouth
 import pytest
 import soundfile
 from parselmouth.praat import call
-from phonemeengine.labels.files import read_labels
 
+from phonemeengine.labels.files import read_labels
 from tests.bad_files import ODD_FILES
 from tests.desktop.hands import DEMO
 from tests.tables import HEADER, analysed, refused, rows_of

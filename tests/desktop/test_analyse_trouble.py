@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 import soundfile
-from phonemeengine.settings import SAMPLE_RATE
 
 from phonemeanalyser.cli.main import main
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bad_files import BAD_FILES, HOSTILE
 from tests.sounds import vowel
 from tests.tables import analysed, gapless, refused, rows_of

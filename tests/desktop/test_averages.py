@@ -5,15 +5,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from phonemeanalyser.desktop.session.averages import AveragesModel
 from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
 from phonemeengine.averaged_spectrum import load_averaged_spectrum
 from phonemeengine.errors import CurveError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import AnalysisSettings, Filter
-from PySide6.QtWidgets import QApplication
-from pytestqt.qtbot import QtBot
-
-from phonemeanalyser.desktop.session.averages import AveragesModel
 from tests.sounds import Sound, noise, tone, vowel
 
 SETTINGS = AnalysisSettings(filters=frozenset({Filter.QUANTISE}))
@@ -70,11 +70,11 @@ def test_a_change_of_the_filters_begins_a_new_mean_and_the_header_says_so(
     averages.add(analyser.push(VOWEL))
     assert averages.since == "Play at 0.00 s of voice.wav"
     n_before = averages.n_frames
-    analyser.use(Preset(settings=replace(SETTINGS, statistics=False)))
+    analyser.set_preset(Preset(settings=replace(SETTINGS, statistics=False)))
     averages.add(analyser.push(VOWEL[:4410]))
     assert averages.n_frames == n_before + 10  # what does not shape a spectrum begins nothing
     louder = replace(SETTINGS, filters=frozenset({Filter.QUANTISE, Filter.HIGH_PASS}), high_pass_end=300)
-    analyser.use(Preset(settings=louder))
+    analyser.set_preset(Preset(settings=louder))
     averages.add(analyser.finish())
     averages.save(tmp_path / "a.csv")
     read = load_averaged_spectrum(tmp_path / "a.csv")

@@ -6,12 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from phonemeengine.calibration.scores.corpus import read_recordings
-from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.features.variables import Kind
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.recognition.rules import Condition, Rule
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -20,6 +14,12 @@ from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.calibrate.bench_view import BenchView
 from phonemeanalyser.desktop.calibrate.confusion_view import SAID, TAKEN
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
+from phonemeengine.calibration.scores.corpus import read_recordings
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.features.variables import Kind
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.recognition.rules import Condition, Rule
 from tests.desktop.calibrating import CONTROL, Calibrator, corpus
 from tests.desktop.hands import LEFT, click, copied, press
 from tests.desktop.hands import choose as choose_entry
@@ -320,13 +320,13 @@ def test_a_fit_is_shown_accepted_and_undone(loaded: Calibrator):
     report = loaded.model.fit.report
     assert report is not None
     assert report.gains
-    assert fit.figures.item(0, 1).text() == f"{report.after.ten_f1:.1%}"
-    assert fit.figures.item(0, 2).text() == f"{report.held_out.ten_f1:.1%}"
+    assert fit.figures.item(0, 1).text() == f"{report.after.macro_f1:.1%}"
+    assert fit.figures.item(0, 2).text() == f"{report.held_out.macro_f1:.1%}"
     assert preset.preset == before
     click(fit.accept, 10)
     loaded.settle()
     assert preset.preset.thresholds == report.preset.thresholds
-    assert loaded.model.bench.confusion.macro_f1 == pytest.approx(report.after.ten_f1)
+    assert loaded.model.bench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
     press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
     assert preset.preset == before
 

@@ -1,12 +1,12 @@
 """Labels of takes for Praat and Audacity, written from the menu beside the project."""
 
 import pytest
-from phonemeengine.labels.files import read_labels
-from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMenu
 
+from phonemeengine.labels.files import read_labels
+from phonemeengine.phonemes import Phoneme
 from tests.desktop.calibrating import Calibrator
 from tests.desktop.hands import click
 

@@ -5,6 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PySide6.QtCore import Qt
+
+from phonemeanalyser.desktop.calibrate.guide_model import READING, STEPS, Phase
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.guard import loss_of
@@ -14,9 +17,6 @@ from phonemeengine.calibration.takes.onset import onset_in
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import SAMPLE_RATE
-from PySide6.QtCore import Qt
-
-from phonemeanalyser.desktop.calibrate.guide_model import READING, STEPS, Phase
 from tests.desktop.calibrating import Calibrator, in_room, said
 from tests.desktop.hands import click, press
 from tests.desktop.studio import Booth
@@ -85,9 +85,9 @@ def test_who_follows_gets_a_better_preset_for_his_voice_and_undo_brings_the_old_
     guided.until(lambda: guide.phase is Phase.DONE, silently=False)
     assert [take.phoneme for take in guided.takes] == [step.phoneme for step in STEPS]
     assert guide.outcome is not None
-    assert guide.outcome.after.ten_f1 > guide.outcome.before.ten_f1
+    assert guide.outcome.after.macro_f1 > guide.outcome.before.macro_f1
     figures = guided.page.guide.figures
-    assert figures.item(0, 1).text() == f"{guide.outcome.after.ten_f1:.1%}"
+    assert figures.item(0, 1).text() == f"{guide.outcome.after.macro_f1:.1%}"
     assert "Measured on quarters of the takes, each held back in turn" in guided.page.guide.hint.text()
     assert "of the room is called silence" in guided.page.guide.hint.text()
     assert guided.page.guide.head.isHidden()  # nothing was read that it could say
@@ -176,7 +176,7 @@ def test_the_room_is_measured_outside_the_guide_for_every_recogniser(open_booth:
     preset = calibrator.booth.desktop.preset
     preset.load(DEFAULT_PRESET)
     before, told = preset.preset, []
-    calibrator.model.told.connect(told.append)
+    calibrator.model.info.connect(told.append)
     click(calibrator.page.takes.room)
     calibrator.until(lambda: len(told) == 2, silently=False)
     assert told[0].startswith("Keep quiet")
@@ -191,7 +191,7 @@ def test_the_room_is_measured_outside_the_guide_for_every_recogniser(open_booth:
 def test_a_room_in_which_somebody_speaks_changes_nothing(open_booth: Open, mic: HandDrivenMicrophone):
     calibrator = Calibrator(open_booth(mic), mic)
     before, failed = calibrator.booth.desktop.preset.preset, []
-    calibrator.model.failed.connect(failed.append)
+    calibrator.model.error.connect(failed.append)
     click(calibrator.page.takes.room)
     calibrator.until(lambda: calibrator.booth.studio.model.listening, silently=False)
     give(calibrator, np.concatenate((silence(0.5), tone(440, 0.4, 0.3), silence(1.6))))

@@ -7,6 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.desktop.calibrate.guide_model import STEPS
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.guard import MOST_LOSS, loss_of
 from phonemeengine.calibration.learners import LEARNERS
@@ -23,9 +26,6 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
-
-from phonemeanalyser.cli.main import main
-from phonemeanalyser.desktop.calibrate.guide_model import STEPS
 from tests.desktop.calibrating import ROOM, in_room, said
 from tests.sounds import silence
 
@@ -75,7 +75,7 @@ def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
     assert outcome.gains
     assert outcome.before == scores(preset, sentence)  # the figures are of the sentence alone
     assert outcome.after == scores(outcome.preset, sentence)
-    assert outcome.after.ten_f1 > outcome.before.ten_f1 + 0.02
+    assert outcome.after.macro_f1 > outcome.before.macro_f1 + 0.02
     assert loss_of(outcome.before, outcome.after) == ""
     assert outcome.preset.recogniser == preset.recogniser
     assert outcome.seconds == pytest.approx(sentence.labels[-1].end)
@@ -103,8 +103,8 @@ def test_what_gains_by_losing_speech_is_refused_and_something_milder_taken(
 ):
     learn = LEARNERS["templates"]
 
-    def bold(preset, heard, quiet, heed):
-        whole, half, _ = learn(preset, heard, quiet, heed)
+    def bold(preset, heard, quiet, progress):
+        whole, half, _ = learn(preset, heard, quiet, progress)
         return a_deaf_one(whole), half
 
     monkeypatch.setitem(LEARNERS, "templates", bold)
@@ -115,7 +115,7 @@ def test_what_gains_by_losing_speech_is_refused_and_something_milder_taken(
     assert "something milder was taken" in outcome.refusal
     assert outcome.gains
     assert outcome.after.false_silence <= outcome.before.false_silence + MOST_LOSS
-    assert outcome.after.mouth_acc >= outcome.before.mouth_acc - MOST_LOSS
+    assert outcome.after.viseme_accuracy >= outcome.before.viseme_accuracy - MOST_LOSS
 
 
 def test_where_only_what_costs_gains_the_preset_stays_as_it_was(
@@ -133,7 +133,7 @@ def test_where_only_what_costs_gains_the_preset_stays_as_it_was(
 
 def test_what_gets_worse_is_said_with_both_figures():
     figures = Scores(0.5, 0.5, 0.5, 0.8, 0.5, 0.999, 0.02, 10, 10, 1)
-    assert loss_of(figures, replace(figures, mouth_acc=0.7901, false_silence=0.0299)) == ""
+    assert loss_of(figures, replace(figures, viseme_accuracy=0.7901, false_silence=0.0299)) == ""
     worse = replace(figures, silence_recall=0.397, false_silence=0.05)
     assert loss_of(figures, worse) == (
         "silence found falls from 99.9 % to 39.7 % and speech called silence rises from 2.0 % to 5.0 %"

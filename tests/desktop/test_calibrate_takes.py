@@ -5,10 +5,6 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 import soundfile
-from phonemeengine.calibration.scores.corpus import read_corpus
-from phonemeengine.labels.label import CORE
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import SAMPLE_RATE
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget
@@ -16,6 +12,10 @@ from PySide6.QtWidgets import QDockWidget
 from phonemeanalyser.desktop.calibrate.takes_model import AROUND
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeengine.calibration.scores.corpus import read_corpus
+from phonemeengine.labels.label import CORE
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.calibrating import CONTROL, Calibrator, in_room, said
 from tests.desktop.hands import DEMO, LEFT, click, drag, press
 from tests.desktop.studio import Booth

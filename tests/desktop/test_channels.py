@@ -7,6 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+from PySide6.QtCore import Qt
+
+from phonemeanalyser.cli import main as cli
+from phonemeanalyser.cli.main import main
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.errors import AudioError
@@ -14,10 +18,6 @@ from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE, Channel
-from PySide6.QtCore import Qt
-
-from phonemeanalyser.cli import main as cli
-from phonemeanalyser.cli.main import main
 from tests.desktop.conftest import SPEECH
 from tests.desktop.hands import press, shown
 from tests.sounds import silence, tone

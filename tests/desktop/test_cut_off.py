@@ -4,12 +4,12 @@ from pathlib import Path
 
 import pytest
 import soundfile
+
+from phonemeanalyser.cli.main import main
 from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
-
-from phonemeanalyser.cli.main import main
 from tests.bad_files import CUT_OFF
 from tests.desktop.hands import shown
 from tests.tables import gapless, rows_of

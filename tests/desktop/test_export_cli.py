@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+from pygltflib import GLTF2
+
+from phonemeanalyser.cli.main import DEMO, main
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.table import TABLES
 from phonemeengine.settings import SAMPLE_RATE
-from pygltflib import GLTF2
-
-from phonemeanalyser.cli.main import DEMO, main
 from tests.bad_files import ODD_FILES
 from tests.glb_faces import face_with_targets
 from tests.sounds import silence

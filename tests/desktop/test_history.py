@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
+from phonemeanalyser.desktop.session.history import CAPACITY, GAP, MOST_BINS, NOWHERE, History, shown_spectra
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Filter
-
-from phonemeanalyser.desktop.session.history import CAPACITY, GAP, MOST_BINS, NOWHERE, History, shown_spectra
 from tests.sounds import tone
 
 NAMES = ("one", "two")

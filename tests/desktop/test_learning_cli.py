@@ -6,6 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+
+from phonemeanalyser.cli.main import main
 from phonemeengine.analyser import Analyser, analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.label import Label
@@ -13,8 +15,6 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.model import load_model
 from phonemeengine.settings import SAMPLE_RATE
-
-from phonemeanalyser.cli.main import main
 from tests.corpora import put
 from tests.sounds import noise, vowel
 from tests.tables import refused

@@ -5,13 +5,13 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from phonemeengine.audio.level import Level
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.level_meter import LIGHT_WIDTH, LOWEST_DB, LevelMeterView, words_of
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme
+from phonemeengine.audio.level import Level
 
 WIDTH = 500
 TRACK = WIDTH - LIGHT_WIDTH - 8

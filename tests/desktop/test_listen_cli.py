@@ -12,6 +12,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import soundfile
+
+from phonemeanalyser.cli import listen as listening
+from phonemeanalyser.cli.listen import _as_json, _as_text, _Changes
+from phonemeanalyser.cli.main import main
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import RecordingError
@@ -21,10 +25,6 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
-
-from phonemeanalyser.cli import listen as listening
-from phonemeanalyser.cli.listen import _as_json, _as_text, _Changes
-from phonemeanalyser.cli.main import main
 from tests.microphones import Clock, HandDrivenMicrophone, Microphones, frames_in, offline
 from tests.players import SPEECH
 from tests.portaudio import FakePortAudio

@@ -4,15 +4,15 @@ import itertools
 from collections.abc import Iterable, Iterator
 
 import pytest
+
+from phonemeanalyser.cli import listen as listening
+from phonemeanalyser.cli.main import main
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.mouth.osc import OscMouth, OscSettings
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import SAMPLE_RATE
-
-from phonemeanalyser.cli import listen as listening
-from phonemeanalyser.cli.main import main
 from tests.microphones import HandDrivenMicrophone, Microphones
 from tests.osc_receiver import Receiver
 from tests.players import SPEECH, wait_for

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.errors import DeviceError
 from phonemeengine.settings import HOP
-
 from tests.desktop.studio import DESK, HEADSET, Studio
 from tests.microphones import HandDrivenMicrophone, offline
 from tests.players import PRESET, SPEECH, joined
@@ -92,7 +92,7 @@ def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicropho
     studio.model.stop()
     assert not studio.model.active
     assert mic.closed.wait(60)
-    assert studio.model.take() == []
+    assert studio.model.take_analyses() == []
     assert studio.model.level.peak == 0
 
 

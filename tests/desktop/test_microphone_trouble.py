@@ -5,12 +5,12 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+
+from phonemeanalyser.desktop.session import latency_test as click_test
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live.loopback import Loopback
 from phonemeengine.settings import HOP, SAMPLE_RATE
-
-from phonemeanalyser.desktop.session import latency_test as click_test
 from tests.desktop.studio import DESK, Studio
 from tests.microphones import REFUSAL, HandDrivenMicrophone
 from tests.players import PRESET, wait_for
@@ -111,7 +111,7 @@ def test_a_microphone_that_hangs_when_it_is_opened_holds_nobody_up(
     studio.until(lambda: studio.failed)
     assert studio.failed == ["Opening the microphone."]
     studio.model.stop()
-    assert studio.model.take() == []
+    assert studio.model.take_analyses() == []
     studio.model.close()
     assert studio.openers.hangs
     studio.openers.may_answer.set()

@@ -5,14 +5,14 @@ from pathlib import Path
 import parselmouth
 import pytest
 import soundfile
+
+from phonemeanalyser.cli.main import main
 from phonemeengine.analysis_tables import TABLES
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.head import load_head
 from phonemeengine.settings import SAMPLE_RATE
-
-from phonemeanalyser.cli.main import main
 from tests.desktop.conftest import SPEECH
 from tests.tables import analysed, refused
 

@@ -3,14 +3,14 @@
 from pathlib import Path
 
 import pytest
+from pytestqt.qtbot import QtBot
+
+from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.errors import EngineError, PresetError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.files import FACTORY, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, Filter
-from pytestqt.qtbot import QtBot
-
-from phonemeanalyser.desktop.session.preset import PresetModel
 
 
 def test_the_mark_goes_away_when_the_value_comes_back(model: PresetModel, qtbot: QtBot) -> None:

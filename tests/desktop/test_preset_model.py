@@ -4,14 +4,14 @@ from collections.abc import Callable
 from dataclasses import fields
 
 import pytest
+from pytestqt.qtbot import QtBot
+
+from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS, PresetModel
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.files import THESIS_PRESET, load_preset
 from phonemeengine.recognition.phoneme_data import PhonemeData
 from phonemeengine.settings import BIN_WIDTH, Filter
-from pytestqt.qtbot import QtBot
-
-from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS, PresetModel
 
 # one small change of each kind
 EDITS: dict[str, Callable[[PresetModel], None]] = {

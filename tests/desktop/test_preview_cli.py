@@ -7,15 +7,15 @@ import av
 import numpy as np
 import pytest
 import soundfile
+from PIL import Image
+
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.rendering import video as films
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.files.io import save_morph_targets
 from phonemeengine.mouth.morph_mesh import MorphMesh, morph_targets_of
 from phonemeengine.mouth.table import TABLES
 from phonemeengine.settings import SAMPLE_RATE
-from PIL import Image
-
-from phonemeanalyser.cli.main import main
-from phonemeanalyser.rendering import video as films
 from tests.glb_faces import face_with_targets
 from tests.graphics import context_or_skip
 from tests.meshes import CUBE_OBJ, figure_of_cube

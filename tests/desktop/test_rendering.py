@@ -7,15 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from phonemeengine.arrays import Float32Array
-from phonemeengine.errors import EngineError
-from phonemeengine.mouth.head import HEAD, load_head
-from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.morph_mesh import MorphMesh
-from phonemeengine.mouth.movestate_set import MovestateSet
-from phonemeengine.mouth.table import load_table
-from phonemeengine.phonemes import Phoneme
 from scipy.ndimage import binary_fill_holes
 
 from phonemeanalyser.rendering import contexts
@@ -26,6 +17,15 @@ from phonemeanalyser.rendering.light import Light
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import HeadRenderer, colour_of
 from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeengine.arrays import Float32Array
+from phonemeengine.errors import EngineError
+from phonemeengine.mouth.head import HEAD, load_head
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
 from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined, photographer, seen
 from tests.meshes import cube, figure_of_cube
 

@@ -6,17 +6,17 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.colours import PHONEME_COLOURS
+from phonemeanalyser.reports.page import page_of
+from phonemeanalyser.reports.report import Report, ScoredPreset, clock, signed, written
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import score_corpus
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-
-from phonemeanalyser.cli.main import main
-from phonemeanalyser.colours import PHONEME_COLOURS
-from phonemeanalyser.reports.page import page_of
-from phonemeanalyser.reports.report import Report, ScoredPreset, clock, signed, written
 from tests.corpora import put, speech, write_corpus, write_manifest
 
 THESIS, CLEAN = (load_preset(FACTORY / name) for name in ("thesis.toml", "thesis-anti-aliased.toml"))
@@ -57,7 +57,7 @@ def test_the_figures_of_the_page_are_those_that_were_scored(tmp_path: Path) -> N
     root = parsed(page_of(report))
     tiles = [words_of(tile) for tile in root.findall(".//div[@class='tile']")]
     one, other = (preset.scores.overall for preset in report.presets)
-    assert tiles[0] == f"Macro F1 {one.scores.ten_f1:.3f} {other.scores.ten_f1:.3f}" != "Macro F1 1.000 1.000"
+    assert tiles[0] == f"Macro F1 {one.scores.macro_f1:.3f} {other.scores.macro_f1:.3f}" != "Macro F1 1.000 1.000"
     assert tiles[5].startswith(f"Changes per second {one.scores.changes_per_s:.1f} {other.scores.changes_per_s:.1f}")
     said = words_of(root)
     for name in (

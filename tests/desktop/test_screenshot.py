@@ -23,7 +23,7 @@ def no_window_stays(qapp: QApplication) -> Iterator[None]:
     yield
     for window in qapp.topLevelWidgets():
         if isinstance(window, MainWindow):
-            window.retire()
+            window.close_without_asking()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # processEvents leaves these
 
 

@@ -6,12 +6,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-from phonemeengine.features.variables import Variable
-from phonemeengine.settings import SAMPLE_RATE, Filter
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
+from phonemeengine.features.variables import Variable
+from phonemeengine.settings import SAMPLE_RATE, Filter
 from tests.bad_files import BAD_FILES, HOSTILE
 from tests.desktop.sessions import DURATION, N_FRAMES, frames, settled
 from tests.outputs import Outputs
@@ -22,9 +22,9 @@ def test_without_a_file_nothing_happens(session: Session, model: PresetModel, tm
     for act in (session.play, session.pause, session.toggle, session.stop, session.clear, session.close):
         act()
     session.seek(3)
-    session.follow(3)
+    session.analyse_until(3)
     model.set_filter(Filter.MEL, True)
-    assert not session.tick()
+    assert not session.poll()
     assert not session.playing
     assert (session.path, session.duration, session.position, session.n_dropped) == (None, 0, 0, 0)
     assert (session.description, session.output_name, session.has_card) == ("no sound", "", False)
@@ -60,7 +60,7 @@ def test_a_bad_file_leaves_the_present_one_in_hand(
     (tmp_path / "bad").mkdir()
     bad = BAD_FILES[name](tmp_path / "bad")
     said: list[str] = []
-    session.failed.connect(said.append)
+    session.error.connect(said.append)
     session.open(sound)
     play(0.2)
     before = (session.position, session.history.n)
@@ -93,7 +93,7 @@ def test_clearing_forgets_what_was_gathered_and_goes_on(
 
 def test_the_newest_frame_is_explained(session: Session, sound: Path) -> None:
     session.open(sound)
-    session.follow(0.3)
+    session.analyse_until(0.3)
     trace = session.explain()
     assert trace is not None
     assert trace.phoneme == session.history.recognised[session.history.n - 1]
@@ -134,12 +134,12 @@ def test_a_file_that_breaks_stops_and_says_so_once(
     session: Session, play: Callable[[float], None], tmp_path: Path
 ) -> None:
     said: list[str] = []
-    session.failed.connect(said.append)
+    session.error.connect(said.append)
     session.open(BAD_FILES["not_a_number"](tmp_path))
     play(10)
     assert (session.playing, session.position) == (False, 0)
     for _ in range(5):
-        session.tick()
+        session.poll()
     assert len(said) == 1
     assert "NaN" in said[0]
 
@@ -153,7 +153,7 @@ def test_a_lost_sound_card_is_replaced_by_the_clock(
     outputs.last.lost = True
 
     def done() -> bool:
-        session.tick()
+        session.poll()
         return not session.playing
 
     qtbot.waitUntil(done)
@@ -165,7 +165,7 @@ def test_a_change_while_nothing_plays_shows_in_what_was_heard_last(
     session: Session, model: PresetModel, sound: Path
 ) -> None:
     session.open(sound)
-    session.follow(0.5)
+    session.analyse_until(0.5)
     frames_before = session.history.frames[:50].copy()
     rewritten: list[int] = []
     session.rewritten.connect(rewritten.append)
@@ -182,7 +182,7 @@ def test_a_change_while_nothing_plays_shows_in_what_was_heard_last(
 
 def test_analysing_again_with_the_same_preset_changes_nothing(session: Session, sound: Path) -> None:
     session.open(sound)
-    session.follow(0.6)
+    session.analyse_until(0.6)
     phonemes, spectra = session.history.phonemes[:60].copy(), session.history.spectra[:60].copy()
     session.findings.analyse_again(sound, session.channel)
     np.testing.assert_array_equal(session.history.phonemes[:60], phonemes)
@@ -200,7 +200,7 @@ def test_a_place_sought_while_nothing_plays_shows_the_seconds_before_it(session:
 
 def test_what_was_heard_stays_before_a_place_that_is_sought(session: Session, sound: Path) -> None:
     session.open(sound)
-    session.follow(0.4)
+    session.analyse_until(0.4)
     before = {name: session.history.extremes(name) for name in session.history.names}
     phonemes = session.history.phonemes[:40].copy()
     for seconds, first in ((0.7, 0), (0.2, 0), (0.0, 0)):
@@ -216,7 +216,7 @@ def test_the_extremes_are_those_since_clear_though_the_preset_changes_in_a_pause
     loud_first = np.concatenate((tone(1000, 1.0, 0.8), tone(1000, 12.0, 0.1)))
     soundfile.write(tmp_path / "long.wav", loud_first, SAMPLE_RATE, subtype="FLOAT")
     session.open(tmp_path / "long.wav")
-    session.follow(13.0)
+    session.analyse_until(13.0)
     before = session.history.extremes("volume")
     assert before is not None
     assert before[0] == pytest.approx(0.8, abs=0.01)

@@ -5,14 +5,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.history import GAP
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 from tests.desktop.sessions import DURATION, N_FRAMES, frames, settled
 from tests.outputs import Outputs
 
@@ -37,7 +37,7 @@ def test_following_gives_what_playing_gives(
     play(seconds)
     other = Session(model, Outputs())
     other.open(sound)
-    other.follow(seconds)
+    other.analyse_until(seconds)
     n = other.history.n
     assert abs(n - session.history.n) <= 1  # frames come in pairs while it plays
     assert (n == N_FRAMES) == (seconds == DURATION)
@@ -54,7 +54,7 @@ def test_following_gives_what_playing_gives(
 
 def test_following_never_goes_beyond_the_end(session: Session, sound: Path) -> None:
     session.open(sound)
-    session.follow(1e6)
+    session.analyse_until(1e6)
     assert frames(session) == list(range(N_FRAMES))
 
 
@@ -64,7 +64,7 @@ def test_on_the_clock_it_plays_in_real_time(model: PresetModel, sound: Path, qtb
     session.play()
 
     def done() -> bool:
-        session.tick()
+        session.poll()
         return not session.playing
 
     qtbot.waitUntil(done)
@@ -135,7 +135,7 @@ def test_a_loop_goes_round(session: Session, sound: Path, play: Callable[[float]
     session.play()
     while session.history.n < N_FRAMES + GAP + 40:
         outputs.last.move(400)
-        session.tick()
+        session.poll()
     assert frames(session)[: N_FRAMES + 40] == [*range(N_FRAMES), *range(40)]
     assert session.position < DURATION
     assert session.playing
@@ -217,7 +217,7 @@ def test_a_paused_sound_stays_paused_when_its_channel_changes(session: Session, 
 def test_if_the_file_has_gone_the_channel_stays_as_it_was(session: Session, stereo: Path, qtbot: QtBot) -> None:
     session.open(stereo)
     stereo.unlink()
-    with qtbot.waitSignals([session.failed, session.transport_changed]):
+    with qtbot.waitSignals([session.error, session.transport_changed]):
         session.set_channel(Channel.LEFT)
     assert session.channel is Channel.MIX
     assert session.path == stereo
@@ -227,5 +227,5 @@ def test_the_channel_can_be_chosen_before_there_is_a_file(session: Session, ster
     with qtbot.waitSignal(session.transport_changed):
         session.set_channel(Channel.RIGHT)
     session.open(stereo)
-    session.follow(0.5)
+    session.analyse_until(0.5)
     assert not session.history.phonemes[session.history.indices(0, 100)].any()

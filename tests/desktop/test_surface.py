@@ -3,15 +3,15 @@
 import moderngl
 import numpy as np
 import pytest
+
+from phonemeanalyser.rendering.renderer import HeadRenderer
+from phonemeanalyser.rendering.subdivision import MOST_TRIANGLES, subdivided
+from phonemeanalyser.rendering.surface import Surface, specular_mask
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
-
-from phonemeanalyser.rendering.renderer import HeadRenderer
-from phonemeanalyser.rendering.subdivision import MOST_TRIANGLES, subdivided
-from phonemeanalyser.rendering.surface import Surface, specular_mask
 from tests.graphics import ball, context, joined
 from tests.meshes import cube, figure_of_cube, volume
 

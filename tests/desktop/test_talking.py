@@ -6,6 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pytestqt.qtbot import QtBot
+
+from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.talk import osc_model as talking_osc
+from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.tone.settings import Tone, ToneKind
 from phonemeengine.mouth.files.io import save_morph_targets
@@ -18,11 +23,6 @@ from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.phonemes import Phoneme
-from pytestqt.qtbot import QtBot
-
-from phonemeanalyser.desktop.session.session import Session, SoundSource
-from phonemeanalyser.desktop.talk import osc_model as talking_osc
-from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from tests.desktop.sessions import settled
 from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
 from tests.glb_faces import face_with_targets

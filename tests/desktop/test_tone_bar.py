@@ -3,7 +3,6 @@
 from collections.abc import Callable
 
 import pytest
-from phonemeengine.audio.tone.settings import VOWELS, Formant, Tone, ToneKind
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QWidget
@@ -11,6 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.analyse.tone_bar import OF_KIND, SLIDER_STEPS, ToneBar
 from phonemeanalyser.desktop.theme import DARK
+from phonemeengine.audio.tone.settings import VOWELS, Formant, Tone, ToneKind
 from tests.desktop.hands import type_number
 
 Shown = Callable[[Tone], ToneBar]

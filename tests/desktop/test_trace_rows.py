@@ -1,9 +1,8 @@
 """Which lines of a decision the window tells: all of a few rules, the nearest of many."""
 
+from phonemeanalyser.desktop.analyse.phoneme_view import N_ROWS, rows_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.trace import RuleComparison, Trace
-
-from phonemeanalyser.desktop.analyse.phoneme_view import N_ROWS, rows_of
 
 
 def compared(rule: str, margin: float, limit: float = 1.0, variable: str = "energy") -> RuleComparison:

@@ -3,11 +3,11 @@
 from pathlib import Path
 
 import pytest
-from phonemeengine.presets.files import FACTORY, THESIS_PRESET, save_preset
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
+from phonemeengine.presets.files import FACTORY, THESIS_PRESET, save_preset
 from tests.bad_files import BAD_FILES, DAMAGED, ODD_FILES
 from tests.desktop.hands import CARDS, DEMO, click, followed, press, shown, wav
 from tests.sounds import tone
@@ -148,7 +148,7 @@ def test_a_bad_sound_gives_one_sentence_and_leaves_everything(desktop, qtbot, tm
         assert desktop.session.path == CARDS, name
         after = window.windowTitle(), desktop.session.history.n, desktop.session.position, recent(window)
         assert after == before, name
-        window.banner.say("")
+        window.banner.show_error("")
     press(window, Qt.Key.Key_Space)
     assert desktop.session.playing
 

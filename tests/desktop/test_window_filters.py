@@ -5,9 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import soundfile
-from phonemeengine.analyser import Analysis, analyse_blocks
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import AnalysisSettings, Filter
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -25,6 +22,9 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.analyse.filter_column import FIELDS
 from phonemeanalyser.desktop.analyse.threshold_view import ThresholdSlider
 from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS
+from phonemeengine.analyser import Analysis, analyse_blocks
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import AnalysisSettings, Filter
 from tests.desktop.hands import CARDS, click, press, shown, type_number
 from tests.sounds import noise
 

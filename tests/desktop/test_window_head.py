@@ -10,15 +10,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.mouth.files.io import save_morph_targets
-from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.morph_mesh import morph_targets_of
-from phonemeengine.mouth.movestate import movestate_of
-from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.table import TABLES, load_table
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import THESIS_PRESET
 from PySide6.QtCore import QPoint, QPointF, QSettings, Qt
 from PySide6.QtGui import QImage, QWheelEvent
 from PySide6.QtTest import QTest
@@ -33,6 +24,15 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.rendering import offscreen as pictures
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.errors import RenderingError
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.mouth.files.io import save_morph_targets
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import morph_targets_of
+from phonemeengine.mouth.movestate import movestate_of
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.table import TABLES, load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import THESIS_PRESET
 from tests.conftest import ROOT
 from tests.desktop.hands import LEFT, button, click, press, shown, wav
 from tests.desktop.stage import AN_A

@@ -4,9 +4,6 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import Channel
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QImage
 from PySide6.QtWidgets import QApplication, QComboBox, QDockWidget, QMessageBox
@@ -15,6 +12,9 @@ from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import Channel
 from tests.desktop.hands import click, followed, press, shown, type_number
 
 
@@ -199,7 +199,7 @@ def start_again(desktop, qapp, settings):
     yield start
     for other in others:
         other.session.close()
-        other.window.retire()
+        other.window.close_without_asking()
 
 
 def test_layout_and_choices_come_back(desktop, qtbot, start_again):
@@ -292,4 +292,4 @@ def test_settings_of_nonsense_do_not_keep_the_window_from_opening(qapp, settings
     assert desktop.session.channel is Channel.MIX
     assert desktop.session.volume == 0
     desktop.session.close()
-    desktop.window.retire()
+    desktop.window.close_without_asking()

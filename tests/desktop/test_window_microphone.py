@@ -4,15 +4,15 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from phonemeengine.audio.devices import Device
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import BIN_WIDTH, HOP
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.level_meter import words_of
 from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeengine.audio.devices import Device
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, HOP
 from tests.desktop.hands import CARDS, DEMO, ON_BIN, TimeEyes, click, drag, press
 from tests.desktop.studio import DESK, HEADSET, Booth, Studio, choose
 from tests.microphones import HandDrivenMicrophone, offline

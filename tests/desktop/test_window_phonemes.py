@@ -4,10 +4,6 @@ import threading
 from pathlib import Path
 
 import pytest
-from phonemeengine.labels.files import read_labels
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import THESIS_PRESET
-from phonemeengine.settings import Channel
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
@@ -15,6 +11,10 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
 from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.session import phoneme_writer
 from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeengine.labels.files import read_labels
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import THESIS_PRESET
+from phonemeengine.settings import Channel
 from tests.desktop.hands import CARDS, press, shown
 from tests.tables import analysed
 

@@ -3,12 +3,12 @@
 import tomllib
 
 import pytest
-from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
-from phonemeengine.presets.phonemedata import parse_phoneme_data
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
 from phonemeanalyser.desktop import dialogs
+from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
+from phonemeengine.presets.phonemedata import parse_phoneme_data
 from tests.desktop.hands import answer, click, press, shown, type_number
 
 BUTTON = QMessageBox.StandardButton

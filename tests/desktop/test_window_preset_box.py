@@ -3,13 +3,13 @@
 from pathlib import Path
 
 import pytest
-from phonemeengine.presets import files
-from phonemeengine.presets.files import FACTORY_PRESETS, load_preset, save_preset
-from phonemeengine.presets.preset import Preset
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
 from phonemeanalyser.desktop import dialogs
+from phonemeengine.presets import files
+from phonemeengine.presets.files import FACTORY_PRESETS, load_preset, save_preset
+from phonemeengine.presets.preset import Preset
 from tests.desktop.hands import answer, press, shown, type_number
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier

@@ -8,17 +8,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
 from phonemeengine.recognition.recogniser import RECOGNISERS
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
-from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
-
-from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session
 from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number
 from tests.plug_ins import Shelf
 from tests.tables import rows_of
@@ -73,7 +73,7 @@ def told(window) -> str:
 @pytest.fixture
 def sentences(session: Session) -> list[str]:
     kept: list[str] = []
-    session.failed.connect(kept.append)
+    session.error.connect(kept.append)
     return kept
 
 
@@ -267,10 +267,10 @@ def test_a_recogniser_that_fails_while_playing_is_one_sentence_and_another_goes_
     session.play()
     model.set_recogniser("own")
     outputs.last.ahead = ahead
-    qtbot.waitUntil(lambda: bool(session.tick() or sentences))
+    qtbot.waitUntil(lambda: bool(session.poll() or sentences))
     for _ in range(30):  # as many pictures
         qtbot.wait(5)
-        session.tick()
+        session.poll()
     assert len(sentences) == 1
     assert sentences[0].startswith("the recogniser 'own' of the package own-package cannot")
     assert not session.playing
@@ -278,7 +278,7 @@ def test_a_recogniser_that_fails_while_playing_is_one_sentence_and_another_goes_
     session.play()
     qtbot.waitUntil(lambda: outputs.last.n_written - outputs.last.heard > 20_000)
     outputs.last.move(20_000)
-    assert session.tick()
+    assert session.poll()
     assert len(sentences) == 1
 
 
@@ -288,7 +288,7 @@ def test_a_recogniser_that_cannot_say_why_is_told_once(
     shelf.offer("class Own(Plain):\n    def explain(self, features, k):\n        1 / 0")
     model.set_recogniser("own")
     session.open(sound)
-    session.follow(0.5)
+    session.analyse_until(0.5)
     assert [session.explain() for _ in range(5)] == [None] * 5
     assert len(sentences) == 1
     assert "cannot say why (ZeroDivisionError" in sentences[0]
@@ -300,7 +300,7 @@ def test_one_recogniser_explains_until_the_preset_changes(
 ):
     model.set_recogniser("loudness")
     session.open(sound)
-    session.follow(0.3)
+    session.analyse_until(0.3)
     before = model.recogniser
     session.explain()
     model.set_setting("intensity_low", -40.0)

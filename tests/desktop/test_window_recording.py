@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-from phonemeengine.settings import HOP
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QColor, QDropEvent
 from PySide6.QtTest import QTest
 
 from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeengine.settings import HOP
 from tests.desktop.hands import CARDS, DEMO, click, press
 from tests.desktop.studio import DESK, Booth
 from tests.desktop.test_microphone import CUT_OFF

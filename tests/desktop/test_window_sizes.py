@@ -1,8 +1,6 @@
 """Nothing is clipped: every text has room at the sizes that people use."""
 
 import pytest
-from phonemeengine.audio.output import ClockOutput
-from phonemeengine.audio.tone.settings import Tone, ToneKind
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -21,6 +19,8 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.guide_model import Phase
 from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.audio.tone.settings import Tone, ToneKind
 from tests.desktop.hands import click, followed, shown
 
 SMALLEST = (1016, 660)

@@ -3,14 +3,14 @@
 from collections.abc import Callable
 
 import pytest
-from phonemeengine.audio.devices import Device
-from phonemeengine.audio.tone.settings import ToneKind
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QApplication, QComboBox, QLabel, QSlider, QWidget
 
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeengine.audio.devices import Device
+from phonemeengine.audio.tone.settings import ToneKind
 from tests.desktop.hands import press
 from tests.desktop.studio import Booth, choose
 from tests.desktop.test_window_sizes import name_of, room_and_need

@@ -5,8 +5,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from phonemeengine.averaged_spectrum import load_averaged_spectrum
-from phonemeengine.settings import BIN_WIDTH, Filter
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
@@ -14,6 +12,8 @@ from PySide6.QtWidgets import QApplication, QToolButton
 
 from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
+from phonemeengine.averaged_spectrum import load_averaged_spectrum
+from phonemeengine.settings import BIN_WIDTH, Filter
 from tests.desktop.hands import LEFT, ON_BIN, button, choose, click, copied, followed, hover, press, shown, wav
 from tests.sounds import noise, tone
 

@@ -4,14 +4,14 @@ from dataclasses import fields
 
 import numpy as np
 import pytest
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
-from phonemeengine.recognition.rules import CONDITIONS
-from phonemeengine.settings import BIN_WIDTH
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 
 from phonemeanalyser.desktop.analyse.threshold_view import CURVATURE
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
+from phonemeengine.recognition.rules import CONDITIONS
+from phonemeengine.settings import BIN_WIDTH
 from tests.desktop.hands import click, drag, followed, press, shown, type_number
 
 CONTROL = Qt.KeyboardModifier.ControlModifier

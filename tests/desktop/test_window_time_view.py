@@ -5,11 +5,6 @@ import re
 import numpy as np
 import pyqtgraph as pg
 import pytest
-from phonemeengine.analyser import analyse_blocks
-from phonemeengine.features.variables import BUILT_IN_NAMES
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.rules import CONDITIONS
-from phonemeengine.settings import FRAME_PERIOD
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
@@ -19,6 +14,11 @@ from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, colours_of
 from phonemeanalyser.desktop.session.history import CAPACITY
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeanalyser.desktop.widgets.colour_bar import ColourBar
+from phonemeengine.analyser import analyse_blocks
+from phonemeengine.features.variables import BUILT_IN_NAMES
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.rules import CONDITIONS
+from phonemeengine.settings import FRAME_PERIOD
 from tests.desktop.hands import (
     ON_BIN,
     TimeEyes,

@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from phonemeengine.audio.tone.settings import VOWELS, ToneKind
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import BIN_WIDTH
 from PySide6.QtCore import Qt
 
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeengine.audio.tone.settings import VOWELS, ToneKind
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH
 from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, type_number
 from tests.desktop.studio import choose
 

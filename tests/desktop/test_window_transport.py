@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from phonemeengine.settings import Channel
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
+from phonemeengine.settings import Channel
 from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, wav
 from tests.sounds import silence, tone
 

@@ -3,13 +3,13 @@
 from collections.abc import Callable
 
 import pytest
-from phonemeengine.audio import stream
-from phonemeengine.errors import EngineError
-from phonemeengine.live.microphone_analyser import MicrophoneAnalyser
 from PySide6.QtCore import Qt
 
 from phonemeanalyser.desktop.session import latency_test as click_test
 from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeengine.audio import stream
+from phonemeengine.errors import EngineError
+from phonemeengine.live.microphone_analyser import MicrophoneAnalyser
 from tests.desktop.hands import press
 from tests.desktop.studio import DESK, Booth, choose
 from tests.desktop.test_microphone_trouble import MEASURED

@@ -18,7 +18,7 @@ listener = Listener(load_preset(DEFAULT_PRESET), InputChoice(rate=int(sys.argv[2
 frames: list[tuple[int, list[int]]] = []
 while not ending:
     status = listener.status
-    frames += [(block.start, block.phonemes.tolist()) for block in listener.take()]
+    frames += [(block.start, block.phonemes.tolist()) for block in listener.take_analyses()]
     print(
         json.dumps({
             "time": time.monotonic(), "listening": status.listening, "words": status.words, "rate": listener.rate,
@@ -29,6 +29,6 @@ while not ending:
     time.sleep(0.02)
 lost = listener.lost_seconds
 listener.close()
-frames += [(block.start, block.phonemes.tolist()) for block in listener.take()]
+frames += [(block.start, block.phonemes.tolist()) for block in listener.take_analyses()]
 tape.close()
 print(json.dumps({"frames": frames, "dropped": listener.n_dropped, "lost": lost}), flush=True)

@@ -24,7 +24,7 @@ while not player.finished and time.monotonic() - started < 120:
     if not cards or cards[-1][1] != player.has_card:
         cards.append((time.monotonic(), player.has_card))
         print("with a card" if player.has_card else "without a card", flush=True)
-    for block in player.take():
+    for block in player.take_analyses():
         last = block.start + len(block) - 1
         frames += range(block.start, last + 1)
         late.append(player.position - (last + 0.5) * 0.01)

@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 import soundfile
 from numpy.typing import NDArray
+
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
-
 from tests.sounds import noise
 from tests.virtual_sound import VirtualSound
 

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 import soundfile
-from phonemeengine.audio.wav import HEADER
 
 from phonemeanalyser.cli.main import DEMO
+from phonemeengine.audio.wav import HEADER
 from tests.devices.programs import PATIENCE, Program, counted_in, recorder, samples_of
 from tests.virtual_sound import VirtualSound
 

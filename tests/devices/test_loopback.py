@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine.live.loopback import EVERY
-
 from tests.virtual_sound import VirtualSound
 
 DRIVER = Path(__file__).with_name("measure_loopback.py")

@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 import soundfile
 import soxr
+
+from phonemeanalyser.cli.main import DEMO
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import HOP, SAMPLE_RATE
-
-from phonemeanalyser.cli.main import DEMO
 from tests.conftest import CORPUS
 from tests.devices.programs import PATIENCE, SETTLED, Program, counted_in, listener
 from tests.virtual_sound import VirtualSound

@@ -4,8 +4,8 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
-from phonemeengine.audio.journal import interrupted_recordings
 
+from phonemeengine.audio.journal import interrupted_recordings
 from tests.devices.conftest import Minute
 from tests.devices.programs import (
     PATIENCE,

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from phonemeengine.audio.files import SoundReader
 
+from phonemeengine.audio.files import SoundReader
 from tests.devices.programs import (
     PATIENCE,
     SETTLED,

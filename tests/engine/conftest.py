@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 import soundfile
-from phonemeengine.settings import SAMPLE_RATE
 
+from phonemeengine.settings import SAMPLE_RATE
 from tests.microphones import HandDrivenMicrophone, Hear, Hearing
 from tests.players import SPEECH, Rig
 

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.alignment import aligned
 from phonemeengine.calibration.scores.corpus import frame_labels_of, read_labels, read_recordings
@@ -17,7 +18,6 @@ from phonemeengine.labels.label import Label
 from phonemeengine.labels.table import format_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.sounds import Sound, noise, silence, tone
 
 DEMO = Path(__file__).parents[2] / "phonemeanalyser" / "demo" / "demo.flac"

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
 from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
@@ -13,7 +14,6 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
-
 from tests.sounds import Sound, noise, silence, tone, vowel
 
 EVERYTHING = AnalysisSettings(
@@ -209,7 +209,7 @@ def test_another_preset_acts_on_the_next_frame_and_on_no_earlier_one(next_preset
     without = replace(next_preset, settings=replace(next_preset.settings, time_smooth=0, statistics=False))
     analyser = Analyser(replace(THESIS, settings=replace(THESIS.settings, statistics=False)))
     before = analyser.push(SPEECH[:cut])
-    analyser.use(without)
+    analyser.set_preset(without)
     after = [analyser.push(SPEECH[cut:]), analyser.finish()]
     n = len(before)
     assert after[0].start == n
@@ -233,7 +233,7 @@ def test_another_preset_acts_on_the_next_frame_and_on_no_earlier_one(next_preset
 def test_what_does_not_concern_the_smoothing_leaves_its_memory_alone(change: dict[str, object]):
     analyser = Analyser(SMOOTH)
     parts = [analyser.push(SPEECH[:8000])]
-    analyser.use(replace(SMOOTH, **change))
+    analyser.set_preset(replace(SMOOTH, **change))
     parts += [analyser.push(SPEECH[8000:]), analyser.finish()]
     spectra = np.concatenate([part.spectra for part in parts])
     np.testing.assert_allclose(spectra, analysed([SPEECH], SMOOTH)["spectra"], rtol=1e-3, atol=1e-4)
@@ -244,9 +244,9 @@ def test_smoothing_that_was_off_for_a_while_forgets_what_was_before():
     plain = replace(smooth, filters=frozenset({Filter.QUANTISE}))
     analyser = Analyser(Preset(settings=smooth))
     analyser.push(tone(1000, 1))
-    analyser.use(Preset(settings=plain))
+    analyser.set_preset(Preset(settings=plain))
     analyser.push(silence(1))
-    analyser.use(Preset(settings=smooth))
+    analyser.set_preset(Preset(settings=smooth))
     assert analyser.push(silence(0.1)).spectra.max() == 0
 
 

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.audio import files
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
 from phonemeengine.settings import SAMPLE_RATE, Channel
-
 from tests.bad_files import BAD_FILES, CUT_OFF, DAMAGED, FMT, HOSTILE, LYING, ODD_FILES, SAMPLES, a_sound, chunk, riff
 
 READ_ALL = """

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml

@@ -5,6 +5,7 @@ from itertools import pairwise
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.calibration.workbench.batch_smoother import BatchSmoother
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.smoothing import PhonemeSmoother
@@ -42,9 +43,9 @@ def sequences(draw: st.DrawFn) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def test_recordings_at_once_say_what_frame_by_frame_says(sequence, successors, hold):
     edges, flicker, _ = sequence
     calmer = BatchSmoother(edges)
-    found = calmer.held(calmer.filled(flicker, successors), hold / 100)
+    found = calmer.minimum_hold(calmer.fill_unidentified(flicker, successors), hold / 100)
     spans = pairwise(edges)
-    expected = [PhonemeSmoother(hold / 100, successors).push(flicker[first:end]) for first, end in spans]
+    expected = [PhonemeSmoother(hold / 100, successors).smooth(flicker[first:end]) for first, end in spans]
     assert found.tolist() == np.concatenate(expected).tolist()
 
 
@@ -52,10 +53,10 @@ def test_recordings_at_once_say_what_frame_by_frame_says(sequence, successors, h
 def test_hysteresis_at_once_is_hysteresis_frame_by_frame(sequence, successors, hold):
     edges, flicker, stays = sequence
     calmer = BatchSmoother(edges)
-    found = calmer.held(calmer.filled(calmer.steadied(flicker, stays), successors), hold / 100)
+    found = calmer.minimum_hold(calmer.fill_unidentified(calmer.hysteresis(flicker, stays), successors), hold / 100)
     shortfalls = np.where(stays, 0.1, 0.3).T.astype(np.float32)
     expected = [
-        PhonemeSmoother(hold / 100, successors, 0.2).push(flicker[first:end], shortfalls[first:end])
+        PhonemeSmoother(hold / 100, successors, 0.2).smooth(flicker[first:end], shortfalls[first:end])
         for first, end in pairwise(edges)
     ]
     assert found.tolist() == np.concatenate(expected).tolist()
@@ -63,6 +64,6 @@ def test_hysteresis_at_once_is_hysteresis_frame_by_frame(sequence, successors, h
 
 def test_a_recording_remembers_nothing_of_the_one_before():
     calmer = BatchSmoother(edges_of([3, 3]))
-    filled = calmer.filled(codes(A, UNKNOWN, UNKNOWN, UNKNOWN, M, UNKNOWN), STAY | {A: E, SILENCE: M})
+    filled = calmer.fill_unidentified(codes(A, UNKNOWN, UNKNOWN, UNKNOWN, M, UNKNOWN), STAY | {A: E, SILENCE: M})
     assert filled.tolist() == [A, E, E, M, M, M]
-    assert calmer.held(codes(A, A, E, E, A, A), 0.03).tolist() == [A, A, A, E, E, E]
+    assert calmer.minimum_hold(codes(A, A, E, E, A, A), 0.03).tolist() == [A, A, A, E, E, E]

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.features.variables import DEFICITS
 from phonemeengine.phonemes import Phoneme
@@ -15,7 +16,6 @@ from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS
 from phonemeengine.recognition.recogniser import recogniser_of
 from phonemeengine.recognition.scores import deficits_of, scores_in
 from phonemeengine.settings import SAMPLE_RATE, Filter
-
 from tests.conftest import ROOT
 from tests.sounds import Sound, noise, silence, vowel
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.averaged_spectrum import (
     AveragedSpectrum,
@@ -19,7 +20,6 @@ from phonemeengine.averaged_spectrum import (
 from phonemeengine.errors import CurveError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
-
 from tests.sounds import Sound, noise, tone, vowel
 
 COARSE = AnalysisSettings(filters=frozenset({Filter.QUANTISE}), quantise=4, decimation=Decimation.ANTI_ALIASED)

@@ -4,11 +4,11 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import Device, InputChoice, chosen_input, inputs_of
 from phonemeengine.audio.stream import CardStream, devices, openable_devices
 from phonemeengine.errors import DeviceError, SettingsError
-
 from tests.portaudio import FakePortAudio
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.calibration.workbench.distributions import N_BINS, distribution_of, ranked_variables
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.calibration.workbench.separability import (
@@ -17,7 +18,6 @@ from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.progress import Cancelled
-
 from tests.labelled import recording, recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")
@@ -124,7 +124,7 @@ def test_the_ranking_for_all_phonemes_is_by_the_mean_over_all_pairs(bench):
 
 def test_a_ranking_ends_when_it_shall(bench):
     with pytest.raises(Cancelled):
-        ranked_variables(bench, heed=lambda share: share < 0.5)
+        ranked_variables(bench, progress=lambda share: share < 0.5)
 
 
 def test_a_variable_that_was_not_measured_has_no_distribution(bench):

@@ -4,13 +4,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.analyser import Analyser
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable, check_user_variables
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings
-
 from tests.sounds import Sound, noise, silence, tone
 
 LOW, HIGH = 46 * BIN_WIDTH, 140 * BIN_WIDTH

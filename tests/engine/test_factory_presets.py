@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.analyser import Analyser
 from phonemeengine.errors import PresetError
 from phonemeengine.presets import files
@@ -21,7 +22,6 @@ from phonemeengine.presets.files import (
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.recogniser import RECOGNISERS
 from phonemeengine.settings import AnalysisSettings, Filter
-
 from tests.sounds import noise, vowel
 
 SOUND = (vowel((750.0, 1250.0, 2500.0), 0.5) + noise(0.5, 0.02, seed=1)).astype(np.float32)

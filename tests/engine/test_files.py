@@ -10,6 +10,7 @@ import pytest
 import soundfile
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+
 from phonemeengine.audio.files import SUFFIXES, SoundReader, mono_of
 from phonemeengine.settings import SAMPLE_RATE, Channel
 

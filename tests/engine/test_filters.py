@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.dsp.filters import (
     FrequencyShaper,
     TimeSmoother,
@@ -18,7 +19,6 @@ from phonemeengine.dsp.filters import (
 from phonemeengine.dsp.spectrum import SpectrumAnalyser
 from phonemeengine.errors import SettingsError
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings
-
 from tests.sounds import Sound, tone
 
 
@@ -85,7 +85,7 @@ def recursion(spectra: Sound, strength: float) -> Sound:
 def test_time_smoothing_is_the_recursion_for_any_cutting(strength: float, cuts: list[int]):
     spectra = some_spectra(100)
     smoother = TimeSmoother(strength)
-    smoothed = np.concatenate([smoother.push(part) for part in np.split(spectra, sorted(cuts))])
+    smoothed = np.concatenate([smoother.smooth(part) for part in np.split(spectra, sorted(cuts))])
     np.testing.assert_allclose(smoothed, recursion(spectra, strength), rtol=1e-4, atol=1e-7)
 
 
@@ -94,15 +94,15 @@ def test_a_smoothed_sound_dies_away_alike_for_any_cutting(strength: float):
     """Normalising shows even the faintest rest of a sound, so it must not vanish earlier in a long block."""
     spectra = np.zeros((100, 16), np.float32)
     spectra[:3] = some_spectra(3)
-    whole = normalise(TimeSmoother(strength).push(spectra))
+    whole = normalise(TimeSmoother(strength).smooth(spectra))
     smoother = TimeSmoother(strength)
-    single = normalise(np.concatenate([smoother.push(spectra[k : k + 1]) for k in range(100)]))
+    single = normalise(np.concatenate([smoother.smooth(spectra[k : k + 1]) for k in range(100)]))
     np.testing.assert_allclose(whole, single, atol=1e-4)
 
 
 def test_a_steady_spectrum_is_approached_and_kept():
     steady = np.full((200, 4), 0.5, np.float32)
-    smoothed = TimeSmoother(0.8).push(steady)
+    smoothed = TimeSmoother(0.8).smooth(steady)
     assert np.all(np.diff(smoothed[:, 0]) >= -1e-6)
     np.testing.assert_allclose(smoothed[0], 0.1, rtol=1e-6)
     np.testing.assert_allclose(smoothed[-1], 0.5, rtol=1e-5)

@@ -4,6 +4,7 @@ from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
+
 from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
 from phonemeengine.calibration.fits.fitting import fit_preset
 from phonemeengine.calibration.fits.limit_search import LimitSearch
@@ -17,7 +18,6 @@ from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.progress import Cancelled
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
-
 from tests.labelled import recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")
@@ -114,13 +114,13 @@ def test_frames_that_are_nothing_that_is_scored_do_not_matter():
 @pytest.mark.parametrize("preset", [THESIS, OWN], ids=["thesis", "rules"])
 def test_a_fit_betters_a_preset_that_was_made_for_other_voices(bench, preset):
     report = fit_preset(bench, preset)
-    assert report.after.ten_f1 > report.before.ten_f1 + 0.05
+    assert report.after.macro_f1 > report.before.macro_f1 + 0.05
     assert report.gains
     assert report.left_out == "speaker"
     assert report.before == pytest.approx(bench.confusion(preset).scores())
     assert report.after == pytest.approx(bench.confusion(report.preset).scores())
     assert report.held_out is not None
-    assert report.held_out.ten_f1 > report.before.ten_f1
+    assert report.held_out.macro_f1 > report.before.macro_f1
     kept = replace(report.preset, thresholds=preset.thresholds, successors=preset.successors, rules=preset.rules)
     assert asdict(kept) == asdict(preset)
 
@@ -132,7 +132,7 @@ def test_a_fit_is_never_worse_than_what_was_there(bench, preset, hold):
     before = fit_preset(bench, replace(preset, settings=settings)).preset
     for seed in range(3):
         report = fit_preset(bench, before, seed=seed)
-        assert report.after.ten_f1 >= report.before.ten_f1
+        assert report.after.macro_f1 >= report.before.macro_f1
         assert report.gains or report.preset == before
 
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.dsp.framing import LEAD, Framer, frame_count
 from phonemeengine.settings import HOP, WINDOW
-
 from tests.sounds import Sound, noise
 
 
@@ -19,7 +19,7 @@ def frames_by_definition(sound: Sound) -> Sound:
 
 def framed(blocks: list[Sound]) -> Sound:
     framer = Framer()
-    parts = [framer.push(block) for block in blocks]
+    parts = [framer.cut_frames(block) for block in blocks]
     return np.concatenate([*parts, framer.finish()])
 
 
@@ -46,15 +46,15 @@ def test_frames_are_the_same_for_any_cutting(cuts: list[int]):
 def test_a_frame_comes_out_as_soon_as_its_last_sample_is_in():
     framer = Framer()
     first_complete = WINDOW - LEAD
-    assert len(framer.push(np.zeros(first_complete - 1, np.float32))) == 0
-    assert len(framer.push(np.zeros(1, np.float32))) == 1
-    assert len(framer.push(np.zeros(HOP - 1, np.float32))) == 0
-    assert len(framer.push(np.zeros(1, np.float32))) == 1
+    assert len(framer.cut_frames(np.zeros(first_complete - 1, np.float32))) == 0
+    assert len(framer.cut_frames(np.zeros(1, np.float32))) == 1
+    assert len(framer.cut_frames(np.zeros(HOP - 1, np.float32))) == 0
+    assert len(framer.cut_frames(np.zeros(1, np.float32))) == 1
 
 
 def test_finishing_twice_gives_no_second_end():
     framer = Framer()
-    framer.push(np.zeros(1000, np.float32))
+    framer.cut_frames(np.zeros(1000, np.float32))
     assert len(framer.finish()) == 3
     assert len(framer.finish()) == 0
 
@@ -63,7 +63,7 @@ def test_frames_cannot_be_written_to():
     frames = framed([noise(0.1)])
     frames[0, 0] = 1  # a copy may
     with pytest.raises(ValueError, match="read-only"):
-        Framer().push(noise(0.1))[0, 0] = 1
+        Framer().cut_frames(noise(0.1))[0, 0] = 1
 
 
 def test_samples_of_double_precision_are_taken_as_numbers_not_as_bytes():

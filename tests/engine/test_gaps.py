@@ -11,6 +11,7 @@ import av
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.audio.chapters import ROOM
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.gaps import MOST_MARKED, Gap, gaps_in_words
@@ -20,7 +21,6 @@ from phonemeengine.audio.wav import HEADER, WavEncoder
 from phonemeengine.live import listener as live
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.settings import HOP, SAMPLE_RATE
-
 from tests.engine.test_tape import record, rows_beside, rows_of, same, tape_to
 from tests.microphones import Clock, HandDrivenMicrophone, Hear, frames_in, offline
 from tests.players import SPEECH, wait_for

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from phonemeengine.audio import input as inputs
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput
 from phonemeengine.errors import DeviceError
-
 from tests.portaudio import FakePortAudio, FakeStream, PortAudioError
 
 

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.audio.journal import RecordingMarker, interrupted_recordings
 from phonemeengine.errors import RecordingError
 from phonemeengine.paths import journal_folder, new_recording_path, recordings_folder
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.recorders import begun, samples_of_16_bits
 
 

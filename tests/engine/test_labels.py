@@ -8,12 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from parselmouth.praat import call, run
+
 from phonemeengine.calibration.scores.corpus import frame_labels_of
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.files import read_labels, write_labels
-from phonemeengine.labels.label import Label, labels_of
+from phonemeengine.labels.label import Label
 from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.phonemes import Phoneme
+from tests.labelled import labels_of
 
 ENCODINGS = ("utf-8", "utf-8-sig", "utf-16", "utf-16-be", "utf-16-le")
 MICROSECOND = 1e-6

@@ -5,6 +5,7 @@ import contextlib
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels import text_io as textfile
 from phonemeengine.labels.files import read_labels, write_labels

@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.errors import CorpusError, UnknownPhonemeError
 from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map, save_phoneme_map

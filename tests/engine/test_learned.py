@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.dsp.log_mel import N_BANDS, log_mels, warped_mel_bank
 from phonemeengine.errors import ModelError, PresetError
@@ -19,7 +20,6 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import FORMAT, Model, load_model, save_model
 from phonemeengine.recognition.recogniser import RecogniserConfig, recogniser_of
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
-
 from tests.models import band_of, tone_model
 from tests.sounds import silence, tone
 
@@ -105,7 +105,7 @@ def test_a_recogniser_that_needs_variables_gets_them_though_phonemes_alone_are_w
     analyser, whole = Analyser(preset_of(model, 0.0), phonemes_only=True), Analyser(rules)
     half = HOP * 60
     assert analyser.push(SOUND[:half]).spectra.shape[1] == 0
-    analyser.use(rules)
+    analyser.set_preset(rules)
     whole.push(SOUND[:half])
     one, other = whole.push(SOUND[half:]), analyser.push(SOUND[half:])
     np.testing.assert_array_equal(one.phonemes, other.phonemes)
@@ -145,7 +145,7 @@ def test_another_model_goes_on_with_the_frames_that_still_waited(model):
     other = tone_model({700.0: Phoneme.O, 2500.0: Phoneme.U})
     analyser = Analyser(preset_of(model))
     first = analyser.push(SOUND[: SAMPLE_RATE // 2])
-    analyser.use(preset_of(other, 0.0))
+    analyser.set_preset(preset_of(other, 0.0))
     rest = [analyser.push(SOUND[SAMPLE_RATE // 2 :]), analyser.finish()]
     assert rest[0].start == len(first)
     codes = codes_of([first, *rest])
@@ -158,8 +158,8 @@ def test_another_model_goes_on_with_the_frames_that_still_waited(model):
 def test_who_changes_the_recogniser_twice_at_once_gets_every_frame_once(model):
     analyser = Analyser(preset_of(model))
     first = analyser.push(SOUND[: SAMPLE_RATE // 2])
-    analyser.use(Preset())
-    analyser.use(preset_of(model))
+    analyser.set_preset(Preset())
+    analyser.set_preset(preset_of(model))
     rest = [analyser.push(SOUND[SAMPLE_RATE // 2 :]), analyser.finish()]
     assert rest[0].start == len(first)
     codes = codes_of([first, *rest])
@@ -171,7 +171,7 @@ def test_a_filter_switched_while_frames_wait_loses_none(model):
     analyser = Analyser(preset_of(model))
     first = analyser.push(SOUND[: SAMPLE_RATE // 2])
     preset = preset_of(model)
-    analyser.use(replace(preset, settings=replace(preset.settings, filters=frozenset())))
+    analyser.set_preset(replace(preset, settings=replace(preset.settings, filters=frozenset())))
     rest = [analyser.push(SOUND[SAMPLE_RATE // 2 :]), analyser.finish()]
     np.testing.assert_array_equal(codes_of([first, *rest]), codes_of(heard(preset)))
 

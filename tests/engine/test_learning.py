@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.calibration.adaptation import adapt
 from phonemeengine.calibration.learning.augment_spectrum import augment_spectra
 from phonemeengine.calibration.learning.augment_waveform import Augmentation, augment
@@ -22,7 +23,6 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.models import tone_model
 from tests.sounds import noise, tone, vowel
 
@@ -54,7 +54,7 @@ def accuracy_of(model: Model, voices: list[SpeakerExamples]) -> float:
     n_ahead, head, right = len(model.heads) - 1, model.heads[-1], []
     for lesson in (recording[0] for voice in voices for recording in voice.recordings):
         heard = np.concatenate((lesson.log_powers.astype(np.float32), silent_log_mels(n_ahead)))
-        found = Network(model.layers, silent_log_mels()).push(heard)[n_ahead:]
+        found = Network(model.layers, silent_log_mels()).forward(heard)[n_ahead:]
         right.append((found @ head.weights + head.bias).argmax(axis=1) == lesson.phonemes)
     return float(np.concatenate(right).mean())
 
@@ -102,7 +102,7 @@ def test_the_optimiser_finds_the_bottom_of_a_bowl_and_the_average_follows():
     optimiser, average = Optimiser([place], 400, 0.1), ExponentialAverage([place])
     for _ in range(400):
         optimiser.step([2 * (place - np.float32(1))])
-        average.follow()
+        average.update()
     np.testing.assert_allclose(place, 1, atol=0.02)
     np.testing.assert_allclose(average.means[0], 1, atol=0.3)
 

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live import listener as live
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
-
 from tests.microphones import Clock, HandDrivenMicrophone, Hear, frames_in, middle_of, offline
 from tests.players import PRESET, SPEECH, agree, frames_of, joined, wait_for
 from tests.sounds import silence, tone
@@ -51,7 +51,10 @@ def test_another_rate_of_the_device_puts_every_sound_at_its_place(hear: Hear, ra
     hearing = hear(microphone, on_heard=lambda _: delays.append(hearing.listener.latency.capture - microphone.delay))
     microphone.give(burst.astype(np.float32), rate // 100)
     wait_for(lambda: hearing.listener.seconds == 1.0, "the sound")
-    wait_for(lambda: bool(hearing.taken.extend(hearing.listener.take()) or len(frames_of(hearing.taken)) > 90), "it")
+    wait_for(
+        lambda: bool(hearing.taken.extend(hearing.listener.take_analyses()) or len(frames_of(hearing.taken)) > 90),
+        "it",
+    )
     found = joined(hearing.taken)
     expected = offline(np.concatenate((silence(0.4), tone(1000, 0.2, 0.8), silence(0.4)))).part(slice(len(found)))
     np.testing.assert_allclose(found.intensities, expected.intensities, atol=0.01)
@@ -87,7 +90,7 @@ def test_another_preset_acts_from_the_next_block_on(hear: Hear) -> None:
     microphone.give(sound[:22_050])
     hearing.wait(frames_in(22_050))
     assert set(joined(hearing.taken).recognised) == {Phoneme.SILENCE}
-    hearing.listener.use(PRESET)
+    hearing.listener.set_preset(PRESET)
     microphone.give(sound[22_050:])
     hearing.wait(frames_in(44_100))
     found, first = joined(hearing.taken), frames_in(22_050)
@@ -99,7 +102,7 @@ def test_another_preset_acts_from_the_next_block_on(hear: Hear) -> None:
 def test_a_listener_tells_its_preset(hear: Hear) -> None:
     listener = hear(HandDrivenMicrophone(), preset=DEAF).listener
     assert listener.preset is DEAF
-    listener.use(PRESET)
+    listener.set_preset(PRESET)
     assert listener.preset is PRESET
 
 
@@ -145,7 +148,7 @@ def test_frames_that_nobody_takes_are_dropped_and_counted(hear: Hear, monkeypatc
     hearing = hear(microphone, on_heard=lambda analysis: told.extend(frames_of([analysis])))
     microphone.give(SPEECH)
     wait_for(lambda: len(told) == frames_in(len(SPEECH)), "the frames")
-    taken = frames_of(hearing.listener.take())
+    taken = frames_of(hearing.listener.take_analyses())
     assert taken == told[-5:]
     assert hearing.listener.n_dropped == len(told) - 5
 

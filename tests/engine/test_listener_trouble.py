@@ -5,11 +5,11 @@ import time
 
 import numpy as np
 import pytest
+
 from phonemeengine.analyser import Analyser
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live import listener as live
 from phonemeengine.settings import HOP, SAMPLE_RATE
-
 from tests.microphones import REFUSAL, Clock, HandDrivenMicrophone, Hear, frames_in, offline
 from tests.players import SPEECH, agree, frames_of, wait_for
 
@@ -55,7 +55,7 @@ def test_a_slider_that_is_moved_while_there_is_no_microphone_does_not_try_for_on
     hearing = hear()
     hearing.wait_words(REFUSAL)
     for _ in range(50):
-        hearing.listener.use(hearing.listener.preset)
+        hearing.listener.set_preset(hearing.listener.preset)
         time.sleep(0.002)
     assert len(hearing.openers.asked) == 1
 
@@ -191,8 +191,8 @@ def test_a_bug_in_the_recognition_is_raised_once_and_ends_the_listening_truthful
     assert microphone.closed.wait(60)
     hearing.wait_words("not listening")
     with pytest.raises(ZeroDivisionError):
-        hearing.listener.take()
-    assert hearing.listener.take() == []
+        hearing.listener.take_analyses()
+    assert hearing.listener.take_analyses() == []
     assert not hearing.listener.status.listening
     hearing.listener.close()
 
@@ -206,7 +206,14 @@ def test_an_opener_that_hangs_holds_nobody_up(hear: Hear) -> None:
     microphone.lost = True
     wait_for(lambda: len(hearing.openers.asked) == 2, "the second try")  # it hangs now
     for _ in range(100):
-        listener.poll(), listener.take(), listener.level, listener.latency, listener.lost_seconds, listener.age_of(3)
+        (
+            listener.poll(),
+            listener.take_analyses(),
+            listener.level,
+            listener.latency,
+            listener.lost_seconds,
+            listener.age_of(3),
+        )
         assert not listener.status.listening
     listener.choose(InputChoice("another"))
     listener.record(None)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import ClockOutput
@@ -15,7 +16,6 @@ from phonemeengine.live.player import Player
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.settings import HOP, SAMPLE_RATE, AnalysisSettings, Channel
-
 from tests.bad_files import ODD_FILES
 from tests.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, joined, offline, wait_for
 
@@ -35,7 +35,7 @@ def test_no_frame_comes_before_its_middle_is_heard_nor_two_steps_late(rig: Rig) 
         rig.settle()
         rig.output.move(100)
         end = rig.output.heard >= len(SPEECH)
-        for heard in rig.player.take():
+        for heard in rig.player.take_analyses():
             middles = (np.array(frames_of([heard])) + 0.5) * HOP
             assert middles[-1] - 1 <= rig.output.heard or end
             assert rig.output.heard - middles[0] <= live.STEP + 100
@@ -55,7 +55,7 @@ def test_a_player_on_the_clock_gives_every_frame_too(path: Path) -> None:
     taken: list[Analysis] = []
 
     def done() -> bool:
-        taken.extend(player.take())
+        taken.extend(player.take_analyses())
         return player.finished
 
     wait_for(done, "the end")
@@ -93,7 +93,7 @@ def test_a_player_stands_still_until_it_is_told_to_play(rig: Rig) -> None:
     time.sleep(0.05)
     assert not rig.player.playing
     assert not rig.output.running
-    assert (rig.player.take(), rig.player.position, rig.output.n_written) == ([], 0.0, 0)
+    assert (rig.player.take_analyses(), rig.player.position, rig.output.n_written) == ([], 0.0, 0)
     assert not rig.player.finished
 
 
@@ -121,7 +121,7 @@ def test_a_pause_holds_everything(rig: Rig) -> None:
     time.sleep(0.06)
     assert not rig.output.running
     assert not rig.player.finished
-    assert (rig.output.n_written, rig.player.position, rig.player.take()) == (written, position, [])
+    assert (rig.output.n_written, rig.player.position, rig.player.take_analyses()) == (written, position, [])
     rig.player.play()
     after = frames_of(rig.hear_all())
     assert before + after == list(range(N_FRAMES))
@@ -161,7 +161,7 @@ def test_another_preset_acts_on_the_next_block(rig: Rig) -> None:
     rig.hear(40)
     rig.settle()
     analysed = rig.player._analyser._next + live.STEP // HOP  # a block that is written may still be analysed
-    rig.player.use(replace(PRESET, thresholds=everything_is_silence))
+    rig.player.set_preset(replace(PRESET, thresholds=everything_is_silence))
     taken = rig.hear_all()
     codes = dict(zip(frames_of(taken), joined(taken).recognised.tolist(), strict=True))
     assert not any(codes[k] for k in range(analysed, N_FRAMES))
@@ -171,7 +171,7 @@ def test_another_preset_acts_on_the_next_block(rig: Rig) -> None:
 def test_another_front_end_acts_on_the_next_block(rig: Rig) -> None:
     rig.player.play()
     rig.hear(10)
-    rig.player.use(replace(PRESET, settings=AnalysisSettings(filters=frozenset())))
+    rig.player.set_preset(replace(PRESET, settings=AnalysisSettings(filters=frozenset())))
     taken = rig.hear_all()
     assert [heard.spectra.shape[1] for heard in taken][-1] == 1024
     assert frames_of(taken)[-1] == N_FRAMES - 1
@@ -179,7 +179,7 @@ def test_another_front_end_acts_on_the_next_block(rig: Rig) -> None:
 
 def test_another_preset_is_kept_over_a_seek(rig: Rig, path: Path) -> None:
     other = Preset(settings=AnalysisSettings(quantise=2))
-    rig.player.use(other)
+    rig.player.set_preset(other)
     rig.player.seek(0.3)
     rig.settle()
     rig.player.play()

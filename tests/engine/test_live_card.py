@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import ClockOutput, Output
 from phonemeengine.live import player as live
 from phonemeengine.live.player import Player
 from phonemeengine.settings import HOP, SAMPLE_RATE
-
 from tests.outputs import HandDrivenOutput
 from tests.players import PRESET, SPEECH, agree, frames_of, offline, wait_for
 
@@ -46,7 +46,7 @@ class Listening:
         """Take what is heard until something is true."""
 
         def seen() -> bool:
-            self.taken += self.player.take()
+            self.taken += self.player.take_analyses()
             return truth()
 
         wait_for(seen, what)

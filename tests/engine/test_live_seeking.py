@@ -4,8 +4,8 @@ import threading
 from pathlib import Path
 
 import pytest
-from phonemeengine.settings import FRAME_PERIOD
 
+from phonemeengine.settings import FRAME_PERIOD
 from tests.players import N_FRAMES, PATIENCE, Rig, agree, frames_of, offline, wait_for
 
 
@@ -75,7 +75,7 @@ def test_a_seek_in_the_last_moment_is_not_the_end(rig: Rig, monkeypatch: pytest.
     rig.player.seek(0.2)
     wait_for(lambda: not rig.player._commands, "the seek's beginning")
     rig.output.move(1e9)
-    rig.player.take()
+    rig.player.take_analyses()
     assert not rig.player.finished
     go_on.set()
     rig.settle()

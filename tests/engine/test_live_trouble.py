@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
 from phonemeengine.live import playback_queue as waiting
 from phonemeengine.live.player import Player
 from phonemeengine.settings import FRAME_PERIOD
-
 from tests.bad_files import BAD_FILES
 from tests.outputs import HandDrivenOutput
 from tests.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, offline, wait_for
@@ -24,7 +24,7 @@ def test_a_file_that_breaks_in_the_middle_raises_where_it_is_taken(name: str, tm
     rig.player.play()
     with pytest.raises(AudioError, match=r" \d\.\d{3} s"):
         rig.hear(1000)
-    assert rig.player.take() == [] or not rig.player.finished
+    assert rig.player.take_analyses() == [] or not rig.player.finished
     rig.player.seek(0)
     rig.settle()
     assert frames_of(rig.hear(5))[:3] == [0, 1, 2]
@@ -36,7 +36,7 @@ def test_a_seek_into_damage_raises_and_the_beginning_still_plays(tmp_path: Path)
     rig.player.seek(0.9)
     wait_for(lambda: rig.player._error is not None, "the error")
     with pytest.raises(AudioError, match="not_a_number"):
-        rig.player.take()
+        rig.player.take_analyses()
     rig.player.seek(0)
     rig.player.play()
     rig.settle()
@@ -52,7 +52,7 @@ def test_a_bug_in_the_analysis_is_raised_where_it_is_taken(rig: Rig, monkeypatch
     rig.player.play()
     wait_for(lambda: rig.player._error is not None, "the error")
     with pytest.raises(ZeroDivisionError):
-        rig.player.take()
+        rig.player.take_analyses()
 
 
 @pytest.mark.parametrize("name", ["not_a_sound", "missing", "empty", "list_that_hangs"])
@@ -75,7 +75,7 @@ def test_a_lost_device_goes_on_on_the_clock_from_the_same_place(rig: Rig, path: 
     before = frames_of(rig.hear(33))
     position = rig.player.position
     rig.output.lost = True
-    after = rig.player.take()
+    after = rig.player.take_analyses()
     wait_for(lambda: not rig.player.has_card, "the clock")
     wait_for(lambda: rig.output.closed, "the end of the device")
     assert position - FRAME_PERIOD <= rig.player.position < position + 0.5
@@ -83,7 +83,7 @@ def test_a_lost_device_goes_on_on_the_clock_from_the_same_place(rig: Rig, path: 
     assert rig.player.playing
 
     def done() -> bool:
-        after.extend(rig.player.take())
+        after.extend(rig.player.take_analyses())
         return rig.player.finished
 
     wait_for(done, "the end")
@@ -99,12 +99,12 @@ def test_a_device_lost_in_a_pause_stays_paused_on_the_clock(rig: Rig) -> None:
     rig.player.pause()
     rig.output.lost = True
     position = rig.player.position
-    rig.player.take()
+    rig.player.take_analyses()
     wait_for(lambda: not rig.player.has_card, "the clock")
     wait_for(lambda: not rig.player._commands, "the thread")
     time.sleep(0.03)
     assert position - FRAME_PERIOD <= rig.player.position <= position
-    assert rig.player.take() == []
+    assert rig.player.take_analyses() == []
 
 
 def test_frames_that_nobody_takes_are_dropped_and_counted(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -113,7 +113,7 @@ def test_frames_that_nobody_takes_are_dropped_and_counted(rig: Rig, monkeypatch:
     rig.player.play()
     rig.settle()
     rig.output.move(1e9)
-    taken = frames_of(rig.player.take())
+    taken = frames_of(rig.player.take_analyses())
     assert rig.player.n_dropped == N_FRAMES - len(taken) > 0
     assert taken == list(range(N_FRAMES - len(taken), N_FRAMES))
 
@@ -151,4 +151,4 @@ def test_a_seek_between_looking_and_taking_trips_nobody(rig: Rig) -> None:
         rig.settle()
         rig.output.move(1e9)
         rig.player.seek(0)
-        rig.player.take()
+        rig.player.take_analyses()

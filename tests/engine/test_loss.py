@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.audio.dropouts import LEAST, DropoutMeter
 
 RATE = 48_000
@@ -21,7 +22,7 @@ def fed(
     for k in range(round(seconds * RATE / BLOCK)):
         came = max(came, 500 + (k + 1) * BLOCK / RATE * (1 + drift) + late(k))
         if k not in lost:
-            meter.push(came, BLOCK)
+            meter.observe(came, BLOCK)
         if meter.n_lost != seen[-1][1]:
             seen.append((came - 500, meter.n_lost))
     return meter, seen[1:]

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.errors import SettingsError
@@ -16,7 +17,6 @@ from phonemeengine.features.variables import (
 )
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings, Filter
-
 from tests.sounds import Sound, noise, tone, vowel
 
 BINS = np.arange(256) * BIN_WIDTH
@@ -34,7 +34,7 @@ SPEC_TABLE = {
 
 def measured(variable: Variable, spectra: Sound) -> Sound:
     meter = BandFeatures((variable.name,), (variable,), BINS)
-    return meter.widen(spectra).dot(meter.weights(variable.source))[:, 0]
+    return meter.append_maxima(spectra).dot(meter.weights(variable.source))[:, 0]
 
 
 def analysed(sound: Sound, **preset) -> Analysis:

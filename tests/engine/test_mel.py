@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.dsp.mel import frequency_of, mel_bank, mel_edges, mel_of, mel_spectra_of
 from phonemeengine.settings import BIN_WIDTH
 

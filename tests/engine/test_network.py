@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.recognition.network import FEW, Network
@@ -13,7 +14,7 @@ HEARD = np.random.default_rng(3).normal(-5, 2, (300, N_BANDS)).astype(np.float32
 def found(n: int) -> np.ndarray:
     """What the shipped network finds where so many frames come at once."""
     network = Network(LAYERS, np.zeros(N_BANDS, np.float32))
-    return np.concatenate([network.push(HEARD[k : k + n]) for k in range(0, len(HEARD), n)])
+    return np.concatenate([network.forward(HEARD[k : k + n]) for k in range(0, len(HEARD), n)])
 
 
 @pytest.mark.parametrize("n", [1, 2, FEW, FEW + 1, 64, 100])

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from phonemeengine.audio import output, stream
 from phonemeengine.audio.output import AHEAD, CardOutput, ClockOutput, open_output
 from phonemeengine.errors import DeviceError

@@ -6,10 +6,10 @@ import numpy as np
 import parselmouth
 import pytest
 import soundfile
+
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.pitch import fundamental_of
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, WINDOW
-
 from tests.sounds import Sound, noise, silence, tone, vowel
 
 FREQUENCIES = (70, 75, 80, 97.3, 120, 150, 180, 220, 261.6, 300, 350, 400, 440, 480)
@@ -18,7 +18,7 @@ VOWELS = {"a": (700.0, 1200.0, 2500.0), "i": (280.0, 2250.0, 2900.0), "u": (310.
 
 def fundamental_in(sound: Sound) -> Sound:
     framer = Framer()
-    return fundamental_of(np.concatenate([framer.push(sound), framer.finish()]))
+    return fundamental_of(np.concatenate([framer.cut_frames(sound), framer.finish()]))
 
 
 def praat_in(sound: Sound, n_frames: int) -> Sound:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.errors import PresetError, SettingsError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme

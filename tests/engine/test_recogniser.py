@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.analyser import Analyser
 from phonemeengine.errors import EngineError, PresetError, RecogniserError
 from phonemeengine.features.measure import Features
@@ -18,7 +19,6 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recogniser import RECOGNISERS, RecogniserConfig, recogniser_names, recogniser_of
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.settings import HOP, Filter
-
 from tests.plug_ins import Shelf
 from tests.sounds import silence, tone
 
@@ -96,9 +96,9 @@ def test_another_filter_leaves_a_recogniser_its_memory_and_another_threshold_doe
     analyser = Analyser(preset)
     before = analyser.recogniser
     settings = replace(preset.settings, filters=preset.settings.filters - {Filter.HIGH_PASS})
-    analyser.use(replace(preset, settings=settings))
+    analyser.set_preset(replace(preset, settings=settings))
     assert analyser.recogniser is before
-    analyser.use(replace(preset, thresholds=Thresholds(silence_energy=0.2)))
+    analyser.set_preset(replace(preset, thresholds=Thresholds(silence_energy=0.2)))
     assert analyser.recogniser is not before
 
 
@@ -223,6 +223,6 @@ def test_an_analyser_goes_on_with_the_old_recogniser_where_the_new_one_cannot_be
     analyser = Analyser(Preset())
     for _ in range(2):
         with pytest.raises(EngineError, match="nowhere_at_all"):
-            analyser.use(Preset(recogniser="own"))
+            analyser.set_preset(Preset(recogniser="own"))
     assert analyser.preset.recogniser == "thesis"
     assert set(analyser.push(np.zeros(10 * HOP, np.float32)).recognised) == {S}

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.journal import interrupted_recordings
 from phonemeengine.errors import AudioError
-
 from tests.recorders import samples_in, samples_of_16_bits
 
 RATES = {"a.wav": (44_100, 2), "b.flac": (44_100, 1), "c.wav": (16_000, 1), "d.flac": (8_000, 2)}

@@ -5,9 +5,9 @@ import os
 from pathlib import Path
 
 import pytest
+
 from phonemeengine.audio.recording_file import describe_os_error
 from phonemeengine.errors import AudioError, RecordingError
-
 from tests.recorders import begun
 
 

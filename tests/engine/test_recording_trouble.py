@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+
 from phonemeengine.audio.journal import interrupted_recordings
 from phonemeengine.audio.wav import HEADER
 from phonemeengine.errors import RecordingError
-
 from tests.recorders import begun, check_kept, check_sentence, samples_of_16_bits, wait_for
 
 SUFFIXES = [".wav", ".flac"]

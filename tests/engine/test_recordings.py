@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.calibration.scores.corpus import read_corpus, read_recordings
 from phonemeengine.errors import AudioError, CorpusError, UnknownPhonemeError
 from phonemeengine.labels.files import write_labels
@@ -12,7 +13,6 @@ from phonemeengine.labels.label import Label
 from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.sounds import noise
 
 LABELS = (Label(0.1, 0.3, "a", Phoneme.A), Label(0.3, 0.5, "m", Phoneme.M))

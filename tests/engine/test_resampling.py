@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -31,7 +32,7 @@ def test_the_delay_says_how_far_the_newest_sample_lags_behind(rate: int, steady:
     assert resampler.delay == pytest.approx(0, abs=2 / SAMPLE_RATE)
     blocks, delays = [], []
     for start in range(0, 2 * rate, rate // 100):
-        blocks.append(resampler.push(clicks(rate)[start : start + rate // 100]))
+        blocks.append(resampler.resample(clicks(rate)[start : start + rate // 100]))
         delays.append(resampler.delay)
     late = place_of_peak(np.concatenate(blocks)[:, 0]) - CLICK * SAMPLE_RATE
     n_out = np.cumsum([len(block) for block in blocks])
@@ -44,7 +45,7 @@ def test_a_steady_resampler_holds_back_the_same_at_any_time(rate: int) -> None:
     resampler = Resampler(rate, 2, steady=True)
     delays = []
     for _ in range(100):
-        resampler.push(np.zeros((rate // 100, 2), np.float32))
+        resampler.resample(np.zeros((rate // 100, 2), np.float32))
         delays.append(resampler.delay)
     assert np.ptp(delays[10:]) < 2 / SAMPLE_RATE
     assert delays[-1] < 0.031 * 8000 / min(rate, 40_000) + 0.001
@@ -55,7 +56,7 @@ def test_a_steady_resampler_holds_back_the_same_at_any_time(rate: int) -> None:
 def test_a_tone_keeps_its_frequency_and_its_amplitude(rate: int, steady: bool) -> None:
     time = np.arange(2 * rate) / rate
     sound = (0.5 * np.sin(2 * np.pi * 1000 * time)).astype(np.float32)[:, np.newaxis]
-    found = Resampler(rate, 1, steady=steady).push(sound, last=True)[:, 0]
+    found = Resampler(rate, 1, steady=steady).resample(sound, last=True)[:, 0]
     assert len(found) == 2 * SAMPLE_RATE
     amplitudes = np.abs(np.fft.rfft(found[SAMPLE_RATE // 2 : -SAMPLE_RATE // 2])) / (SAMPLE_RATE / 2)
     assert amplitudes[1000] == pytest.approx(0.5, rel=1e-3)
@@ -67,17 +68,17 @@ def test_a_tone_keeps_its_frequency_and_its_amplitude(rate: int, steady: bool) -
 def test_what_44100_hz_cannot_hold_vanishes(steady: bool) -> None:
     time = np.arange(96_000) / 96_000
     sound = np.sin(2 * np.pi * 30_000 * time).astype(np.float32)[:, np.newaxis]
-    found = Resampler(96_000, 1, steady=steady).push(sound, last=True)[4410:-4410]
+    found = Resampler(96_000, 1, steady=steady).resample(sound, last=True)[4410:-4410]
     assert np.abs(found).max() < 1e-4
 
 
 @given(cuts=st.lists(st.integers(1, 5000), min_size=1, max_size=6), steady=st.booleans())
 def test_the_result_does_not_depend_on_the_cutting(cuts: list[int], steady: bool) -> None:
     sound = np.random.default_rng(0).standard_normal((24_000, 2)).astype(np.float32)
-    whole = Resampler(48_000, 2, steady=steady).push(sound, last=True)
+    whole = Resampler(48_000, 2, steady=steady).resample(sound, last=True)
     resampler, parts, start = Resampler(48_000, 2, steady=steady), [], 0
     while start < len(sound):
         n = cuts[len(parts) % len(cuts)]
-        parts.append(resampler.push(sound[start : start + n], last=start + n >= len(sound)))
+        parts.append(resampler.resample(sound[start : start + n], last=start + n >= len(sound)))
         start += n
     np.testing.assert_allclose(np.concatenate(parts), whole, atol=1e-5)

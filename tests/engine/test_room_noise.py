@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
 from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.takes.room_noise import MARGIN, SHARE, measure_room
 from phonemeengine.errors import TakeError
@@ -11,7 +12,6 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import AnalysisSettings, Decimation, Filter
-
 from tests.sounds import noise, silence, tone, vowel
 
 ROOM = 0.001

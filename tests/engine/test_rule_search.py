@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme

@@ -3,6 +3,7 @@
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.calibration.workbench.rule_cache import RuleCache
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
@@ -44,7 +45,7 @@ def test_what_is_remembered_lets_the_same_phonemes_stay(asked, hysteresis):
     sheet = sheet_of(features)
     for list_of_rules in asked:
         recogniser = RuleRecogniser(list_of_rules, Thresholds())
-        expected = recogniser.shortfalls(features) <= hysteresis
+        expected = recogniser.deficits(features) <= hysteresis
         assert sheet.may_stay(recogniser, hysteresis).T.tolist() == expected.tolist()
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.errors import PresetError, SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme

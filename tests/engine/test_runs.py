@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment, SegmentBuilder, segments_of
 from phonemeengine.settings import FRAME_PERIOD
@@ -67,7 +68,7 @@ def test_runs_that_are_joined_as_the_frames_come_are_those_of_the_whole_sound(
     joiner, found, n_frames = SegmentBuilder(), [], 0
     places = np.sort(np.minimum(cuts, len(codes))).astype(int)
     for part, loud in zip(np.split(phonemes, places), np.split(intensities, places), strict=True):
-        ended = joiner.push(part, loud)
+        ended = joiner.extend(part, loud)
         n_frames += len(part)
         assert all(run.end < n_frames * FRAME_PERIOD for run in ended)  # a run has ended when another began
         found += ended

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Variable, check_user_variables

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.calibration.scores.comparison import DifferingSegment, compare
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of, score_corpus
@@ -12,7 +13,6 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
-
 from tests.corpora import write_corpus
 
 THESIS = load_preset(FACTORY / "thesis.toml")

@@ -10,6 +10,7 @@ import pytest
 import soundfile
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import Predictions, group_scores_of, kind_of, score_corpus
 from phonemeengine.calibration.scores.scoring import scores_of
@@ -22,7 +23,6 @@ from phonemeengine.recognition.recogniser import RECOGNISERS, RecogniserConfig
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.rules import ThesisRules
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.corpora import put, write_corpus
 from tests.sounds import silence, tone
 
@@ -65,11 +65,11 @@ def test_figures_are_those_of_their_definitions(frames: list[tuple[Phoneme, Phon
     mouths = [[MOUTHS.get(name, "slight") for name in names] for names in (truth, guess)]
     seconds = len(frames) / 100
     expected = {
-        "ten_acc": share_by_hand([t == g for t, g in known]),
-        "ten_f1": f1_by_hand([t for t, _ in known], [g for _, g in known], CLASSES),
-        "vowel5": share_by_hand([t == g for t, g, core in frames if core and t.label in "aeiou"]),
-        "mouth_acc": share_by_hand([t == g for t, g in zip(*mouths, strict=True)]),
-        "mouth_f1": f1_by_hand(*mouths, ["rest", "open", "wide", "round", "closed", "slight"]),
+        "accuracy": share_by_hand([t == g for t, g in known]),
+        "macro_f1": f1_by_hand([t for t, _ in known], [g for _, g in known], CLASSES),
+        "vowel_accuracy": share_by_hand([t == g for t, g, core in frames if core and t.label in "aeiou"]),
+        "viseme_accuracy": share_by_hand([t == g for t, g in zip(*mouths, strict=True)]),
+        "viseme_f1": f1_by_hand(*mouths, ["rest", "open", "wide", "round", "closed", "slight"]),
         "silence_recall": share_by_hand([g == "silence" for t, g in both if t == "silence"]),
         "false_silence": share_by_hand([g == "silence" for t, g in both if t != "silence"]),
         "changes_per_s": sum(a != b for a, b in pairwise(guess)) / seconds,
@@ -108,7 +108,7 @@ def test_two_classes_that_are_swapped_are_counted_where_they_went() -> None:
     assert group.confusion.sum() == 10
     assert (group.f1_of(Phoneme.A), group.f1_of(Phoneme.SILENCE)) == (0, 1)
     assert math.isnan(group.f1_of(Phoneme.M))
-    assert group.scores.ten_acc == 0.5
+    assert group.scores.accuracy == 0.5
     assert (group.changes, group.label_changes) == (2, 2)
 
 
@@ -145,7 +145,7 @@ def test_what_a_recogniser_looks_ahead_is_no_lag(tmp_path: Path, monkeypatch: py
     preset = replace(THESIS, recogniser="hesitant", settings=replace(THESIS.settings, statistics=False))
     same = replace(preset, recogniser="thesis")
     scores = score_corpus(read_corpus(write_corpus(tmp_path, same)), preset)
-    assert (scores.look_ahead, scores.lag, scores.overall.scores.ten_acc) == (3, 0.0, 1)
+    assert (scores.look_ahead, scores.lag, scores.overall.scores.accuracy) == (3, 0.0, 1)
 
 
 @pytest.mark.parametrize("late", [-3, 2, 7])
@@ -159,8 +159,8 @@ def test_answers_that_come_late_are_moved_back_by_the_lag(tmp_path: Path, late: 
         return earlier
 
     utterances = read_corpus(write_corpus(tmp_path, THESIS, change=moved))
-    assert score_corpus(utterances, THESIS).overall.scores.ten_acc < 1
-    assert score_corpus(utterances, THESIS, lag=late / 100).overall.scores.ten_acc == 1
+    assert score_corpus(utterances, THESIS).overall.scores.accuracy < 1
+    assert score_corpus(utterances, THESIS, lag=late / 100).overall.scores.accuracy == 1
 
 
 def test_a_sound_that_ends_before_its_labels_is_silent_there(tmp_path: Path) -> None:

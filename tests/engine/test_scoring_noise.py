@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind, speech_level_of
 from phonemeengine.calibration.scores.corpus import Utterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import score_corpus
@@ -13,7 +14,6 @@ from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.corpora import write_corpus
 from tests.sounds import silence, tone
 
@@ -102,7 +102,7 @@ def test_much_noise_costs_much(tmp_path: Path) -> None:
     found = [
         score_corpus(
             utterances, THESIS, noise=NoiseAdder(AddedNoise(NoiseKind.WHITE, snr), utterances)
-        ).overall.scores.ten_acc
+        ).overall.scores.accuracy
         for snr in (70.0, 0.0)
     ]
     assert found[0] > 0.9

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.errors import PresetError, SettingsError
 from phonemeengine.features.variables import SCORES
@@ -12,7 +13,6 @@ from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.scores import Sensitivity
-
 from tests.sounds import silence, vowel
 
 SOUND = np.concatenate([silence(0.2), vowel((750.0, 1250.0, 2500.0), 0.6), silence(0.2)])
@@ -49,7 +49,7 @@ def test_an_edit_while_a_sound_goes_on_acts_from_the_next_frame():
     preset = load_preset(FACTORY / "templates.toml")
     analyser = Analyser(preset)
     analyser.push(SOUND)
-    analyser.use(replace(preset, sensitivities={Phoneme.SILENCE: 10.0}))
+    analyser.set_preset(replace(preset, sensitivities={Phoneme.SILENCE: 10.0}))
     assert (analyser.push(SOUND[:4410]).recognised == Phoneme.SILENCE).all()
 
 

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.errors import AudioError
 from phonemeengine.live.sound import N_BINS, Sound
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, Channel
-
 from tests.bad_files import BAD_FILES
 from tests.outputs import HandDrivenOutput
 from tests.players import N_FRAMES, PRESET, SPEECH, offline, wait_for
@@ -238,7 +238,7 @@ def test_a_sound_tells_its_preset(path: Path) -> None:
     with Sound(path, PRESET) as sound:
         assert sound.preset is PRESET
         other = replace(PRESET, name="other")
-        sound.use(other)
+        sound.set_preset(other)
         assert sound.preset is other
 
 

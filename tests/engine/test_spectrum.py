@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 import scipy.signal.windows
+
 from phonemeengine.dsp.spectrum import SpectrumAnalyser, decimate
 from phonemeengine.dsp.windows import window_of
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
-
 from tests.sounds import Sound, noise, tone
 
 STEPS = (1, 2, 4)

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.analyser import Analyser
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.smoothing import PhonemeSmoother
 from phonemeengine.settings import AnalysisSettings
-
 from tests.sounds import noise, silence, vowel
 
 CODES = {"_": Phoneme.SILENCE, "?": Phoneme.UNIDENTIFIED, "a": Phoneme.A, "e": Phoneme.E, "m": Phoneme.M}
@@ -20,7 +20,7 @@ phonemes = st.lists(st.sampled_from(list(Phoneme)), max_size=60)
 
 def calmed(text: str, minimum_hold: float, successors: dict[Phoneme, Phoneme] | None = None) -> str:
     raw = np.array([CODES[letter] for letter in text], np.uint8)
-    out = PhonemeSmoother(minimum_hold, successors or STAY).push(raw)
+    out = PhonemeSmoother(minimum_hold, successors or STAY).smooth(raw)
     return "".join(NAMES[Phoneme(code)] for code in out.tolist())
 
 
@@ -65,7 +65,7 @@ def test_a_successor_waits_too_until_the_minimum_time_is_over():
 
 @given(raw=phonemes, frames=st.integers(0, 8))
 def test_no_phoneme_but_the_last_is_shorter_than_the_minimum(raw: list[Phoneme], frames: int):
-    out = PhonemeSmoother(frames * 0.01).push(np.array(raw, np.uint8)).tolist()
+    out = PhonemeSmoother(frames * 0.01).smooth(np.array(raw, np.uint8)).tolist()
     assert len(out) == len(raw)
     assert Phoneme.UNIDENTIFIED not in out
     after_the_silence_before = out[next((k for k, p in enumerate(out) if p != Phoneme.SILENCE), len(out)) :]
@@ -76,16 +76,16 @@ def test_no_phoneme_but_the_last_is_shorter_than_the_minimum(raw: list[Phoneme],
 def test_calming_does_not_depend_on_how_the_frames_were_cut(raw: list[Phoneme], cuts: list[int], frames: int):
     codes = np.array(raw, np.uint8)
     statistics = PhonemeSmoother(frames * 0.01)
-    parts = [statistics.push(part) for part in np.split(codes, sorted(cuts))]
-    np.testing.assert_array_equal(np.concatenate(parts), PhonemeSmoother(frames * 0.01).push(codes))
+    parts = [statistics.smooth(part) for part in np.split(codes, sorted(cuts))]
+    np.testing.assert_array_equal(np.concatenate(parts), PhonemeSmoother(frames * 0.01).smooth(codes))
 
 
 @given(raw=phonemes)
 def test_frames_are_calmed_without_looking_ahead(raw: list[Phoneme]):
     codes = np.array(raw, np.uint8)
-    whole = PhonemeSmoother(0.03).push(codes)
+    whole = PhonemeSmoother(0.03).smooth(codes)
     for n in range(len(codes)):
-        np.testing.assert_array_equal(PhonemeSmoother(0.03).push(codes[:n]), whole[:n])
+        np.testing.assert_array_equal(PhonemeSmoother(0.03).smooth(codes[:n]), whole[:n])
 
 
 def test_without_the_statistics_the_rules_have_the_last_word():
@@ -94,4 +94,4 @@ def test_without_the_statistics_the_rules_have_the_last_word():
     on = Analyser(Preset(settings=AnalysisSettings(statistics=True, minimum_hold=0.05))).push(sound)
     np.testing.assert_array_equal(off.phonemes, off.recognised)
     np.testing.assert_array_equal(on.recognised, off.recognised)
-    np.testing.assert_array_equal(on.phonemes, PhonemeSmoother(0.05).push(on.recognised))
+    np.testing.assert_array_equal(on.phonemes, PhonemeSmoother(0.05).smooth(on.recognised))

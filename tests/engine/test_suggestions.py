@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.calibration.fits.spectrum_sample import MOST_FRAMES, sampled_spectra
 from phonemeengine.calibration.fits.suggestions import MOST_SUGGESTIONS, suggested_variables, suggestions_from
 from phonemeengine.calibration.scores.corpus import Utterance
@@ -18,7 +19,6 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.progress import Cancelled
 from phonemeengine.settings import SAMPLE_RATE, Filter
-
 from tests.labelled import recordings
 from tests.sounds import noise, tone
 
@@ -134,8 +134,8 @@ def test_equal_sounds_give_no_suggestion(tmp_path):
 
 def test_a_search_says_how_far_it_is_and_ends_when_it_shall(bench):
     told: list[float] = []
-    suggested_variables(bench, THESIS, A, E, heed=lambda share: told.append(share) is None)
+    suggested_variables(bench, THESIS, A, E, progress=lambda share: told.append(share) is None)
     assert told == sorted(told)
     for last in (0.2, 0.7):
         with pytest.raises(Cancelled):
-            suggested_variables(bench, THESIS, A, E, heed=lambda share, last=last: share < last)
+            suggested_variables(bench, THESIS, A, E, progress=lambda share, last=last: share < last)

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+
 from phonemeengine.calibration.takes.quality import Fault, check_take
 from phonemeengine.phonemes import Phoneme
-
 from tests.sounds import noise, silence, tone, vowel
 
 ROOM = 0.001

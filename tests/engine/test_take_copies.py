@@ -9,6 +9,7 @@ import numpy as np
 import parselmouth
 import pytest
 from parselmouth.praat import call
+
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.takes.label_exports import COPY_SUFFIXES
 from phonemeengine.calibration.takes.project import TakeProject
@@ -17,7 +18,6 @@ from phonemeengine.errors import EngineError
 from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
-
 from tests.sounds import noise, silence, vowel
 
 SOUND = (np.concatenate([silence(0.4), vowel((750, 1250), 1.0), silence(0.3)]) + noise(1.7, 0.001)).astype(np.float32)

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 import soundfile
+
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.errors import EngineError, TakeError
 from phonemeengine.phonemes import Phoneme
-
 from tests.sounds import noise, vowel
 
 SOUND = vowel((750, 1250), 0.3)

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.files import free_path
 from phonemeengine.live.recorder import Recorder
-from phonemeengine.paths import free_path
 from phonemeengine.recognition.segments import segments_of
 from phonemeengine.settings import HOP, SAMPLE_RATE
-
 from tests.microphones import HandDrivenMicrophone, Hear, frames_in, offline
 from tests.players import PRESET, SPEECH, wait_for
 from tests.recorders import samples_in, samples_of_16_bits
@@ -59,7 +59,7 @@ def record(
         tape.write(block[:, np.newaxis], SAMPLE_RATE, began + k / SAMPLE_RATE, None if k else gap)
         analysis = analyser.push(block)
         if len(analysis):
-            tape.follow(analysis)
+            tape.add_analysis(analysis)
 
 
 def test_what_is_heard_is_on_the_tape_and_its_phonemes_beside_it(

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
+
 from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.fits.fit_templates import log_mels_by_phoneme, preset_of, templates_from, templates_of
 from phonemeengine.calibration.scores.corpus import Label, Utterance
@@ -20,7 +21,6 @@ from phonemeengine.recognition.recogniser import RecogniserConfig, recogniser_of
 from phonemeengine.recognition.scores import SCORES
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.sounds import Sound, silence, vowel
 
 FORMANTS = {

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
 from phonemeengine.calibration.fits.threshold_search import LEAST_FOUND, Fit, ThresholdSearch
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
 from phonemeengine.calibration.workbench.successors import counted_table, last_identified, successors_of
@@ -41,7 +42,7 @@ def test_a_search_is_as_good_on_its_frames_as_it_says():
     fit = fit_of(features, truth, 3)
     answers = ThesisRules(fit.thresholds).recognise(features).phonemes
     parts = np.split(answers, range(1000, 4000, 1000))
-    calmed = np.concatenate([PhonemeSmoother(0, fit.successors).push(part) for part in parts])
+    calmed = np.concatenate([PhonemeSmoother(0, fit.successors).smooth(part) for part in parts])
     known = truth != UNKNOWN
     score = float(macro_f1_of(confusion_of(truth[known], calmed[known]), SCORED_PHONEMES))
     assert score == pytest.approx(fit.score, abs=1e-9)

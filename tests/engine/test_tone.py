@@ -10,6 +10,7 @@ import parselmouth
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.tone.reader import FADE, ToneReader
 from phonemeengine.audio.tone.settings import VOWELS, Formant, Tone, ToneKind, vowel_of
@@ -17,7 +18,6 @@ from phonemeengine.audio.tone.waveforms import NOISE_SAMPLES
 from phonemeengine.errors import SettingsError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE, AnalysisSettings
-
 from tests.sounds import Sound
 
 RAW = Preset(settings=AnalysisSettings(filters=frozenset()))
@@ -34,7 +34,7 @@ def heard(tone: Tone, n: int, start: int = 0) -> Sound:
 def changed(first: Tone, then: Tone, at: int = 5000, n: int = 10_000) -> Sound:
     reader = ToneReader(first)
     before = reader.read(at)
-    reader.use(then)
+    reader.set_tone(then)
     return np.concatenate((before, reader.read(n - at)))[:, 0]
 
 
@@ -196,7 +196,7 @@ def test_changes_that_follow_faster_than_the_fade_end_at_the_last():
     reader = ToneReader(Tone(frequency=200.0))
     blocks = []
     for k in range(200):
-        reader.use(Tone(frequency=200.0 + k))
+        reader.set_tone(Tone(frequency=200.0 + k))
         blocks.append(reader.read(10))
     blocks.append(reader.read(2 * FADE))
     wave = np.concatenate(blocks)[:, 0]
@@ -218,7 +218,7 @@ def test_a_change_does_not_depend_on_how_it_was_cut():
     pieces = []
     reader = ToneReader(Tone(frequency=500.0))
     pieces.append(reader.read(1000))
-    reader.use(VOWEL)
+    reader.set_tone(VOWEL)
     pieces += [reader.read(n) for n in (1, 7, 100, 200, 692)]
     np.testing.assert_array_equal(
         np.concatenate(pieces)[:, 0], changed(Tone(frequency=500.0), VOWEL, at=1000, n=2000)
@@ -242,7 +242,7 @@ def test_a_tone_may_be_changed_from_another_thread():
     def drag() -> None:
         while not done.is_set():
             for k in range(50):
-                reader.use(Tone(frequency=100.0 + 10 * k, level=0.0))
+                reader.set_tone(Tone(frequency=100.0 + 10 * k, level=0.0))
 
     hand = threading.Thread(target=drag)
     hand.start()

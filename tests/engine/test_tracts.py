@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.dsp.log_mel import N_BANDS, log_mels, mel_powers, warped_mel_bank
 from phonemeengine.errors import ModelError
@@ -13,7 +14,6 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import load_model, save_model
 from phonemeengine.recognition.vtln import VtlnMixer
 from phonemeengine.settings import WINDOW, AnalysisSettings
-
 from tests.models import tone_model
 from tests.sounds import noise, tone
 
@@ -30,7 +30,7 @@ def shares_of(*names: tuple[Phoneme, float], n: int = 1) -> np.ndarray:
 
 def test_what_a_sure_tract_says_counts_more_and_more():
     judge = VtlnMixer(2)
-    mixed = judge.mix(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=300))
+    mixed = judge.combine(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=300))
     assert mixed[0, Phoneme.A] < 0.6
     assert mixed[-1, Phoneme.A] > 0.85
     np.testing.assert_allclose(mixed.sum(axis=1), 1, rtol=1e-5)
@@ -38,15 +38,15 @@ def test_what_a_sure_tract_says_counts_more_and_more():
 
 def test_silence_tells_nothing_about_a_speaker():
     judge = VtlnMixer(2)
-    judge.mix(shares_of((Phoneme.SILENCE, 0.99), (Phoneme.SILENCE, 0.6), n=500))
-    mixed = judge.mix(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.9)))
+    judge.combine(shares_of((Phoneme.SILENCE, 0.99), (Phoneme.SILENCE, 0.6), n=500))
+    mixed = judge.combine(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.9)))
     assert mixed[0, Phoneme.A] == pytest.approx(mixed[0, Phoneme.E], rel=1e-4)
 
 
 def test_another_speaker_is_noticed_within_ten_seconds():
     judge = VtlnMixer(2)
-    judge.mix(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=6000))
-    mixed = judge.mix(shares_of((Phoneme.A, 0.6), (Phoneme.E, 0.9), n=1000))
+    judge.combine(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=6000))
+    mixed = judge.combine(shares_of((Phoneme.A, 0.6), (Phoneme.E, 0.9), n=1000))
     assert mixed[0].argmax() == Phoneme.A
     assert mixed[-1].argmax() == Phoneme.E
 
@@ -54,13 +54,13 @@ def test_another_speaker_is_noticed_within_ten_seconds():
 def test_what_is_mixed_does_not_depend_on_how_frames_come():
     shares = np.random.default_rng(1).dirichlet(np.ones(N), (200, 3)).astype(np.float32)
     whole, parts = VtlnMixer(3), VtlnMixer(3)
-    pieces = [parts.mix(piece) for piece in np.split(shares, [1, 2, 50, 51, 120])]
-    np.testing.assert_array_equal(np.concatenate(pieces), whole.mix(shares))
+    pieces = [parts.combine(piece) for piece in np.split(shares, [1, 2, 50, 51, 120])]
+    np.testing.assert_array_equal(np.concatenate(pieces), whole.combine(shares))
 
 
 def test_one_tract_is_believed():
     shares = shares_of((Phoneme.A, 0.9), n=3)
-    np.testing.assert_array_equal(VtlnMixer(1).mix(shares), shares[:, 0])
+    np.testing.assert_array_equal(VtlnMixer(1).combine(shares), shares[:, 0])
 
 
 def test_a_voice_that_lies_higher_is_recognised_with_a_shorter_tract():

@@ -8,6 +8,7 @@ import pytest
 import soundfile
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+
 from phonemeengine.calibration.scores.confusion import ConfusedSegment
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.evaluation import predict, score_corpus
@@ -24,7 +25,6 @@ from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.settings import Filter
-
 from tests.labelled import SAID, recording, recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")
@@ -149,8 +149,8 @@ def test_the_counts_and_figures_are_those_of_scoring_the_files(bench, utterances
     scored = score_corpus(utterances, THESIS)
     confusion = bench.confusion(THESIS)
     assert confusion.counts.tolist() == scored.overall.confusion.tolist()
-    assert confusion.accuracy == scored.overall.scores.ten_acc
-    assert confusion.macro_f1 == pytest.approx(scored.overall.scores.ten_f1, abs=1e-12)
+    assert confusion.accuracy == scored.overall.scores.accuracy
+    assert confusion.macro_f1 == pytest.approx(scored.overall.scores.macro_f1, abs=1e-12)
     assert confusion.f1_of(A) == pytest.approx(scored.overall.f1_of(A), abs=1e-12)
     assert np.isnan(confusion.f1_of(Phoneme.M))  # nobody says it
     assert confusion.scores() == pytest.approx(scored.overall.scores)
@@ -171,7 +171,7 @@ def test_frames_labelled_as_none_of_the_ten_are_counted_but_not_scored(tmp_path)
     assert confusion.counts[:, A].tolist()[:2] == [30, 30]
     assert confusion.accuracy == pytest.approx(1 / 3)
     assert confusion.f1_of(A) == pytest.approx(2 * 30 / (30 + 90))
-    assert confusion.macro_f1 == pytest.approx(score_corpus([half_known], always_a).overall.scores.ten_f1)
+    assert confusion.macro_f1 == pytest.approx(score_corpus([half_known], always_a).overall.scores.macro_f1)
     assert np.isnan(confusion.f1_of(Phoneme.UNIDENTIFIED))
 
 
@@ -215,7 +215,9 @@ def test_what_was_measured_is_not_measured_again(utterances, tmp_path):
     moved = recording(tmp_path / "own.wav", SAID, speaker="cyd")
     told: list[float] = []
     first = LabelledFeatures([moved, *utterances], THESIS)
-    again = LabelledFeatures([*utterances, moved], THESIS, known=first, heed=lambda share: told.append(share) is None)
+    again = LabelledFeatures(
+        [*utterances, moved], THESIS, known=first, progress=lambda share: told.append(share) is None
+    )
     assert told == [0.0, 1.0]
     assert again.answers(THESIS).tolist() == plainly((*utterances, moved), THESIS)
     recording(moved.path, SAID[::-1], speaker="cyd", pitch=200.0, level=0.1)
@@ -225,11 +227,11 @@ def test_what_was_measured_is_not_measured_again(utterances, tmp_path):
 
 def test_measuring_says_how_far_it_is_and_ends_when_it_shall(utterances):
     told: list[float] = []
-    LabelledFeatures(utterances, THESIS, heed=lambda share: told.append(share) is None)
+    LabelledFeatures(utterances, THESIS, progress=lambda share: told.append(share) is None)
     assert told == sorted(told)
     assert (told[0], told[-1]) == (0.0, 1.0)
     with pytest.raises(Cancelled):
-        LabelledFeatures(utterances, THESIS, heed=lambda share: share < 0.5)
+        LabelledFeatures(utterances, THESIS, progress=lambda share: share < 0.5)
 
 
 def test_a_twin_answers_the_same_while_another_thread_asks(bench):

@@ -21,7 +21,6 @@ from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model
-
 from tests.fuzz.mutation import mutated
 from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, figure_of_cube
 from tests.models import tone_model

@@ -12,7 +12,6 @@ from pathlib import Path
 from random import Random
 
 from phonemeengine.errors import EngineError
-
 from tests.fuzz.kinds import Kind, kinds
 
 MOST_MEMORY = 200 << 20

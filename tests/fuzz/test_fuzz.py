@@ -6,8 +6,8 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from phonemeengine.errors import MeshError
 
+from phonemeengine.errors import MeshError
 from tests.fuzz import running
 from tests.fuzz.kinds import Kind, kinds
 from tests.fuzz.mutation import mutated

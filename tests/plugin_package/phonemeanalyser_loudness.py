@@ -4,6 +4,7 @@ It opens above one energy and shuts below half of it, so a voice that hovers bet
 """
 
 import numpy as np
+
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.trace import RuleComparison, Trace
 

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine.settings import SAMPLE_RATE
-
 from tests.soak.known_sound import KnownPlayer, KnownSound, heard_exactly
 from tests.virtual_sound import VirtualSound
 

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import soundfile
 from numpy.typing import NDArray
-from phonemeengine.audio.files import SoundReader
-from phonemeengine.settings import SAMPLE_RATE
 
 import phonemeanalyser
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.settings import SAMPLE_RATE
 from tests.recorders import samples_of_16_bits
 from tests.virtual_sound import VirtualSound
 

@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+
 from phonemeengine.analyser import Analysis
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.recorder import Recorder
@@ -59,14 +60,14 @@ def main() -> None:
     _attend(listener, watch, seconds)
     listener.close()
     tape.close()
-    watch.count(listener.take())
+    watch.count(listener.take_analyses())
     _say(_state_of(listener, watch) | {"recorded": tape.seconds, "failure": tape.failure, "ages": watch.ages})
 
 
 def _attend(listener: Listener, watch: Watch, seconds: float) -> None:
     began = said = time.monotonic()
     while (now := time.monotonic()) - began < seconds:
-        watch.count(listener.take())
+        watch.count(listener.take_analyses())
         listener.poll()
         if now - said >= 1:
             said += 1

@@ -37,7 +37,7 @@ class DropoutMeter:
         self._promptest = self._suspect = float("inf")
         self._settled = self._ends = 0.0
 
-    def push(self, time: float, n: int) -> None:
+    def observe(self, time: float, n: int) -> None:
         """Take note that `n` samples were there at a time (seconds of a clock that never jumps)."""
         self.n_samples += n
         offset = time - (self.n_samples + self.n_lost) / self._rate

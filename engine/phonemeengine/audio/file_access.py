@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from phonemeengine.errors import AudioError
+from phonemeengine.files import reason_of
 
 
 def open_checked(path: Path, name: str) -> BinaryIO:
@@ -26,7 +27,7 @@ def open_checked(path: Path, name: str) -> BinaryIO:
     except PermissionError as error:
         raise AudioError(f"{name}: reading it is not permitted; change its permissions or copy it") from error
     except (OSError, ValueError) as error:
-        raise AudioError(f"{name}: it cannot be opened ({_reason(error)}); check its name and folder") from error
+        raise AudioError(f"{name}: it cannot be opened ({reason_of(error)}); check its name and folder") from error
     return file
 
 
@@ -74,12 +75,3 @@ class FileSlice(io.RawIOBase):
                 view[k - self._at] = content[k - place]
         self._at += n
         return n
-
-
-def printable_name(path: Path) -> str:
-    """Give the file's name, without characters that would break the sentence it stands in."""
-    return "".join(c if c.isprintable() else "?" for c in path.name or str(path))
-
-
-def _reason(error: OSError | ValueError) -> str:
-    return (error.strerror if isinstance(error, OSError) else None) or str(error)

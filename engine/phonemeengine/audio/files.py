@@ -11,11 +11,12 @@ from typing import BinaryIO, Self
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.file_access import FileSlice, open_checked, printable_name
+from phonemeengine.audio.file_access import FileSlice, open_checked
 from phonemeengine.audio.headers import ADVICE, Extent, extent_of, mp3_states_its_length
 from phonemeengine.audio.libsndfile import Decoder, DecodingError
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import AudioError
+from phonemeengine.files import printable_name
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, Channel
 
 SUFFIXES = frozenset(
@@ -214,7 +215,7 @@ class SoundReader:
         self._ended = self._frame >= self._n_frames
         if self._resampler is None:
             return block
-        return self._resampler.push(block, last=self._ended)
+        return self._resampler.resample(block, last=self._ended)
 
     def _next_frames(self) -> Float32Array:
         """Read the next frames, shape (n, n_file_channels), n > 0 while there are any."""

@@ -140,7 +140,7 @@ class CardInput:
 
     def _note(self, came: float, age: float, samples: bytes) -> Float32Array:
         block = np.frombuffer(samples, np.float32).reshape(-1, self.n_channels)
-        self._loss.push(came, len(block))
+        self._loss.observe(came, len(block))
         self._length = len(block) / self.rate
         kept = STEADINESS if self._age else 0.0
         self._age = kept * self._age + (1 - kept) * max(age, self._length)

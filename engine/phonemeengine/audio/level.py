@@ -39,7 +39,7 @@ class PeakMeter:
         self._seen = self._held_at = -np.inf
         self._clipped_at: float | None = None
 
-    def push(self, block: Float32Array, now: float) -> None:
+    def add_samples(self, block: Float32Array, now: float) -> None:
         """Take a block of any shape; `now` in seconds."""
         self._unread.append((now, block))
 

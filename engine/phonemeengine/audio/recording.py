@@ -13,13 +13,12 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio import libsndfile
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.journal import RecordingMarker
 from phonemeengine.audio.libsndfile import FlacEncoder
 from phonemeengine.audio.recording_file import RecordingFile, describe_os_error, shown_folder
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import RecordingError
-from phonemeengine.paths import reason_of
+from phonemeengine.files import printable_name, reason_of
 
 PERIOD = 0.2
 """Seconds between two writings to the disk."""

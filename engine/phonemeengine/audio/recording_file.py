@@ -8,9 +8,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import BinaryIO
 
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import RecordingError
-from phonemeengine.paths import free_path, reason_of
+from phonemeengine.files import free_path, printable_name, reason_of
 
 COPIED_AT_ONCE = 1 << 20
 """Bytes."""

@@ -37,7 +37,7 @@ class Resampler:
         """Time from the newest sample that came out to the newest that went in, seconds of sound, now."""
         return max(0.0, self._n_in / self.from_rate - (self._n_out - self._shift) / SAMPLE_RATE)
 
-    def push(self, block: Float32Array, last: bool = False) -> Float32Array:
+    def resample(self, block: Float32Array, last: bool = False) -> Float32Array:
         """Take a block, shape (n, n_channels), and give what has become ready; after the last block all of it.
 
         Returns

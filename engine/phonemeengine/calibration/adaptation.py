@@ -73,7 +73,7 @@ class _LabelStats:
 
 
 def adapt(model: Model, lessons: Sequence[TrainingExample]) -> tuple[Model, ...]:
-    """Adapt a model to the labelled recordings or takes of one voice: all of the way to it, and parts of it (`STEP_SIZES`).
+    """Return a model adapted to the labelled recordings or takes of one voice, by each of `STEP_SIZES`.
 
     Raises
     ------
@@ -139,7 +139,7 @@ def _drawn(stretches: Sequence[TrainingSegment], generator: np.random.Generator)
 def _heard(model: Model, lesson: TrainingExample) -> _Encoded:
     """Run the first layers over a lesson, and as many frames of silence after it as the model looks ahead."""
     after = silent_log_mels(len(model.heads) - 1)
-    hidden = _first_layers(model).push(np.concatenate((lesson.log_powers.astype(np.float32), after)))
+    hidden = _first_layers(model).forward(np.concatenate((lesson.log_powers.astype(np.float32), after)))
     return _Encoded(hidden, lesson.phonemes, lesson.certainties.astype(np.float32))
 
 
@@ -160,7 +160,7 @@ def _stretches_of(heard: Sequence[_Encoded], said: _LabelStats, n_heads: int) ->
 
 def _anchor_of(model: Model, log_powers: Float32Array) -> TrainingSegment:
     """Give a stretch of other voices, to be named as the model names it now."""
-    hidden = _first_layers(model).push(log_powers)
+    hidden = _first_layers(model).forward(log_powers)
     found = _through_last_layers(model, hidden)
     everything = np.ones(len(Phoneme), bool)
     wanted = np.stack([_shares_of(found, head, everything) for head in model.heads], axis=1)
@@ -188,5 +188,5 @@ def _first_layers(model: Model) -> Network:
 
 def _through_last_layers(model: Model, hidden: Float32Array) -> Float32Array:
     for layer in model.layers[first_tuned(model) :]:
-        hidden = hidden + StreamingLayer(layer, np.zeros(len(layer.bias), np.float32)).push(hidden)
+        hidden = hidden + StreamingLayer(layer, np.zeros(len(layer.bias), np.float32)).forward(hidden)
     return hidden

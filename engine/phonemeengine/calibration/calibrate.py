@@ -74,7 +74,7 @@ def calibrate(
     *,
     held_back: Takes = (),
     room: Float32Array | None = None,
-    heed: Progress = no_progress,
+    progress: Progress = no_progress,
 ) -> Outcome:
     """Make a preset that knows a voice, and tell what that gains on what was held back.
 
@@ -85,13 +85,13 @@ def calibrate(
     held_back : labelled recordings of the same voice from which nothing is learned, such as a sentence that was
         read (`phonemeengine.calibration.alignment` labels it); labels whose certainty is ``trimmed`` do not count.
     room : seconds in which nobody speaks, float32, shape (n,), 44.1 kHz; where it is None, the takes' silence.
-    heed : told how far it is.
+    progress : told how far it is.
 
     Raises
     ------
     CorpusError : the recogniser does not learn voices, there are no takes, or too few, or nothing to judge by.
     AudioError : a sound cannot be read.
-    Cancelled : `heed` did not want to go on.
+    Cancelled : `progress` did not want to go on.
     """
     learner = learner_of(preset)
     if not takes:
@@ -100,9 +100,9 @@ def calibrate(
     if not any(counts(utterance.labels) for utterance in judged):
         raise CorpusError("there is nothing to judge by; give takes or recordings with labels that count")
     course = _Course(preset, learner, room)
-    ways, trial = course.tried_on(takes, held_back, heed) if held_back else course.tried_in_turn(takes, heed)
+    ways, trial = course.tried_on(takes, held_back, progress) if held_back else course.tried_in_turn(takes, progress)
     found = preset if trial.way is None else ways()[trial.way]
-    report_progress(heed, 1.0)
+    report_progress(progress, 1.0)
     sure = _sureness(found, takes, room)
     return Outcome(preset, found, trial.before, trial.after, _seconds(judged), not held_back, trial.price, sure)
 
@@ -135,30 +135,30 @@ class _Course:
         self._learner = learner
         self._room = room
 
-    def tried_on(self, takes: Takes, held_back: Takes, heed: Progress) -> tuple[Ways, _Trial]:
+    def tried_on(self, takes: Takes, held_back: Takes, progress: Progress) -> tuple[Ways, _Trial]:
         """Learn from all takes, and try that on other speech."""
-        learned = self._learned(takes, subrange(heed, 0.0, 0.9))
+        learned = self._learned(takes, subrange(progress, 0.0, 0.9))
         return lambda: learned, self._tried([learned], [held_back], held_back)
 
-    def tried_in_turn(self, takes: Takes, heed: Progress) -> tuple[Ways, _Trial]:
+    def tried_in_turn(self, takes: Takes, progress: Progress) -> tuple[Ways, _Trial]:
         """Learn without each quarter of the takes in turn, and try that on the quarter."""
         learned, kept = [], []
         for k, (taught, quarter) in enumerate(parts_of(takes)):
             share = 0.9 / (N_PARTS + 1)
-            learned.append(self._learned(taught, subrange(heed, k * share, (k + 1) * share)))
+            learned.append(self._learned(taught, subrange(progress, k * share, (k + 1) * share)))
             kept.append(quarter)
-        return lambda: self._learned(takes, subrange(heed, 0.8, 1.0)), self._tried(learned, kept, takes)
+        return lambda: self._learned(takes, subrange(progress, 0.8, 1.0)), self._tried(learned, kept, takes)
 
-    def _learned(self, takes: Takes, heed: Progress) -> tuple[Preset, ...]:
-        return self._learner(self._preset, takes, lambda preset: _quietened(preset, takes, self._room), heed)
+    def _learned(self, takes: Takes, progress: Progress) -> tuple[Preset, ...]:
+        return self._learner(self._preset, takes, lambda preset: _quietened(preset, takes, self._room), progress)
 
     def _tried(self, learned: Sequence[tuple[Preset, ...]], kept: Sequence[Takes], judged: Takes) -> _Trial:
         """Try what was learned on what was kept from it; together these are what is judged by."""
         before, first_price = scores_on([(self._preset, judged)]), ""
         for way, presets in enumerate(zip(*learned, strict=True)):
             after = scores_on(zip(presets, kept, strict=True))
-            price = loss_of(before, after) if after.ten_f1 > before.ten_f1 else ""
-            if after.ten_f1 > before.ten_f1 and not price:
+            price = loss_of(before, after) if after.macro_f1 > before.macro_f1 else ""
+            if after.macro_f1 > before.macro_f1 and not price:
                 return _Trial(way, before, after, first_price)
             first_price = first_price or price
         return _Trial(None, before, before, first_price)

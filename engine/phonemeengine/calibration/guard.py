@@ -4,7 +4,7 @@ from phonemeengine.calibration.scores.scoring import Scores
 
 MOST_LOSS = 0.01
 """By how much a share may get worse."""
-GUARDED = (("mouth shapes right", "mouth_acc", 1), ("silence found", "silence_recall", 1),
+GUARDED = (("mouth shapes right", "viseme_accuracy", 1), ("silence found", "silence_recall", 1),
            ("speech called silence", "false_silence", -1))  # fmt: skip
 """What is guarded: in words, the figure's name, and whether more of it is better (1) or worse (-1)."""
 

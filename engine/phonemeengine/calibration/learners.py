@@ -47,11 +47,11 @@ def learner_of(preset: Preset) -> Learner:
     return LEARNERS[preset.recogniser]
 
 
-def _thresholds(preset: Preset, takes: Takes, quiet: Quiet, heed: Progress) -> tuple[Preset, ...]:
+def _thresholds(preset: Preset, takes: Takes, quiet: Quiet, progress: Progress) -> tuple[Preset, ...]:
     """Search for thresholds, or for limits of the preset's rules; the milder one leaves silence to the room."""
     start = quiet(preset)
-    bench = LabelledFeatures(takes, start, heed=subrange(heed, 0.0, 0.2))
-    fitted = fit_preset(bench, start, subrange(heed, 0.2, 1.0), leave_out=False).preset
+    bench = LabelledFeatures(takes, start, progress=subrange(progress, 0.0, 0.2))
+    fitted = fit_preset(bench, start, subrange(progress, 0.2, 1.0), leave_out=False).preset
     silence = {name: value for name, value in vars(start.thresholds).items() if name.startswith("silence")}
     rules = tuple(
         old if old.phoneme is Phoneme.SILENCE else new for old, new in zip(start.rules, fitted.rules, strict=True)
@@ -60,14 +60,14 @@ def _thresholds(preset: Preset, takes: Takes, quiet: Quiet, heed: Progress) -> t
     return fitted, milder, start
 
 
-def _model(preset: Preset, takes: Takes, quiet: Quiet, heed: Progress) -> tuple[Preset, ...]:
+def _model(preset: Preset, takes: Takes, quiet: Quiet, progress: Progress) -> tuple[Preset, ...]:
     """Adapt the model to the voice, further or less far, each with silence as it is and a little likelier; or not."""
     assert preset.model is not None
     lessons: list[TrainingExample] = []
     for k, utterance in enumerate(takes):
-        report_progress(heed, 0.5 * k / len(takes))
+        report_progress(progress, 0.5 * k / len(takes))
         lessons.append(example_of_recording(utterance))
-    report_progress(heed, 0.5)
+    report_progress(progress, 0.5)
     presets = [quiet(replace(preset, model=model)) for model in adapt(preset.model, lessons)]
     return (*(found for adapted in presets for found in (adapted, _with_more_silence(adapted))), quiet(preset))
 
@@ -79,9 +79,9 @@ def _with_more_silence(preset: Preset) -> Preset:
     return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: given})
 
 
-def _templates(preset: Preset, takes: Takes, quiet: Quiet, heed: Progress) -> tuple[Preset, ...]:
+def _templates(preset: Preset, takes: Takes, quiet: Quiet, progress: Progress) -> tuple[Preset, ...]:
     """Let the takes be the templates of their sounds: quite, half, or not at all; only the room sets the silence."""
-    report_progress(heed, 0.0)
+    report_progress(progress, 0.0)
     start = quiet(preset)
     found = templates_of(takes, start.templates)
     old = start.templates or found

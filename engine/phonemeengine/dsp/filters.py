@@ -67,7 +67,7 @@ class TimeSmoother:
         self.last: Float32Array | None = None
         self._strength = strength
 
-    def push(self, spectra: Float32Array) -> Float32Array:
+    def smooth(self, spectra: Float32Array) -> Float32Array:
         """Smooth the next spectra."""
         out = spectra * np.float32(1 - self._strength)
         if self.last is not None and len(self.last) == spectra.shape[1]:

@@ -34,7 +34,7 @@ class Framer:
         self._buffer = np.zeros(ROOM, FLOAT)
         self._seen = _read_only(self._buffer)
 
-    def push(self, samples: Float32Array) -> Float32Array:
+    def cut_frames(self, samples: Float32Array) -> Float32Array:
         """Take the next samples and give the frames that are now complete.
 
         Parameters

@@ -97,24 +97,26 @@ class FrontEnd:
     def nothing(self) -> FrameBlock:
         """Give a block without frames."""
         last = self.smoother.last
-        measured = self.push(np.zeros((1, WINDOW), np.float32)).part(slice(0))
+        measured = self.measure(np.zeros((1, WINDOW), np.float32)).part(slice(0))
         self.smoother.last = last
         return measured
 
-    def push(self, frames: Float32Array) -> FrameBlock:
+    def measure(self, frames: Float32Array) -> FrameBlock:
         """Measure raw frames, shape (n, 2048), at least one."""
         waves = self._transform.waveforms_of(frames)
         raw = self._transform.magnitudes_of(waves)
         if self._smooths:
-            smooth = self.smoother.push(raw)
+            smooth = self.smoother.smooth(raw)
         else:
             smooth, self.smoother.last = raw, raw[-1]
-        spectra = self._meter.room_for(len(frames))
+        spectra = self._meter.allocate(len(frames))
         self._shaper.shape(smooth, spectra[:, : self._n_bins])  # over frequency, so it may well come after time
-        self._meter.add_maxima(spectra)
+        self._meter.fill_maxima(spectra)
         values: Float32Array = spectra.dot(self._filtered)
         if self._raw_meter is not None:
-            values += self._raw_meter.widen(raw * self._transform.scale).dot(self._raw_meter.weights(Spectrum.RAW))
+            values += self._raw_meter.append_maxima(raw * self._transform.scale).dot(
+                self._raw_meter.weights(Spectrum.RAW)
+            )
         values[:, ZERO_CROSSINGS] = zero_crossings_of(frames)
         values[:, VOLUME] = peak_levels_of(frames)
         if self._pitch:
@@ -126,7 +128,7 @@ class FrontEnd:
             spectra = normalise(spectra, peaks=values[:, MAX_ENERGY])
         values += spectra.dot(self._normalised)
         if self._mel_meter is not None and mel is not None:
-            values += self._mel_meter.widen(mel).dot(self._mel_meter.weights(Spectrum.MEL))
+            values += self._mel_meter.append_maxima(mel).dot(self._mel_meter.weights(Spectrum.MEL))
         if self._divided.size:
             divided, divisors = self._divided
             values[:, divided] /= np.maximum(values[:, divisors], FAINTEST)
@@ -152,9 +154,9 @@ class LevelFrontEnd:
 
     def nothing(self) -> FrameBlock:
         """Give a block without frames."""
-        return self.push(np.zeros((0, WINDOW), np.float32))
+        return self.measure(np.zeros((0, WINDOW), np.float32))
 
-    def push(self, frames: Float32Array) -> FrameBlock:
+    def measure(self, frames: Float32Array) -> FrameBlock:
         """Measure raw frames, shape (n, 2048)."""
         unseen = np.zeros((len(frames), 0), np.float32)
         return FrameBlock(unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis], frames))

@@ -95,19 +95,19 @@ class BandFeatures:
             weight = 1 / (reach.stop - reach.start) if v.kind is Kind.MEAN else 1
             self._weights[v.source][bins, names.index(v.name)] = weight
 
-    def room_for(self, n_frames: int) -> Float32Array:
+    def allocate(self, n_frames: int) -> Float32Array:
         """Give room for spectra and their maxima: zeros, float32, shape (n_frames, n_bins + n_maxima)."""
         return np.zeros((n_frames, self._n_wide), FLOAT)
 
-    def add_maxima(self, wide: Float32Array) -> None:
+    def fill_maxima(self, wide: Float32Array) -> None:
         """Write the maxima beside the bins."""
         wide[:, self._n_bins :] = np.maximum.reduceat(wide, self._edges, axis=1)[:, ::2]
 
-    def widen(self, spectra: Float32Array) -> Float32Array:
+    def append_maxima(self, spectra: Float32Array) -> Float32Array:
         """Give spectra with their maxima beside the bins; float32, shape (n_frames, n_bins + n_maxima)."""
-        wide = self.room_for(len(spectra))
+        wide = self.allocate(len(spectra))
         wide[:, : self._n_bins] = spectra
-        self.add_maxima(wide)
+        self.fill_maxima(wide)
         return wide
 
     def weights(self, source: Spectrum) -> Float32Array:

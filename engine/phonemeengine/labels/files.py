@@ -4,8 +4,8 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import CorpusError
+from phonemeengine.files import printable_name
 from phonemeengine.labels import audacity, table
 from phonemeengine.labels.label import Label, RawLabel, in_order
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
@@ -94,7 +94,8 @@ def write_labels(
     suffix = path.suffix.lower()
     if suffix not in LABEL_SUFFIXES:
         raise CorpusError(
-            f"{printable_name(path)}: labels are written to .TextGrid, .txt (Audacity) and .csv files; choose such a name"
+            f"{printable_name(path)}: labels are written to .TextGrid, .txt (Audacity) "
+            "and .csv files; choose such a name"
         )
     if not labels:
         raise CorpusError(f"{printable_name(path)}: there is no label to write; label something first")

@@ -5,13 +5,8 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-import numpy as np
-
-from phonemeengine.arrays import UInt8Array
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.segments import Segment, segments_of
-from phonemeengine.settings import FRAME_PERIOD
 
 CORE = "core"
 """The certainty of a label that says surely what is heard."""
@@ -92,23 +87,6 @@ def in_order(marks: Iterable[RawLabel], file: str, duration: float | None = None
             )
         ordered[k] = replace(mark, end=max(mark.start, min(mark.end, following.start)))
     return tuple(ordered)
-
-
-def labels_of(phonemes: UInt8Array, duration: float | None = None) -> tuple[Label, ...]:
-    """Join equal frames of 10 ms into labels without gaps.
-
-    Parameters
-    ----------
-    phonemes : codes of `Phoneme`, shape (n_frames,).
-    duration : length of the sound, seconds, where the last label ends; that of the frames where it is None.
-    """
-    seconds = len(phonemes) * FRAME_PERIOD if duration is None else duration
-    return labels_of_runs(segments_of([(phonemes, np.zeros(len(phonemes), np.float32))], seconds))
-
-
-def labels_of_runs(runs: Iterable[Segment]) -> tuple[Label, ...]:
-    """Give stretches of recognised phonemes, in order of time, as labels."""
-    return tuple(Label(run.start, run.end, run.phoneme.label, run.phoneme) for run in runs)
 
 
 def _checked(marks: Iterable[RawLabel], file: str) -> Iterator[RawLabel]:

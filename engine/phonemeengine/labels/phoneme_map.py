@@ -13,8 +13,8 @@ from pathlib import Path
 
 import tomli_w
 
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import CorpusError, UnknownPhonemeError
+from phonemeengine.files import printable_name
 from phonemeengine.labels.label import Label, RawLabel
 from phonemeengine.labels.phone_sets import AFFRICATE, PhoneClass, own_phone_class, phone_classes_in
 from phonemeengine.labels.table import rows_of, table_of

@@ -5,9 +5,8 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import CorpusError
-from phonemeengine.paths import reason_of
+from phonemeengine.files import printable_name, reason_of
 
 LARGEST = 64 << 20
 """Bytes of a label file at most: a day of labels has fewer."""

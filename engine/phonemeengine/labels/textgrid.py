@@ -11,8 +11,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from phonemeengine.errors import CorpusError
+from phonemeengine.files import begins_like
 from phonemeengine.labels.label import Label, RawLabel
-from phonemeengine.own_files import begins_like
 
 INTERVALS, POINTS = "IntervalTier", "TextTier"
 

@@ -100,7 +100,7 @@ class Listener:
         """What the level meter reads now."""
         return self._meter.read(time.monotonic())
 
-    def take(self) -> list[Analysis]:
+    def take_analyses(self) -> list[Analysis]:
         """Give what has been found since the last call, oldest first; raises what ended the listening.
 
         Frames are numbered from the first that was heard; while nothing could be heard, the numbers go on.
@@ -179,10 +179,10 @@ class Listener:
         """What it recognises with; `use` takes another one."""
         return self._preset
 
-    def use(self, preset: Preset) -> None:
+    def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset from the next block on."""
         self._preset = preset
-        self._commands.append(lambda: self._ear.use(preset) if self._ear else None)
+        self._commands.append(lambda: self._ear.set_preset(preset) if self._ear else None)
 
     def choose(self, choice: InputChoice) -> None:
         """Listen to another microphone."""
@@ -249,17 +249,17 @@ class Listener:
             gap = max(0.0, began - self._heard_at)
             self._ear = self._new_ear(source, began, gap)
         self._heard_at, ear = now, self._ear
-        block = ear.heard_of(block)
-        self._meter.push(block, self._heard_at)
+        block = ear.pick_channels(block)
+        self._meter.add_samples(block, self._heard_at)
         self._on_sound(block, source.rate)
         tape = self._tape
         if tape is not None:
             tape.write(block, source.rate, ear.seconds, gap)
-        analysis = ear.follow(block)
+        analysis = ear.analyse(block)
         if len(analysis):
             self._hand_over(analysis)
             if tape is not None:
-                tape.follow(analysis)
+                tape.add_analysis(analysis)
 
     def _new_ear(self, source: Input, began: float, gap: float) -> MicrophoneAnalyser:
         """Go on counting frames where the clock stands, `gap` seconds after the last sound."""

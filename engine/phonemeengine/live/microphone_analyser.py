@@ -96,21 +96,21 @@ class MicrophoneAnalyser:
         """Sound that the device lost since it was opened, seconds; frames are counted without it."""
         return self.source.n_lost / self.source.rate
 
-    def heard_of(self, block: Float32Array) -> Float32Array:
+    def pick_channels(self, block: Float32Array) -> Float32Array:
         """Give the channels that are heard, shape (n, n_channels), of what the microphone gave."""
         return block[:, self._columns]
 
-    def use(self, preset: Preset) -> None:
+    def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset from the next block on."""
-        self.analyser.use(for_live_use(preset))
+        self.analyser.set_preset(for_live_use(preset))
 
-    def follow(self, block: Float32Array) -> Analysis:
+    def analyse(self, block: Float32Array) -> Analysis:
         """Analyse what is heard, shape (n, n_channels)."""
         began = time.monotonic()
         self._n_heard += len(block)
         mono = mono_of(block, Channel.MIX)
         if self._resampler is not None:
-            mono = self._resampler.push(mono[:, np.newaxis])[:, 0]
+            mono = self._resampler.resample(mono[:, np.newaxis])[:, 0]
         analysis = self.analyser.push(mono)
         spent = time.monotonic() - began
         self._spent = STEADINESS * (self._spent or spent) + (1 - STEADINESS) * spent

@@ -32,14 +32,14 @@ class PlaybackQueue:
         """The first frame that waits, or None."""
         return self._blocks[0][1].start if self._blocks else None
 
-    def push(self, due: int, analysis: Analysis) -> None:
+    def append(self, due: int, analysis: Analysis) -> None:
         """Have a block wait until so many samples are heard."""
         with self.lock:
             self._blocks.append((due, analysis))
             while len(self._blocks) > MOST_WAITING:
                 self.n_dropped += len(self._blocks.popleft()[1])
 
-    def take(self, heard: float) -> list[Analysis]:
+    def pop_due(self, heard: float) -> list[Analysis]:
         """Give what is due when so many samples are heard, oldest first."""
         taken = []
         with self.lock:
@@ -47,7 +47,7 @@ class PlaybackQueue:
                 taken.append(self._blocks.popleft()[1])
         return taken
 
-    def ahead(self, heard: float) -> list[tuple[float, Analysis]]:
+    def upcoming(self, heard: float) -> list[tuple[float, Analysis]]:
         """Give all blocks, each with the seconds until it is due."""
         with self.lock:
             return [((due - heard) / SAMPLE_RATE, analysis) for due, analysis in self._blocks]

@@ -123,16 +123,16 @@ class Player:
         """What it recognises with; `use` takes another one."""
         return self._preset
 
-    def use(self, preset: Preset) -> None:
+    def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset from the next block on."""
         self._preset = preset
-        self._do(lambda: self._analyser.use(preset))
+        self._do(lambda: self._analyser.set_preset(preset))
 
     def set_gain(self, gain: float) -> None:
         """Set the loudness of what is heard, 0..1; the analysis does not change."""
         self._output.gain = gain
 
-    def take(self) -> list[Analysis]:
+    def take_analyses(self) -> list[Analysis]:
         """Give what has been heard since the last call; raises whatever ended the analysis.
 
         The frames of each block are numbered from the beginning of the file.
@@ -141,10 +141,10 @@ class Player:
             error, self._error = self._error, None
             raise error
         if self._output.lost:
-            self._do(self._leave_card)
-        return self._waiting.take(self._output.heard)
+            self._do(self._drop_device)
+        return self._waiting.pop_due(self._output.heard)
 
-    def ahead(self) -> list[tuple[float, Analysis]]:
+    def upcoming(self) -> list[tuple[float, Analysis]]:
         """Give what is analysed and not heard yet: `take` gives it later.
 
         Returns
@@ -152,7 +152,7 @@ class Player:
         each block with the seconds until it is taken, negative ones where it waits for that: the middle of its last
         frame is heard then.
         """
-        return self._waiting.ahead(self._output.heard)
+        return self._waiting.upcoming(self._output.heard)
 
     def close(self) -> None:
         """Stop, and let file and device go; a device that hangs is left to itself."""
@@ -186,7 +186,7 @@ class Player:
             try:
                 while self._commands:
                     self._commands.popleft()()
-                if self._misses_card and time.monotonic() > self._next_try:
+                if self._needs_device and time.monotonic() > self._next_try:
                     self._look_for_card()
                 busy = self._playing and not self._at_end and self._output.room >= STEP
                 if busy:
@@ -246,15 +246,15 @@ class Player:
             return
         self._next_frame = analysis.start + len(analysis)
         due = written + (self._next_frame - 1) * HOP + HOP // 2 - sample
-        self._waiting.push(min(due, self._output.n_written), analysis)
+        self._waiting.append(min(due, self._output.n_written), analysis)
 
-    def _leave_card(self) -> None:
+    def _drop_device(self) -> None:
         """Go on silently, since the card has gone."""
         if self._output.lost:
             self._change_output(ClockOutput())
 
     @property
-    def _misses_card(self) -> bool:
+    def _needs_device(self) -> bool:
         return self._playing and not self._at_end and not self._output.is_card
 
     def _look_for_card(self) -> None:

@@ -13,7 +13,8 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.gaps import Gap, gaps_in_words
 from phonemeengine.audio.recording import Recording
 from phonemeengine.errors import RecordingError
-from phonemeengine.paths import free_path, journal_folder, recordings_folder
+from phonemeengine.files import free_path
+from phonemeengine.paths import journal_folder, recordings_folder
 from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -105,10 +106,10 @@ class Recorder:
                 recording.write(block[:n])
                 self._n_given += n
 
-    def follow(self, analysis: Analysis) -> None:
+    def add_analysis(self, analysis: Analysis) -> None:
         """Take what was found in what was written."""
         if self._phonemes is not None and not self._closed:
-            self._phonemes.push(analysis)
+            self._phonemes.add_analysis(analysis)
 
     def close(self) -> None:
         """End the recording and finish its files; what is heard afterwards begins no other."""
@@ -197,7 +198,7 @@ class PhonemeLog:
             with suppress(OSError):
                 self._rows.writerow(dict(zip(SEGMENT_COLUMNS, (place, end, gap.label, 0.0), strict=True)))
 
-    def push(self, analysis: Analysis) -> None:
+    def add_analysis(self, analysis: Analysis) -> None:
         """Take the next frames; those from before the recording are left out."""
         wanted = analysis.part(slice(max(0, round(self._began / FRAME_PERIOD) - analysis.start), None))
         if len(wanted) == 0:
@@ -205,7 +206,7 @@ class PhonemeLog:
         with self._writing:
             if self._shift is None:
                 self._shift = wanted.start * FRAME_PERIOD - self._lag
-            self._write(self._joiner.push(wanted.phonemes, wanted.intensities))
+            self._write(self._joiner.extend(wanted.phonemes, wanted.intensities))
 
     def close(self, duration: float) -> None:
         """Write the last row, and finish."""

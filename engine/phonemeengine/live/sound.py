@@ -134,16 +134,16 @@ class Sound:
         """What it recognises with; `use` takes another one."""
         return self._player.preset
 
-    def use(self, preset: Preset) -> None:
+    def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset from the next 20 ms on."""
-        self._player.use(preset)
+        self._player.set_preset(preset)
 
     def poll(self) -> Reading:
         """Give the phoneme and the intensity of what is heard now; AudioError where the file is damaged there.
 
         In a pause they stay as they were; after the end, and after `stop`, there is silence.
         """
-        taken = self._player.take()
+        taken = self._player.take_analyses()
         if taken:
             self._newest = taken[-1]
         return latest_reading(None if self._stopped or self._player.finished else self._newest)

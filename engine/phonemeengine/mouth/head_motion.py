@@ -58,17 +58,17 @@ class HeadMotion:
 
     def hear(self, time: float, intensity: float, f0: float = 0.0) -> None:
         """Take loudness, 0..1, and fundamental frequency, Hz (0 where there is none), from a time on, seconds."""
-        self._loudness.push(time, min(max(intensity, 0.0), 1.0))
-        self._speaking.push(time, 1.0 if intensity > 0.05 else 0.0)
+        self._loudness.set_target(time, min(max(intensity, 0.0), 1.0))
+        self._speaking.set_target(time, 1.0 if intensity > 0.05 else 0.0)
         if f0 > 0.0:
             pitch = 12.0 * math.log2(f0)
             if self._usual is None:
                 self._usual = LowPass(USUAL, pitch)
             rise = pitch - self._usual.at(time)
-            self._usual.push(time, pitch)
-            self._rise.push(time, min(max(rise, -MOST_SEMITONES), MOST_SEMITONES))
+            self._usual.set_target(time, pitch)
+            self._rise.set_target(time, min(max(rise, -MOST_SEMITONES), MOST_SEMITONES))
         else:
-            self._rise.push(time, 0.0)
+            self._rise.set_target(time, 0.0)
 
     def pose(self, time: float) -> HeadPose:
         """Give the pose at a time; times never go back."""

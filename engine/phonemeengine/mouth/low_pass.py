@@ -16,7 +16,7 @@ class LowPass:
         self._time_constant = time_constant
         self._time, self._value, self._goal = 0.0, value, value
 
-    def push(self, time: float, goal: float) -> None:
+    def set_target(self, time: float, goal: float) -> None:
         """Set another goal from a time on, seconds; times never go back."""
         self._value = self.at(time)
         self._time, self._goal = time, goal

@@ -95,7 +95,7 @@ class Morpher:
 
     def hear_loudness(self, time: float, intensity: float) -> None:
         """Take the loudness alone, 0..1, from a time on: the phoneme goes on."""
-        self._loudness.push(time, min(max(intensity, 0.0), 1.0))
+        self._loudness.set_target(time, min(max(intensity, 0.0), 1.0))
 
     def weights(self, time: float) -> Float32Array:
         """Give the weights at a time, float32, shape (n_movestates,), 1 for the whole movement.

@@ -115,7 +115,7 @@ class OscMouth:
         self._thread = threading.Thread(target=self._run, name="osc", daemon=True)
         self._thread.start()
 
-    def follow(self, analysis: Analysis) -> None:
+    def add_analysis(self, analysis: Analysis) -> None:
         """Take the next frames, as soon as they are known; returns at once."""
         now, n = time.monotonic(), len(analysis)
         for k in range(n):

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import MouthError
+from phonemeengine.files import printable_name
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
 from phonemeengine.mouth.motion_settings import LIMITS, MotionSettings, TransitionTimes
 from phonemeengine.phonemes import Phoneme

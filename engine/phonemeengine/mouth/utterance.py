@@ -47,7 +47,7 @@ def utterance_of(analyses: Iterable[Analysis], name: str, duration: float, path:
     joiner, runs = SegmentBuilder(), []
     loud, pitches = [NOTHING], [NOTHING]
     for analysis in analyses:
-        runs += joiner.push(analysis.phonemes, analysis.intensities)
+        runs += joiner.extend(analysis.phonemes, analysis.intensities)
         loud.append(analysis.intensities)
         pitches.append(np.array(analysis.features.values[:, F0], np.float32))
     runs += joiner.finish(duration)

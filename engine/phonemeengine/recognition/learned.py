@@ -54,13 +54,13 @@ class LearnedRecogniser:
         """Recognise the next frames; the answers are about those `look_ahead` frames before."""
         if not len(features.windows):
             return NOTHING
-        found = self._network.push(log_mels(features.windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
+        found = self._network.forward(log_mels(features.windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
         if self._n_early:
             n_early = min(self._n_early, len(found))
             found, self._n_early = found[n_early:], self._n_early - n_early
         if not len(found):
             return NOTHING
-        scores = self._sensitivity.apply(self._judge.mix(self._shares_of(found)))
+        scores = self._sensitivity.apply(self._judge.combine(self._shares_of(found)))
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
 
     def _shares_of(self, found: Float32Array) -> Float32Array:
@@ -72,7 +72,7 @@ class LearnedRecogniser:
         scores /= np.add.reduce(scores, axis=1, keepdims=True)
         return scores.reshape(len(found), len(self._warps), -1)
 
-    def shortfalls(self, features: Features) -> Float32Array | None:
+    def deficits(self, features: Features) -> Float32Array | None:
         """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
         return deficits_of_scores(features)
 

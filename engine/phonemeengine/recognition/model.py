@@ -51,8 +51,8 @@ class Model:
     heads : one for each look-ahead, 0, 1, ... frames.
     warps : of the mel bands, as if the speaker's vocal tract were shorter (above 1) or longer; what is heard with
         each is mixed, see `phonemeengine.recognition.vtln`.
-    anchors : stretches of the speech that it was trained on, as `phonemeengine.dsp.log_mel` gives it, shape (n, n_frames,
-        40), so that an adaptation to one voice does not forget them; may be empty.
+    anchors : stretches of the speech that it was trained on, as `phonemeengine.dsp.log_mel` gives it,
+        shape (n, n_frames, 40), so that an adaptation to one voice does not forget them; may be empty.
     about : what it was trained with, in words, for people: name, speakers, seed, figures.
     """
 

@@ -60,7 +60,7 @@ class StreamingLayer:
         self._taps = _taps_of(self._seen, self._step)
         self._end = self._reach
 
-    def push(self, block: Float32Array) -> Float32Array:
+    def forward(self, block: Float32Array) -> Float32Array:
         """Take the next frames, shape (n, ..., n_in), and give what it finds in them, shape (n, ..., n_out)."""
         found = self._few(block) if len(block) <= FEW else self._many(block)
         found += self._bias
@@ -105,11 +105,11 @@ class Network:
         nothing = np.zeros((*before.shape[:-1], len(layers[0].bias)), np.float32)
         self._stack = [StreamingLayer(layer, nothing if k else before) for k, layer in enumerate(layers)]
 
-    def push(self, block: Float32Array) -> Float32Array:
+    def forward(self, block: Float32Array) -> Float32Array:
         """Take the next frames, shape (n, ..., n_in), and give what the last layer makes of them, (n, ..., n_out)."""
-        hidden = self._stack[0].push(block)
+        hidden = self._stack[0].forward(block)
         for layer in self._stack[1:]:
-            found = layer.push(hidden)
+            found = layer.forward(hidden)
             found += hidden
             hidden = found
         return hidden

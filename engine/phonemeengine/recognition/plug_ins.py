@@ -78,7 +78,7 @@ class PlugIn:
             raise self._refusal(f"gave the code {codes.max()}, and phonemes are 0..{len(Phoneme) - 1}")
         return Recognition(codes.copy())
 
-    def shortfalls(self, _features: Features) -> None:
+    def deficits(self, _features: Features) -> None:
         """Tell nothing: only its codes are known."""
 
     def explain(self, features: Features, k: int) -> Trace:

@@ -66,7 +66,7 @@ class Recogniser(Protocol):
         """
         ...
 
-    def shortfalls(self, features: Features) -> Float32Array | None:
+    def deficits(self, features: Features) -> Float32Array | None:
         """Say by how much each phoneme falls short of being named, shape (n_frames, n_phonemes), or None."""
         ...
 

@@ -132,7 +132,7 @@ class RuleRecogniser:
         failures = (self._compared(features) <= self._limits).dot(self._members)
         return Recognition(self._phonemes[failures.argmin(axis=1)])
 
-    def shortfalls(self, features: Features) -> Float32Array:
+    def deficits(self, features: Features) -> Float32Array:
         """Say how much the limits would have to give way until each phoneme is named, as a share of them.
 
         For a rule to fire, its own comparisons must hold, and of each rule before it one must fail; the phoneme that

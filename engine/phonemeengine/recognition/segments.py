@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -33,7 +34,7 @@ class SegmentBuilder:
     def __init__(self) -> None:
         self._code, self._first, self._frame, self._total = -1, 0, 0, 0.0
 
-    def push(self, phonemes: UInt8Array, intensities: Float32Array) -> list[Segment]:
+    def extend(self, phonemes: UInt8Array, intensities: Float32Array) -> list[Segment]:
         """Take the next frames, both of shape (n_frames,), and give the runs that ended."""
         runs = []
         for code, intensity in zip(phonemes.tolist(), intensities.tolist(), strict=True):
@@ -64,5 +65,10 @@ def segments_of(blocks: Iterable[tuple[UInt8Array, Float32Array]], duration: flo
     """
     joiner = SegmentBuilder()
     for phonemes, intensities in blocks:
-        yield from joiner.push(phonemes, intensities)
+        yield from joiner.extend(phonemes, intensities)
     yield from joiner.finish(duration)
+
+
+def labels_of_segments(segments: Iterable[Segment]) -> tuple[Label, ...]:
+    """Give stretches of recognised phonemes, in order of time, as labels."""
+    return tuple(Label(s.start, s.end, s.phoneme.label, s.phoneme) for s in segments)

@@ -26,7 +26,7 @@ SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType(
 )
 """What a frame is likeliest to be where the rules say nothing, by the phoneme that they named last.
 
-Counted on labelled speech by `phonemeengine.calibration.fits.fit_thesis`, with the thresholds of the preset Thesis: the
+Counted on labelled speech by `fit_thesis`, with the thresholds of the preset Thesis: the
 class of which the largest share is found there. The rules say nothing mostly where the band of the second formant is
 neither strong (a, e) nor weak (u, o, i, m), hence the many o. The entry of unidentified is what is
 likeliest after anything.
@@ -56,21 +56,21 @@ class PhonemeSmoother:
         self._steady = int(Phoneme.SILENCE)
         self._held = self._least
 
-    def wavers(self, phonemes: UInt8Array) -> bool:
+    def has_change(self, phonemes: UInt8Array) -> bool:
         """Say whether hysteresis has anything to decide about the next phonemes: mostly none changes."""
         return self.hysteresis > 0 and bool((phonemes != self._steady).any())
 
-    def push(self, phonemes: UInt8Array, shortfalls: Float32Array | None = None) -> UInt8Array:
+    def smooth(self, phonemes: UInt8Array, shortfalls: Float32Array | None = None) -> UInt8Array:
         """Take the next phonemes, shape (n_frames,), and give the calmed ones.
 
         `shortfalls` says by how much each phoneme falls short of being named, shape (n_frames, n_phonemes); without
         them there is no hysteresis, which is all the same where the phonemes do not waver.
         """
         if shortfalls is not None:
-            phonemes = self._steadied(phonemes.tolist(), (shortfalls <= self.hysteresis).tolist())
-        return self._held_on(phonemes)
+            phonemes = self._apply_hysteresis(phonemes.tolist(), (shortfalls <= self.hysteresis).tolist())
+        return self._apply_minimum_hold(phonemes)
 
-    def _steadied(self, phonemes: list[int], may_stay: list[list[bool]]) -> UInt8Array:
+    def _apply_hysteresis(self, phonemes: list[int], may_stay: list[list[bool]]) -> UInt8Array:
         steady, out = self._steady, []
         for raw, stays in zip(phonemes, may_stay, strict=True):
             steady = steady if stays[steady] else raw
@@ -78,7 +78,7 @@ class PhonemeSmoother:
         self._steady = steady
         return np.array(out, np.uint8)
 
-    def _held_on(self, phonemes: UInt8Array) -> UInt8Array:
+    def _apply_minimum_hold(self, phonemes: UInt8Array) -> UInt8Array:
         current, held, identified = self._current, self._held, self._identified
         unidentified = int(Phoneme.UNIDENTIFIED)
         out = []

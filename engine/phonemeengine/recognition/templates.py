@@ -88,15 +88,15 @@ class TemplateRecogniser:
 
     def recognise(self, features: Features) -> Recognition:
         """Recognise a block."""
-        log_mels = log_mels(features.windows)
-        scores = np.zeros((len(log_mels), len(Phoneme)), np.float32)
-        loud = 1 / (1 + np.exp(np.clip((self._silence_below - levels_of(log_mels)) / RAMP, -60, 60)))
-        scores[:, self._phonemes] = self._likenesses(cepstra_of(log_mels)) * loud[:, np.newaxis]
+        bands = log_mels(features.windows)
+        scores = np.zeros((len(bands), len(Phoneme)), np.float32)
+        loud = 1 / (1 + np.exp(np.clip((self._silence_below - levels_of(bands)) / RAMP, -60, 60)))
+        scores[:, self._phonemes] = self._likenesses(cepstra_of(bands)) * loud[:, np.newaxis]
         scores[:, Phoneme.SILENCE] = 1 - loud
         scores = self._sensitivity.apply(scores)
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
 
-    def shortfalls(self, features: Features) -> Float32Array | None:
+    def deficits(self, features: Features) -> Float32Array | None:
         """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
         return deficits_of_scores(features)
 

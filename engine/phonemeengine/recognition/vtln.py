@@ -33,7 +33,7 @@ class VtlnMixer:
     def __init__(self, n_tracts: int) -> None:
         self._evidence = [0.0] * n_tracts
 
-    def mix(self, shares: Float32Array) -> Float32Array:
+    def combine(self, shares: Float32Array) -> Float32Array:
         """Take the probabilities of the next frames, shape (n, n_tracts, n_phonemes); gives (n, n_phonemes)."""
         if shares.shape[1] == 1:
             return shares[:, 0]

@@ -4,9 +4,6 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from phonemeengine.arrays import Float64Array
-from phonemeengine.averaged_spectrum import AveragedSpectrum
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
@@ -15,6 +12,9 @@ from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
 from phonemeanalyser.desktop.session.averages import AveragesModel
 from phonemeanalyser.desktop.theme import CURVE_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot import toggle_button
+from phonemeengine.arrays import Float64Array
+from phonemeengine.averaged_spectrum import AveragedSpectrum
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 
 TIP = (
     "The mean of all spectra that were heard since Play, Record or Clear; when other filters are heard, a new mean "

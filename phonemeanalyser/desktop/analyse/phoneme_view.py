@@ -2,8 +2,6 @@
 
 from typing import Any
 
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.trace import RuleComparison, Trace
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -11,6 +9,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, set_size
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.trace import RuleComparison, Trace
 
 ROW = 15
 """Height of a line of the trace in pixels."""
@@ -55,7 +55,7 @@ class PhonemeView(QWidget):
 
     def refresh(self) -> None:
         """Show the newest frame."""
-        self.deaf = self._session.deaf
+        self.input_silent = self._session.input_silent
         newest = None if self.deaf else self._session.history.newest
         if newest is None:
             self.phoneme = self.recognised = Phoneme.SILENCE

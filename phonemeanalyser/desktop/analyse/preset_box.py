@@ -4,12 +4,12 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from phonemeengine.presets.entries import PresetEntry
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QPushButton, QSizePolicy
 
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeengine.presets.entries import PresetEntry
 
 WIDTH = 150
 Sections = dict[str, tuple[PresetEntry, ...]]

@@ -1,10 +1,10 @@
 """Which recogniser names the phonemes: one of the program's own, or one of another package."""
 
-from phonemeengine.recognition.recogniser import recogniser_names
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeengine.recognition.recogniser import recogniser_names
 
 
 class RecogniserChoice(QWidget):

@@ -7,10 +7,6 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from phonemeengine.arrays import Float32Array
-from phonemeengine.features.variables import BUILT_IN_NAMES, unit_of
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import (
     QComboBox,
@@ -31,6 +27,10 @@ from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeengine.arrays import Float32Array
+from phonemeengine.features.variables import BUILT_IN_NAMES, unit_of
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
 
 LANE_HEIGHT = 22
 COURSE_HEIGHT = 110
@@ -282,7 +282,9 @@ class ScrollView(QWidget):
     def _refresh_read_out(self) -> None:
         """Say what lies under the mouse now: it may stand still while the picture moves."""
         plot = self._plot_at(self._mouse) if self._mouse is not None else None
-        self._cursor_label.tell("" if plot is None else self._describe(plot, plot.vb.mapSceneToView(self._mouse)))
+        self._cursor_label.show_reading(
+            "" if plot is None else self._describe(plot, plot.vb.mapSceneToView(self._mouse))
+        )
 
     def _plot_at(self, point: QPointF) -> Any:
         """Give the plot at a point of the scene, or None."""

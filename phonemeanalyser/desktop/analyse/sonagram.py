@@ -5,15 +5,15 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from phonemeengine.arrays import UInt8Array, UInt32Array
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.session.history import CAPACITY, MOST_BINS, NOWHERE, History
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeengine.arrays import UInt8Array, UInt32Array
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 
 SPAN = CAPACITY * FRAME_PERIOD
 """Seconds that can be seen."""

@@ -4,14 +4,14 @@ import math
 
 import numpy as np
 import pyqtgraph as pg
-from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSlider
 
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 
 COARSE = 8
 """Bins that share a step of the coarse display."""

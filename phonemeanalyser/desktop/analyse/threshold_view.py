@@ -6,9 +6,6 @@ from functools import partial
 from html import escape
 from typing import Any
 
-from phonemeengine.errors import EngineError
-from phonemeengine.features.measure import Features
-from phonemeengine.presets.controls import Control, ControlGroup, Moment
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
 from PySide6.QtWidgets import (
@@ -26,6 +23,9 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeengine.errors import EngineError
+from phonemeengine.features.measure import Features
+from phonemeengine.presets.controls import Control, ControlGroup, Moment
 
 LABEL_WIDTH = 104
 LARGEST = 1e6
@@ -180,7 +180,7 @@ class ThresholdView(QScrollArea):
     def _shortfall(self, features: Features, phoneme: int) -> float | None:
         """Return by how much the phoneme that is shown falls short; None where the recogniser does not say."""
         try:
-            shortfalls = self._preset.recogniser.shortfalls(features)
+            shortfalls = self._preset.recogniser.deficits(features)
         except (EngineError, ValueError):  # the frame was measured for another recogniser
             return None
         return None if shortfalls is None else float(shortfalls[0, phoneme])

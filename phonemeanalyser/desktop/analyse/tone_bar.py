@@ -4,13 +4,13 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
-from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWELS, Tone, ToneKind, vowel_of
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
 
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWELS, Tone, ToneKind, vowel_of
 
 
 @dataclass(frozen=True)

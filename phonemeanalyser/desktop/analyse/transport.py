@@ -1,6 +1,5 @@
 """The bar above the views: source, play, stop, record, loop, volume, and what belongs to the source."""
 
-from phonemeengine.settings import Channel
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
@@ -21,6 +20,7 @@ from phonemeanalyser.desktop.analyse.tone_bar import ToneBar
 from phonemeanalyser.desktop.session.position_slider import PositionSlider, clock_of
 from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
+from phonemeengine.settings import Channel
 
 
 class Pages(QStackedWidget):

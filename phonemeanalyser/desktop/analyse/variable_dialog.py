@@ -2,13 +2,13 @@
 
 from collections.abc import Callable
 
-from phonemeengine.errors import EngineError
-from phonemeengine.features.variables import Kind, Spectrum, Variable
-from phonemeengine.settings import SAMPLE_RATE
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeengine.errors import EngineError
+from phonemeengine.features.variables import Kind, Spectrum, Variable
+from phonemeengine.settings import SAMPLE_RATE
 
 SOURCES = {
     Spectrum.NORMALISED: "after all filters",

@@ -3,14 +3,14 @@
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from phonemeengine.arrays import Float32Array
-from phonemeengine.settings import SAMPLE_RATE, WINDOW
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QSlider
 
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeengine.arrays import Float32Array
+from phonemeengine.settings import SAMPLE_RATE, WINDOW
 
 COARSE = 8
 """Samples that share a bar of the coarse display."""

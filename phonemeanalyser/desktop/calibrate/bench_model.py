@@ -4,6 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from PySide6.QtCore import Signal
+
+from phonemeanalyser.desktop.background_model import BackgroundModel
+from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
 from phonemeengine.calibration.scores.confusion import ConfusedSegment, Confusion
 from phonemeengine.calibration.scores.corpus import Utterance
@@ -18,10 +22,6 @@ from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import DEFICITS, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.progress import Progress
-from PySide6.QtCore import Signal
-
-from phonemeanalyser.desktop.background_model import BackgroundModel
-from phonemeanalyser.desktop.session.preset import PresetModel
 
 Pair = tuple[Phoneme, Phoneme | None]
 
@@ -153,10 +153,10 @@ class BenchModel(BackgroundModel):
         """Search for variables that part two phonemes, or one from all others."""
         bench, preset = self.workbench, self._preset.in_force
         if bench is None:
-            self.failed.emit("There is nothing to search in yet; record takes or load labelled recordings first.")
+            self.error.emit("There is nothing to search in yet; record takes or load labelled recordings first.")
             return
         self._searching.instead(
-            lambda heed: suggested_variables(bench, preset, one, other, heed), self._take_suggestions
+            lambda progress: suggested_variables(bench, preset, one, other, progress), self._take_suggestions
         )
 
     def cancel_search(self) -> None:
@@ -192,7 +192,7 @@ class BenchModel(BackgroundModel):
             self._take_up(None)
             return
         self._measuring.instead(
-            lambda heed: LabelledFeatures(utterances, preset, known=known, heed=heed), self._take_up
+            lambda progress: LabelledFeatures(utterances, preset, known=known, progress=progress), self._take_up
         )
 
     def _take_up(self, workbench: LabelledFeatures | None) -> None:
@@ -212,7 +212,7 @@ class BenchModel(BackgroundModel):
             try:
                 self.confusion = self.workbench.confusion(self._preset.in_force)
             except EngineError as error:
-                self.failed.emit(str(error))
+                self.error.emit(str(error))
                 return
         self.confusion_changed.emit()
 
@@ -227,7 +227,7 @@ class BenchModel(BackgroundModel):
         ranking = self.ranking if self._ranked_for is bench else ()
         sensitivities = self._looked_with = self._others_sensitivities()
         self._looking.instead(
-            lambda heed: _looked_at(bench, variable, sensitivities, ranking, heed),
+            lambda progress: _looked_at(bench, variable, sensitivities, ranking, progress),
             lambda found: self._take_look(bench, found),
         )
 
@@ -248,7 +248,7 @@ class BenchModel(BackgroundModel):
         self.look_at(suggestions[0] if suggestions else None)
         self.suggested.emit()
         if not suggestions:
-            self.failed.emit("No frequency range parts these two; record more takes of them, or choose another pair.")
+            self.error.emit("No frequency range parts these two; record more takes of them, or choose another pair.")
 
 
 def _looked_at(
@@ -256,6 +256,6 @@ def _looked_at(
     variable: str,
     sensitivities: Mapping[Phoneme, float],
     ranking: tuple[RankedVariable, ...],
-    heed: Progress,
+    progress: Progress,
 ) -> tuple[Distribution, tuple[RankedVariable, ...]]:
-    return distribution_of(bench, variable, sensitivities), ranking or ranked_variables(bench, heed=heed)
+    return distribution_of(bench, variable, sensitivities), ranking or ranked_variables(bench, progress=progress)

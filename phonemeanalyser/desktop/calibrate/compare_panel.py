@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-from phonemeengine.calibration.scores.comparison import DifferingSegment
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QTabWidget, QVBoxLayout, QWidget
 
@@ -11,6 +10,7 @@ from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel
 from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
+from phonemeengine.calibration.scores.comparison import DifferingSegment
 
 NONE, OTHER = "choose a preset …", "another file …"
 

@@ -4,9 +4,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from phonemeengine.arrays import Int64Array
-from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
-from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
@@ -14,6 +11,9 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeengine.arrays import Int64Array
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.phonemes import Phoneme
 
 LEFT, TOP = 62, 34
 SAID, TAKEN = SCORED_PHONEMES, (*SCORED_PHONEMES, Phoneme.UNIDENTIFIED)

@@ -5,9 +5,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from phonemeengine.calibration.workbench.distributions import Distribution, Quartiles
-from phonemeengine.features.variables import unit_of
-from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -16,6 +13,9 @@ from phonemeanalyser.desktop.calibrate.bench_model import BenchModel, Line
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeengine.calibration.workbench.distributions import Distribution, Quartiles
+from phonemeengine.features.variables import unit_of
+from phonemeengine.phonemes import Phoneme
 
 LEFT, RIGHT, TOP, BOTTOM = 88, 168, 36, 34
 """Pixels around the plot: names at its left, numbers at its right, thresholds above, the axis below."""

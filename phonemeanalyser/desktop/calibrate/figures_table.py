@@ -3,18 +3,18 @@
 import math
 from collections.abc import Sequence
 
-from phonemeengine.calibration.scores.scoring import Scores
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from phonemeanalyser.desktop.theme import Theme
+from phonemeengine.calibration.scores.scoring import Scores
 
 ROWS: tuple[tuple[str, str, bool, str], ...] = (
-    ("macro F1, ten sounds", "ten_f1", True, "The mean F1 of the ten sounds: no figure hides a rare one"),
-    ("frames right, ten sounds", "ten_acc", True, "Share of frames that are right"),
-    ("clear vowels right", "vowel5", True, "Share of frames of a, e, i, o and u that are right"),
-    ("mouth shapes right", "mouth_acc", True, "Share of frames with the right one of six mouth shapes"),
+    ("macro F1, ten sounds", "macro_f1", True, "The mean F1 of the ten sounds: no figure hides a rare one"),
+    ("frames right, ten sounds", "accuracy", True, "Share of frames that are right"),
+    ("clear vowels right", "vowel_accuracy", True, "Share of frames of a, e, i, o and u that are right"),
+    ("mouth shapes right", "viseme_accuracy", True, "Share of frames with the right one of six mouth shapes"),
     ("silence found", "silence_recall", True, "Share of silent frames that are called silence"),
     ("speech called silence", "false_silence", False, "Share of spoken frames that are called silence"),
     ("changes per second", "changes_per_s", False, "How often the answer changes: flicker, where labels change less"),

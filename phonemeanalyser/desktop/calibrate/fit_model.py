@@ -4,6 +4,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from PySide6.QtCore import Signal
+
+from phonemeanalyser.desktop.background_model import BackgroundModel
+from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
+from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.calibration.fits.fitting import FITTED, FitReport, fit_preset
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
@@ -14,11 +19,6 @@ from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, subrange
-from PySide6.QtCore import Signal
-
-from phonemeanalyser.desktop.background_model import BackgroundModel
-from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
-from phonemeanalyser.desktop.session.preset import PresetModel
 
 MOST_STRETCHES = 200
 """Stretches that are listed of each preset."""
@@ -53,7 +53,7 @@ class FitModel(BackgroundModel):
         """Search for better thresholds, or for better limits of the preset's own rules."""
         utterances, known, preset = self._bench.utterances, self._bench.workbench, self._preset.preset
         self.report = None
-        self._work.instead(lambda heed: _fitted(utterances, known, preset, heed), self._take_report)
+        self._work.instead(lambda progress: _fitted(utterances, known, preset, progress), self._take_report)
         self.changed.emit()
 
     def cancel(self) -> None:
@@ -82,7 +82,7 @@ class FitModel(BackgroundModel):
         self.changed.emit()
 
     def _refuse(self, sentence: str) -> None:
-        self.failed.emit(sentence)
+        self.error.emit(sentence)
         self.changed.emit()
 
 
@@ -119,7 +119,7 @@ class ComparisonModel(BackgroundModel):
             try:
                 self.preset = load_preset(path)
             except EngineError as error:
-                self.failed.emit(str(error))
+                self.error.emit(str(error))
         self._measure()
         self.changed.emit()
 
@@ -131,7 +131,8 @@ class ComparisonModel(BackgroundModel):
             self.changed.emit()
             return
         self._measuring.instead(
-            lambda heed: LabelledFeatures(utterances, preset, heed=heed).confusion(preset), self._take_confusion
+            lambda progress: LabelledFeatures(utterances, preset, progress=progress).confusion(preset),
+            self._take_confusion,
         )
 
     def _take_confusion(self, confusion: Confusion) -> None:
@@ -144,7 +145,7 @@ class ComparisonModel(BackgroundModel):
             return
         now, utterances = self._own.preset, self._bench.utterances
         self._comparing.instead(
-            lambda _heed: compare(
+            lambda _progress: compare(
                 _scores_of(now, own, utterances), _scores_of(preset, other, utterances), most=MOST_STRETCHES
             ),
             self._take_comparison,
@@ -156,11 +157,11 @@ class ComparisonModel(BackgroundModel):
 
 
 def _fitted(
-    utterances: tuple[Utterance, ...], known: LabelledFeatures | None, preset: Preset, heed: Progress
+    utterances: tuple[Utterance, ...], known: LabelledFeatures | None, preset: Preset, progress: Progress
 ) -> FitReport:
     """Fit on a workbench of its own, since the window asks the other one meanwhile."""
-    bench = LabelledFeatures(utterances, preset, known=known, heed=subrange(heed, 0.0, 0.05))
-    return fit_preset(bench, preset, subrange(heed, 0.05, 1.0))
+    bench = LabelledFeatures(utterances, preset, known=known, progress=subrange(progress, 0.0, 0.05))
+    return fit_preset(bench, preset, subrange(progress, 0.05, 1.0))
 
 
 def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance, ...]) -> CorpusScores:

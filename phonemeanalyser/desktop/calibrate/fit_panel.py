@@ -53,7 +53,7 @@ class FitPanel(QWidget):
             return self._fit.why_not or "Finds the thresholds that name the most frames right in what is loaded."
         if not report.gains:
             return "Nothing better was found than what is in use."
-        if report.held_out is not None and report.held_out.ten_f1 < report.before.ten_f1:
+        if report.held_out is not None and report.held_out.macro_f1 < report.before.macro_f1:
             return f"Better on what is loaded, but not on a {report.left_out} that was left out: load more of them."
         return f"Better. The last column leaves each {report.left_out} out in turn, and fits without it."
 

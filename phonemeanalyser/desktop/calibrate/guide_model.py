@@ -7,6 +7,13 @@ Time is told by the sound that comes, not by a clock: where the microphone stand
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.calibrate.takes_model import UNNAMED, TakesModel
+from phonemeanalyser.desktop.session.capture import to_mono_44k
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.calibrate import Outcome, calibrate
 from phonemeengine.calibration.scores.corpus import Utterance
@@ -18,13 +25,6 @@ from phonemeengine.calibration.takes.spoken import keep_sentence
 from phonemeengine.errors import EngineError, TakeError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.progress import Progress
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.calibrate.takes_model import UNNAMED, TakesModel
-from phonemeanalyser.desktop.session.capture import to_mono_44k
-from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.tasks import TaskQueue
 
 ABOVE_ROOM = 4.0
 """A voice begins where it is so many times as loud as the room."""
@@ -101,7 +101,7 @@ class GuideModel(QObject):
     """
 
     changed = Signal()
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(self, session: Session, preset: PresetModel, takes: TakesModel) -> None:
         super().__init__()
@@ -122,7 +122,7 @@ class GuideModel(QObject):
         self._work = TaskQueue(self._refuse)
         self._checks = TaskQueue(self._ask_again)
         takes.added.connect(self._note_take)
-        takes.failed.connect(self._note_refusal)
+        takes.error.connect(self._note_refusal)
 
     # -- how far it is ------------------------------------------------------------------------------------
 
@@ -211,7 +211,7 @@ class GuideModel(QObject):
                 self._preset.end_edit()
                 self._preset.edit(replace(outcome.preset, name=self._preset.preset.name), "calibration")
             except EngineError as error:
-                self.failed.emit(str(error))
+                self.error.emit(str(error))
         self.cancel()
 
     def close(self) -> None:
@@ -284,7 +284,7 @@ class GuideModel(QObject):
         room, sentence, folder = self.room.level if self.room else 0.0, self.sentence, self._takes.folder
         speaker = self._takes.speaker.strip() or UNNAMED
 
-        def keep(_heed: Progress) -> Utterance:
+        def keep(_progress: Progress) -> Utterance:
             mono = to_mono_44k(samples, rate)
             for fault in check_take(mono, room, Phoneme.A).faults.values():
                 raise TakeError(fault)
@@ -342,7 +342,7 @@ class GuideModel(QObject):
         takes = [u for u in self._takes.utterances() if u.path in sounds]
         preset, held_back = self._preset.preset, (self.spoken,) if self.spoken else ()
         self._work.instead(
-            lambda heed: calibrate(preset, takes, held_back=held_back, heed=heed), self._take_outcome
+            lambda progress: calibrate(preset, takes, held_back=held_back, progress=progress), self._take_outcome
         )  # fmt: skip
 
     def _take_outcome(self, outcome: Outcome) -> None:
@@ -351,7 +351,7 @@ class GuideModel(QObject):
 
     def _refuse(self, sentence: str) -> None:
         self.advice = sentence
-        self.failed.emit(sentence)
+        self.error.emit(sentence)
         self._show(Phase.DONE)
 
     def _note_take(self, number: int) -> None:

@@ -3,7 +3,6 @@
 import math
 from typing import Any
 
-from phonemeengine.calibration.sentences import SENTENCES
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
@@ -16,6 +15,7 @@ from phonemeanalyser.desktop.session.level_meter import LevelMeterView
 from phonemeanalyser.desktop.talk.head_view import HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeengine.calibration.sentences import SENTENCES
 
 RING = 15
 """Width of the ring in pixels."""

@@ -1,6 +1,5 @@
 """Asks which of our phonemes the unknown names in label files stand for."""
 
-from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QComboBox,
@@ -12,6 +11,8 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+
+from phonemeengine.phonemes import Phoneme
 
 
 class MappingDialog(QDialog):

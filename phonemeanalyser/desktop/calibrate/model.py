@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
@@ -15,6 +14,7 @@ from phonemeanalyser.desktop.calibrate.undo import UndoOrder
 from phonemeanalyser.desktop.session.capture import SampleCapture
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeengine.phonemes import Phoneme
 
 AROUND = 0.15
 """What is played before and after a stretch that is hardly audible by itself, seconds."""
@@ -35,8 +35,8 @@ class CalibrationModel(QObject):
 
     held = Signal()
     stretch_changed = Signal()
-    told = Signal(str)
-    failed = Signal(str)
+    info = Signal(str)
+    error = Signal(str)
 
     def __init__(self, session: Session, preset: PresetModel) -> None:
         super().__init__()
@@ -54,13 +54,13 @@ class CalibrationModel(QObject):
         self.stretch: tuple[float, float] | None = None
         self._from: float | None = None
         self._until: tuple[Path, float] | None = None
-        self.room.told.connect(self.told)
+        self.room.info.connect(self.info)
         for model in (self.takes, self.recordings):
             model.changed.connect(self._load_bench)
-            model.told.connect(self.told)
-            model.failed.connect(self.failed)
+            model.info.connect(self.info)
+            model.error.connect(self.error)
         for worker in (self.bench, self.fit, self.rival, self.guide, self.room):
-            worker.failed.connect(self.failed)
+            worker.error.connect(self.error)
         session.opened.connect(self._forget_stretch)
 
     # -- takes from microphone and file -------------------------------------------------------------------
@@ -100,7 +100,7 @@ class CalibrationModel(QObject):
             return
         samples, rate = self.catch.end()
         if not len(samples) and not self.session.microphone.listening:
-            self.failed.emit(
+            self.error.emit(
                 f"No take of {phoneme.label}: {self.session.microphone.words}; try again when it is heard."
             )
             return
@@ -133,7 +133,7 @@ class CalibrationModel(QObject):
     def mark(self, *, end: bool) -> None:
         """Mark where the stretch of the opened file begins, or ends: where the file stands."""
         if self.session.source is not SoundSource.FILE or self.session.path is None:
-            self.failed.emit("There is no file in hand; open one to mark a stretch of it.")
+            self.error.emit("There is no file in hand; open one to mark a stretch of it.")
             return
         start, stop = self.stretch or (0.0, self.session.duration)
         here = self.session.position

@@ -1,6 +1,5 @@
 """A button for each phoneme: held down, it records a take."""
 
-from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
@@ -11,6 +10,7 @@ from phonemeanalyser.desktop.session.position_slider import clock_of
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeengine.phonemes import Phoneme
 
 COLUMNS = 5
 

@@ -4,13 +4,13 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
 from phonemeengine.errors import AudioError, UnknownPhonemeError
 from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.phonemes import Phoneme
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.tasks import TaskQueue
 
 Read = tuple[tuple[Utterance, ...], list[str]]
 """What was read, and the sentences about what could not be."""
@@ -29,15 +29,15 @@ class RecordingsModel(QObject):
 
     changed = Signal()
     unknown = Signal(dict, list)
-    told = Signal(str)
-    failed = Signal(str)
+    info = Signal(str)
+    error = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
         self.utterances: tuple[Utterance, ...] = ()
         self.sources: list[Path] = []
         self.mapping = PhonemeMap()
-        self._reading = TaskQueue(self.failed.emit)
+        self._reading = TaskQueue(self.error.emit)
 
     @property
     def busy(self) -> bool:
@@ -53,7 +53,7 @@ class RecordingsModel(QObject):
         """Read folders or sounds with their labels beside those that are there."""
         wanted = [path for path in sources if path not in self.sources]
         mapping = self.mapping
-        self._reading.do(lambda _heed: _read(wanted, mapping), lambda found: self._take_up(wanted, found))
+        self._reading.do(lambda _progress: _read(wanted, mapping), lambda found: self._take_up(wanted, found))
 
     def map(self, phonemes: dict[str, Phoneme], sources: Sequence[Path]) -> None:
         """Say what names stand for, and read again what they stood in."""
@@ -86,9 +86,9 @@ class RecordingsModel(QObject):
         self.utterances += fresh
         self.changed.emit()
         if refusals:
-            self.failed.emit(f"{len(refusals)} sounds were left out; {refusals[0]}")
+            self.error.emit(f"{len(refusals)} sounds were left out; {refusals[0]}")
         elif sources:
-            self.told.emit(f"{len(fresh)} labelled recordings were loaded.")
+            self.info.emit(f"{len(fresh)} labelled recordings were loaded.")
 
 
 def _read(sources: Sequence[Path], mapping: PhonemeMap) -> Read | dict[str, int]:

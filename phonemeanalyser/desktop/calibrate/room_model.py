@@ -2,12 +2,6 @@
 
 from dataclasses import replace
 
-from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.calibration.takes.room_noise import RoomNoise, SilenceAccuracy, measure_room
-from phonemeengine.calibration.takes.room_takes import speech_in
-from phonemeengine.errors import EngineError
-from phonemeengine.presets.preset import Preset
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
@@ -15,6 +9,12 @@ from phonemeanalyser.desktop.session.capture import to_mono_44k
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
+from phonemeengine.arrays import Float32Array
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.takes.room_noise import RoomNoise, SilenceAccuracy, measure_room
+from phonemeengine.calibration.takes.room_takes import speech_in
+from phonemeengine.errors import EngineError
+from phonemeengine.presets.preset import Preset
 
 SECONDS = 2.0
 """How long the room is heard."""
@@ -33,8 +33,8 @@ class RoomModel(QObject):
     """
 
     changed = Signal()
-    told = Signal(str)
-    failed = Signal(str)
+    info = Signal(str)
+    error = Signal(str)
 
     def __init__(self, session: Session, preset: PresetModel, takes: TakesModel) -> None:
         super().__init__()
@@ -42,13 +42,13 @@ class RoomModel(QObject):
         self._session = session
         self._preset = preset
         self._takes = takes
-        self._work = TaskQueue(self.failed.emit)
+        self._work = TaskQueue(self.error.emit)
 
     def begin(self) -> None:
         """Hear the room for two seconds; the microphone listens already."""
         self._session.microphone.catch.begin()
         self._listen(on=True)
-        self.told.emit(f"Keep quiet: the room is heard for {SECONDS:g} seconds …")
+        self.info.emit(f"Keep quiet: the room is heard for {SECONDS:g} seconds …")
 
     def cancel(self) -> None:
         """End it; nothing changes."""
@@ -64,12 +64,12 @@ class RoomModel(QObject):
             return
         if not self._session.microphone.active:
             self.cancel()
-            self.failed.emit("The room was not heard to the end, since the microphone was let go; measure it again.")
+            self.error.emit("The room was not heard to the end, since the microphone was let go; measure it again.")
         elif self._session.microphone.catch.seconds >= SECONDS:
             samples, rate = self._session.microphone.catch.end()
             self._listen(on=False)
             preset, takes = self._preset.preset, self._takes.utterances()
-            self._work.instead(lambda _heed: _found_in(samples, rate, preset, takes), self._use)
+            self._work.instead(lambda _progress: _found_in(samples, rate, preset, takes), self._use)
 
     def close(self) -> None:
         """End all work."""
@@ -79,14 +79,14 @@ class RoomModel(QObject):
     def _use(self, found: Found) -> None:
         room, preset, sure = found
         if room.notes:
-            self.failed.emit(room.notes[0])
+            self.error.emit(room.notes[0])
             return
         try:
             self._preset.end_edit()
             self._preset.edit(replace(preset, name=self._preset.preset.name), "room")
-            self.told.emit(f"Room of {room}: {sure}; Ctrl+Z takes it back.")
+            self.info.emit(f"Room of {room}: {sure}; Ctrl+Z takes it back.")
         except EngineError as error:
-            self.failed.emit(str(error))
+            self.error.emit(str(error))
 
     def _listen(self, *, on: bool) -> None:
         self.listening = on

@@ -2,7 +2,6 @@
 
 from typing import Any
 
-from phonemeengine.calibration.takes.take import Take
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
@@ -10,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
+from phonemeengine.calibration.takes.take import Take
 
 HEADINGS = ("sound", "speaker", "s", "dB", "check")
 TIPS = (

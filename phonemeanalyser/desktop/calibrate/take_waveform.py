@@ -3,7 +3,6 @@
 from typing import Any
 
 import numpy as np
-from phonemeengine.settings import SAMPLE_RATE
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -11,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeengine.settings import SAMPLE_RATE
 
 HEADING = 15
 """Pixels above the sound, for words."""

@@ -5,6 +5,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.calibrate.take_labels import write_labels_of
+from phonemeanalyser.desktop.calibrate.take_reports import noise_in, report_of, reports_of, sound_in
+from phonemeanalyser.desktop.session.capture import to_mono_44k
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.calibration.scores.corpus import Utterance
@@ -13,12 +19,6 @@ from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.take import Take
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE, Channel
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.calibrate.take_labels import write_labels_of
-from phonemeanalyser.desktop.calibrate.take_reports import noise_in, report_of, reports_of, sound_in
-from phonemeanalyser.desktop.session.capture import to_mono_44k
-from phonemeanalyser.desktop.tasks import TaskQueue
 
 LEAST_SECONDS = 0.05
 """What is shorter was no take but a slip of the finger, seconds."""
@@ -64,8 +64,8 @@ class TakesModel(QObject):
     kept = Signal()
     added = Signal(int)
     sound_read = Signal()
-    told = Signal(str)
-    failed = Signal(str)
+    info = Signal(str)
+    error = Signal(str)
 
     def __init__(self, default_folder: Callable[[], Path]) -> None:
         super().__init__()
@@ -77,7 +77,7 @@ class TakesModel(QObject):
         self._project: TakeProject | None = None
         self._shown: Path | None = None
         self._reports: dict[int, TakeReport] = {}
-        self._disk = TaskQueue(self.failed.emit)
+        self._disk = TaskQueue(self.error.emit)
 
     # -- what there is ------------------------------------------------------------------------------------
 
@@ -117,7 +117,7 @@ class TakesModel(QObject):
         """Open a project, made where there is none; what was in hand is let go when that went well."""
 
         if self.folder is None or folder.resolve() != self.folder.resolve():
-            self._disk.do(lambda _heed: self._opened_in_work(folder), self._show)
+            self._disk.do(lambda _progress: self._opened_in_work(folder), self._show)
 
     def close(self) -> None:
         """Wait until everything is on the disk, and let the project go."""
@@ -137,7 +137,7 @@ class TakesModel(QObject):
     ) -> None:  # fmt: skip
         """Keep a new take, shape (n, n_channels), and check it; it may take the place of another."""
         if len(samples) < LEAST_SECONDS * rate:
-            self.failed.emit(
+            self.error.emit(
                 f"Hold {phoneme.label} for as long as you say the sound: {len(samples) / rate:.2f} s were heard."
             )
             return
@@ -179,7 +179,7 @@ class TakesModel(QObject):
             return take
 
         if end - start < LEAST_SECONDS:
-            self.failed.emit(f"The stretch of {path.name} lasts {max(0.0, end - start):.2f} s; mark a longer one.")
+            self.error.emit(f"The stretch of {path.name} lasts {max(0.0, end - start):.2f} s; mark a longer one.")
             return
         self._change(act, self._tell_added)
 
@@ -211,7 +211,7 @@ class TakesModel(QObject):
 
     def write_labels(self, suffix: str, program: str) -> None:
         """Write label files for another program beside the sounds of all takes: its name, and how they end."""
-        self._disk.do(lambda _heed: write_labels_of(self._project, suffix, program), self.told.emit)
+        self._disk.do(lambda _progress: write_labels_of(self._project, suffix, program), self.info.emit)
 
     def select(self, number: int | None) -> None:
         """Choose a take, whose sound is read."""
@@ -222,7 +222,7 @@ class TakesModel(QObject):
             self.sound_read.emit()
             return
         path = self.path_of(take)
-        self._disk.do(lambda _heed: sound_in(path), lambda sound: self._show_sound(number, sound))
+        self._disk.do(lambda _progress: sound_in(path), lambda sound: self._show_sound(number, sound))
 
     # -- in the background --------------------------------------------------------------------------------
 
@@ -254,7 +254,7 @@ class TakesModel(QObject):
             if found[0] is not None:
                 then(found[0])
 
-        self._disk.do(lambda _heed: work(), hand_over)
+        self._disk.do(lambda _progress: work(), hand_over)
 
     def _opened_in_work(self, folder: Path) -> Snapshot:
         project, before = TakeProject(folder), self._project
@@ -271,7 +271,7 @@ class TakesModel(QObject):
             self.select(None)
             self.opened.emit()
             for note in self._project.notes:
-                self.told.emit(f"{note[0].upper()}{note[1:]}.")
+                self.info.emit(f"{note[0].upper()}{note[1:]}.")
         if self.selected is not None and self.take(self.selected) is None:
             self.select(None)
         self.changed.emit()
@@ -292,7 +292,7 @@ class TakesModel(QObject):
         self.added.emit(take.number)
         report = self.now.reports[take.number]
         for sentence in list(report.faults.values())[:1]:
-            self.failed.emit(f"{take.name}: {sentence}")
+            self.error.emit(f"{take.name}: {sentence}")
 
     def _show_sound(self, number: int | None, sound: Float32Array) -> None:
         if number == self.selected:

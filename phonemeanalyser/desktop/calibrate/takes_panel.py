@@ -11,8 +11,8 @@ from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.record_panel import RecordPanel
 from phonemeanalyser.desktop.calibrate.take_list import TakeListView
 from phonemeanalyser.desktop.calibrate.take_waveform import TakeWaveform
-from phonemeanalyser.desktop.session.status_line import ElidedLabel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
 
 WIDTH = 330

@@ -4,10 +4,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from phonemeengine.arrays import UInt8Array
-from phonemeengine.calibration.scores.confusion import Confusion
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import FRAME_PERIOD
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QMouseEvent, QPainter, QWheelEvent
 from PySide6.QtWidgets import QScrollBar, QSizePolicy, QVBoxLayout, QWidget
@@ -15,6 +11,10 @@ from PySide6.QtWidgets import QScrollBar, QSizePolicy, QVBoxLayout, QWidget
 from phonemeanalyser.desktop.painting import CENTRED, draw_text
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeengine.arrays import UInt8Array
+from phonemeengine.calibration.scores.confusion import Confusion
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 
 LEFT = 76
 HEADING, LANE, GAP = 14, 20, 2

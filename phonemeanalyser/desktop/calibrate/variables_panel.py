@@ -1,9 +1,5 @@
 """The variables, ranked by how well they separate the sounds, and the search for better ones."""
 
-from phonemeengine.calibration.fits.suggestions import Suggestion
-from phonemeengine.features.variables import Variable
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recogniser import takes_own_variables
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
@@ -22,6 +18,10 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
+from phonemeengine.calibration.fits.suggestions import Suggestion
+from phonemeengine.features.variables import Variable
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.recogniser import takes_own_variables
 
 NAME = Qt.ItemDataRole.UserRole
 

@@ -2,6 +2,9 @@
 
 from pathlib import Path
 
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.session.history import shown_spectra
 from phonemeengine.analyser import Analysis
 from phonemeengine.averaged_spectrum import (
     AveragedSpectrum,
@@ -11,9 +14,6 @@ from phonemeengine.averaged_spectrum import (
     save_averaged_spectrum,
 )
 from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.session.history import shown_spectra
 
 
 class AveragesModel(QObject):

@@ -3,6 +3,7 @@
 import threading
 
 import numpy as np
+
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.resampling import Resampler
@@ -38,7 +39,7 @@ class SampleCapture:
         """Whether nothing more is kept."""
         return self.seconds >= LONGEST
 
-    def push(self, block: Float32Array, rate: int) -> None:
+    def add_samples(self, block: Float32Array, rate: int) -> None:
         """Take a block, shape (n, n_channels); one in another form than those before begins anew."""
         with self._lock:
             if not self._open or self.full:
@@ -79,5 +80,5 @@ class SampleCapture:
 def to_mono_44k(samples: Float32Array, rate: int) -> Float32Array:
     """Give a sound, shape (n, n_channels), as one channel at 44.1 kHz, shape (m,)."""
     if rate != SAMPLE_RATE and len(samples):
-        samples = Resampler(rate, samples.shape[1]).push(samples, last=True)
+        samples = Resampler(rate, samples.shape[1]).resample(samples, last=True)
     return mono_of(samples, Channel.MIX)

@@ -3,11 +3,11 @@
 import threading
 from collections.abc import Callable
 
-from phonemeengine.audio.devices import Device, inputs_of
-from phonemeengine.errors import EngineError
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.threads import start_thread
+from phonemeengine.audio.devices import Device, inputs_of
+from phonemeengine.errors import EngineError
 
 
 class DeviceList(QObject):

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array, IndexArray
 from phonemeengine.dsp.mel import spread_mel

@@ -3,12 +3,12 @@
 import threading
 from collections.abc import Sequence
 
-from phonemeengine.audio.devices import InputChoice
-from phonemeengine.errors import EngineError
-from phonemeengine.live.loopback import Loopback, measure_loopback
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.threads import start_thread
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.errors import EngineError
+from phonemeengine.live.loopback import Loopback, measure_loopback
 
 
 class LatencyTest(QObject):
@@ -20,8 +20,8 @@ class LatencyTest(QObject):
     failed : a sentence about why nothing was.
     """
 
-    told = Signal(str)
-    failed = Signal(str)
+    info = Signal(str)
+    error = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
@@ -52,13 +52,13 @@ class LatencyTest(QObject):
             )
             if not found.capture:
                 share = "the card does not tell which part of it is the microphone's"
-            self.told.emit(
+            self.info.emit(
                 f"A click comes back after {1000 * found.round_trip:.0f} ms ({found.n_heard} of {found.n_played} "
                 f"heard, within {1000 * found.spread:.0f} ms of each other); {share}."
             )
         else:
             words = str(found)
-            self.failed.emit(f"The latency was not measured: {words}.")
+            self.error.emit(f"The latency was not measured: {words}.")
         return True
 
     def _measure(self, choice: InputChoice, waiting: list[threading.Thread]) -> None:

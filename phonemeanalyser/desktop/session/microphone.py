@@ -6,6 +6,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.session.capture import SampleCapture
+from phonemeanalyser.desktop.session.devices import DeviceList
+from phonemeanalyser.desktop.session.latency_test import LatencyTest
+from phonemeanalyser.desktop.threads import start_thread
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.journal import InterruptedRecording, interrupted_recordings
@@ -16,12 +22,6 @@ from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.paths import journal_folder, new_recording_path, recordings_folder
 from phonemeengine.presets.preset import Preset
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.session.capture import SampleCapture
-from phonemeanalyser.desktop.session.devices import DeviceList
-from phonemeanalyser.desktop.session.latency_test import LatencyTest
-from phonemeanalyser.desktop.threads import start_thread
 
 RATES = (0, 16_000, 22_050, 32_000, 44_100, 48_000, 96_000)
 """Sample rates to choose from, Hz; 0 leaves it to the device."""
@@ -46,10 +46,10 @@ class Microphone(QObject):
     """
 
     changed = Signal()
-    told = Signal(str)
+    info = Signal(str)
     devices_changed = Signal()
     recorded = Signal(str, float, str)
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(
         self, make_listener: Callable[..., Listener] = Listener, list_devices: Callable[[], list[Device]] = devices,
@@ -75,8 +75,8 @@ class Microphone(QObject):
         self._troubled = self._words = ""
         self._since = 0.0
         self.inputs.changed.connect(self.devices_changed)
-        self.clicks.told.connect(self.told)
-        self.clicks.failed.connect(self.failed)
+        self.clicks.info.connect(self.info)
+        self.clicks.error.connect(self.error)
 
     # -- how it is ----------------------------------------------------------------------------------------
 
@@ -159,7 +159,7 @@ class Microphone(QObject):
         if self.clicks.running:
             self._goes_on = True
         elif self._listener is None:
-            self._listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self.catch.push)
+            self._listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self.catch.add_samples)
             self.changed.emit()
 
     def stop(self) -> None:
@@ -171,11 +171,11 @@ class Microphone(QObject):
             self._leaving.append(start_thread(listener.close))  # a sound server that hangs must not hang the window
             self.changed.emit()
 
-    def use(self, preset: Preset) -> None:
+    def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset."""
         self._preset = preset
         if self._listener is not None:
-            self._listener.use(preset)
+            self._listener.set_preset(preset)
 
     def choose(self, choice: InputChoice) -> None:
         """Listen to another microphone, channel or rate."""
@@ -210,7 +210,7 @@ class Microphone(QObject):
     def begin_recording(self) -> None:
         """Record what is heard from now on into a new file in the folder."""
         if self.clicks.running:
-            self.failed.emit("Nothing is recorded, since the latency is being measured; try again in a few seconds.")
+            self.error.emit("Nothing is recorded, since the latency is being measured; try again in a few seconds.")
         if self._listener is None or self._tape is not None:
             return
         folder, suffix = self.folder, self.suffix
@@ -237,7 +237,7 @@ class Microphone(QObject):
         """Give the recordings that were cut off when the program ended."""
         return interrupted_recordings(self._journal)
 
-    def take(self) -> list[Analysis]:
+    def take_analyses(self) -> list[Analysis]:
         """Give what was found since the last call, and see to recordings; raises what ended the listening."""
         self._leaving = [thread for thread in self._leaving if thread.is_alive()]
         self.inputs.see()
@@ -245,7 +245,7 @@ class Microphone(QObject):
             self._go_on()
         self._see_to_recordings()
         self._see_to_trouble()
-        return self._listener.take() if self._listener else []
+        return self._listener.take_analyses() if self._listener else []
 
     def close(self) -> None:
         """Let everything go; waits until recordings are complete."""
@@ -266,7 +266,7 @@ class Microphone(QObject):
         if self._listener is None or self._listener.status.listening:
             if self._troubled and self._listener is not None:
                 lost = f"{self.lost_seconds:.1f} s could not be heard"
-                self.told.emit(f"The microphone is there: {self._listener.status.words}; {lost}.")
+                self.info.emit(f"The microphone is there: {self._listener.status.words}; {lost}.")
             self._troubled = self._words = ""
             return
         words, now = self._listener.status.words.split(" since ")[0], time.monotonic()
@@ -275,7 +275,7 @@ class Microphone(QObject):
         if words != self._troubled and now - self._since >= PATIENCE:
             self._troubled = words
             waits = "; the recording waits for it" if self.recording else ""
-            self.failed.emit(f"{words[0].upper()}{words[1:]}{waits}.")
+            self.error.emit(f"{words[0].upper()}{words[1:]}{waits}.")
 
     def _see_to_recordings(self) -> None:
         if self._tape is not None and self._tape.failure:
@@ -284,13 +284,13 @@ class Microphone(QObject):
             self._ending.remove(ending)
             tape = ending[1]
             if tape.failure:
-                self.failed.emit(tape.failure)
+                self.error.emit(tape.failure)
             elif tape.path is not None and tape.seconds:
                 self.recorded.emit(str(tape.path), tape.seconds, tape.gap_words)
                 for remark in _remarks(tape):
-                    self.told.emit(remark)
+                    self.info.emit(remark)
             else:
-                self.failed.emit("Nothing was recorded, since no sound came; check the microphone.")
+                self.error.emit("Nothing was recorded, since no sound came; check the microphone.")
 
 
 def _remarks(tape: Recorder) -> list[str]:

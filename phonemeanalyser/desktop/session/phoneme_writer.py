@@ -3,17 +3,16 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from phonemeengine.analyser import Analysis, analyse_blocks
-from phonemeengine.audio.files import SoundReader
-from phonemeengine.labels.files import write_labels
-from phonemeengine.labels.label import labels_of_runs
-from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, report_progress
-from phonemeengine.recognition.segments import segments_of
-from phonemeengine.settings import SAMPLE_RATE, Channel
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.tasks import TaskQueue
+from phonemeengine.analyser import Analysis, analyse_blocks
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.labels.files import write_labels
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, report_progress
+from phonemeengine.recognition.segments import labels_of_segments, segments_of
+from phonemeengine.settings import SAMPLE_RATE, Channel
 
 BLOCK = 5 * SAMPLE_RATE
 """Samples that are read at a time."""
@@ -28,12 +27,12 @@ class PhonemeWriter(QObject):
     failed : a sentence for the user.
     """
 
-    told = Signal(str)
-    failed = Signal(str)
+    info = Signal(str)
+    error = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
-        self._work = TaskQueue(self.failed.emit)
+        self._work = TaskQueue(self.error.emit)
 
     @property
     def busy(self) -> bool:
@@ -47,10 +46,10 @@ class PhonemeWriter(QObject):
         ----------
         target : its ending says in which format: .TextGrid, .txt (Audacity) or .csv (the corpus format).
         """
-        self.told.emit(f"The phonemes of {sound.name} are looked for, and then saved in {target.name} …")
+        self.info.emit(f"The phonemes of {sound.name} are looked for, and then saved in {target.name} …")
         self._work.do(
-            lambda heed: _write(sound, channel, preset, target, heed),
-            lambda _none: self.told.emit(f"The phonemes of {sound.name} are saved in {target}."),
+            lambda progress: _write(sound, channel, preset, target, progress),
+            lambda _none: self.info.emit(f"The phonemes of {sound.name} are saved in {target}."),
         )
 
     def see(self) -> None:
@@ -62,14 +61,14 @@ class PhonemeWriter(QObject):
         self._work.close()
 
 
-def _write(sound: Path, channel: Channel, preset: Preset, target: Path, heed: Progress) -> None:
+def _write(sound: Path, channel: Channel, preset: Preset, target: Path, progress: Progress) -> None:
     with SoundReader(sound, channel) as reader:
-        found = ((a.phonemes, a.intensities) for a in _analyses(reader, preset, heed))
-        labels = labels_of_runs(segments_of(found, reader.duration))
+        found = ((a.phonemes, a.intensities) for a in _analyses(reader, preset, progress))
+        labels = labels_of_segments(segments_of(found, reader.duration))
         write_labels(labels, target, duration=reader.duration)
 
 
-def _analyses(reader: SoundReader, preset: Preset, heed: Progress) -> Iterator[Analysis]:
+def _analyses(reader: SoundReader, preset: Preset, progress: Progress) -> Iterator[Analysis]:
     for analysis in analyse_blocks(reader.blocks(BLOCK), preset):
-        report_progress(heed, reader.position / reader.n_samples)
+        report_progress(progress, reader.position / reader.n_samples)
         yield analysis

@@ -5,6 +5,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
@@ -24,8 +27,6 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recogniser import Recogniser, recogniser_of
 from phonemeengine.recognition.rules import Rule
 from phonemeengine.settings import Filter
-from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
 
 FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
     Filter.QUANTISE: ("quantise", "decimation"),
@@ -85,7 +86,7 @@ class PresetModel(QObject):
 
     changed = Signal()
     file_changed = Signal()
-    refused = Signal(str)
+    rejected = Signal(str)
 
     def __init__(self, path: Path = DEFAULT_PRESET) -> None:
         super().__init__()
@@ -232,7 +233,7 @@ class PresetModel(QObject):
         try:
             self.edit(self.controls[name].write(self.preset, value), f"change of {name.replace('_', ' ')}")
         except (RecogniserError, SettingsError) as error:
-            self.refused.emit(str(error))
+            self.rejected.emit(str(error))
             self.changed.emit()  # whoever shows the refused number shows the old one again
         finally:
             self._kept_groups = ()

@@ -3,17 +3,17 @@
 from collections.abc import Iterator
 from pathlib import Path
 
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.session.averages import AveragesModel
+from phonemeanalyser.desktop.session.history import History
+from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.analyser import Analysis, analyse_range
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.trace import Trace
 from phonemeengine.settings import FRAME_PERIOD, Channel
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.session.averages import AveragesModel
-from phonemeanalyser.desktop.session.history import History
-from phonemeanalyser.desktop.session.preset import PresetModel
 
 AGAIN = 1000
 """Frames that are analysed anew at most when the preset changes while nothing plays: ten seconds."""
@@ -31,7 +31,7 @@ class AnalysisResults(QObject):
 
     cleared = Signal()
     rewritten = Signal(int)
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
@@ -40,7 +40,7 @@ class AnalysisResults(QObject):
         self._preset = preset
         self._unexplained: Preset | None = None  # its recogniser could not say why, which was told
 
-    def gather(self, analysis: Analysis) -> None:
+    def add(self, analysis: Analysis) -> None:
         """Take in a block of analysed frames."""
         self.history.append(analysis)
         self.averages.add(analysis)
@@ -50,10 +50,10 @@ class AnalysisResults(QObject):
         self.history.clear()
         self.cleared.emit()
 
-    def follow(self, path: Path, channel: Channel, n_frames: int) -> None:
+    def add_file_start(self, path: Path, channel: Channel, n_frames: int) -> None:
         """Gather the first frames of a file."""
         for analysis in self._analyses(path, channel, 0, n_frames):
-            self.gather(analysis)
+            self.add(analysis)
 
     def analyse_again(self, path: Path, channel: Channel) -> None:
         """Analyse what was heard last of a file anew with the preset in force."""
@@ -85,7 +85,7 @@ class AnalysisResults(QObject):
         except EngineError as error:
             if self._preset.preset is not self._unexplained:
                 self._unexplained = self._preset.preset
-                self.failed.emit(str(error))
+                self.error.emit(str(error))
             return None
 
     def _told_analyses(self, path: Path, channel: Channel, first: int, last: int) -> Iterator[Analysis]:
@@ -93,7 +93,7 @@ class AnalysisResults(QObject):
         try:
             yield from self._analyses(path, channel, first, last)
         except EngineError as error:
-            self.failed.emit(str(error))
+            self.error.emit(str(error))
 
     def _analyses(self, path: Path, channel: Channel, first: int, last: int) -> Iterator[Analysis]:
         with SoundReader(path, channel) as reader:

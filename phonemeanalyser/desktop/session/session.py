@@ -4,6 +4,12 @@ from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
 
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.phoneme_writer import PhonemeWriter
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.results import AnalysisResults
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import Output, open_output
@@ -13,12 +19,6 @@ from phonemeengine.errors import EngineError
 from phonemeengine.live.player import Player
 from phonemeengine.recognition.trace import Trace
 from phonemeengine.settings import FRAME_PERIOD, Channel
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeanalyser.desktop.session.phoneme_writer import PhonemeWriter
-from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.results import AnalysisResults
 
 QUIETEST_DB = -60.0
 """At this volume and below nothing is heard."""
@@ -54,7 +54,7 @@ class Session(QObject):
     transport_changed = Signal()
     cleared = Signal()
     rewritten = Signal(int)
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(
         self, preset: PresetModel, open_device: Callable[[int], Output] = open_output,
@@ -77,9 +77,9 @@ class Session(QObject):
         self._player: Player | None = None
         self._tone_reader: ToneReader | None = None
         preset.changed.connect(self._use_preset)
-        self.microphone.failed.connect(self.failed)
-        self.writer.failed.connect(self.failed)
-        self.findings.failed.connect(self.failed)
+        self.microphone.error.connect(self.error)
+        self.writer.error.connect(self.error)
+        self.findings.error.connect(self.error)
         self.findings.cleared.connect(self.cleared)
         self.findings.rewritten.connect(self.rewritten)
 
@@ -112,7 +112,7 @@ class Session(QObject):
         return self._player is not None and self._player.playing
 
     @property
-    def deaf(self) -> bool:
+    def input_silent(self) -> bool:
         """Whether the microphone should be heard, and nothing comes from it: what was heard last is no news then."""
         return self.source is SoundSource.MICROPHONE and self.microphone.active and not self.microphone.listening
 
@@ -181,12 +181,12 @@ class Session(QObject):
             if channel is None and self.wanted_channel.number <= file.n_file_channels:
                 file.choose(self.wanted_channel)
         except EngineError as error:
-            self.failed.emit(str(error))
+            self.error.emit(str(error))
             return False
-        self._leave()
+        self._detach()
         self.source = SoundSource.FILE
         self._file = file
-        self._take_up(Player(file, self.preset.in_force, self._open_device))
+        self._attach(Player(file, self.preset.in_force, self._open_device))
         return True
 
     def set_source(self, source: SoundSource) -> None:
@@ -200,12 +200,12 @@ class Session(QObject):
         if source is SoundSource.FILE and self.path is not None and self.open(self.path):
             self.seek(self._left_at)
             return
-        self._leave()
+        self._detach()
         self.source = source
         self._forget("Opening")
         if source is SoundSource.TONE:
             self._tone_reader = ToneReader(self.tone)
-            self._take_up(Player(self._tone_reader, self.preset.in_force, self._open_device))
+            self._attach(Player(self._tone_reader, self.preset.in_force, self._open_device))
         if source is SoundSource.MICROPHONE:
             self.microphone.refresh_devices()
         if source is not SoundSource.FILE:
@@ -216,12 +216,12 @@ class Session(QObject):
         """Generate another tone, which is heard at once."""
         self.tone = tone
         if self._tone_reader is not None:
-            self._tone_reader.use(tone)
+            self._tone_reader.set_tone(tone)
             if not self.playing:
                 self.play()
         self.transport_changed.emit()
 
-    def _take_up(self, player: Player) -> None:
+    def _attach(self, player: Player) -> None:
         player.loop = self.loop
         self._player = player
         self.set_volume(self.volume)
@@ -229,7 +229,7 @@ class Session(QObject):
         self.opened.emit()
         self.transport_changed.emit()
 
-    def _leave(self) -> None:
+    def _detach(self) -> None:
         """Let the source in use go: some cards serve one stream at a time."""
         self.microphone.stop()
         self._tone_reader = None
@@ -333,7 +333,7 @@ class Session(QObject):
 
     def close(self) -> None:
         """Let everything go."""
-        self._leave()
+        self._detach()
         self.microphone.close()
         self.writer.close()
 
@@ -344,36 +344,38 @@ class Session(QObject):
 
     # -- what is found ------------------------------------------------------------------------------------
 
-    def tick(self) -> bool:
+    def poll(self) -> bool:
         """Gather what has been heard since the last tick; say whether there was anything."""
         self.writer.see()
         try:
-            heard = self.microphone.take()  # it tells of devices and recordings even while another source is in use
-            blocks = heard if self._player is None else self._player.take()
+            heard = (
+                self.microphone.take_analyses()
+            )  # it tells of devices and recordings even while another source is in use
+            blocks = heard if self._player is None else self._player.take_analyses()
         except EngineError as error:
             self.stop()
-            self.failed.emit(str(error))
+            self.error.emit(str(error))
             return False
         for analysis in blocks:
-            self.findings.gather(analysis)
+            self.findings.add(analysis)
         if blocks:
             self.heard.emit(blocks)
         if self._player is not None and self.playing and self._player.finished:
             self.stop()
         return bool(blocks)
 
-    def follow(self, seconds: float) -> None:
+    def analyse_until(self, seconds: float) -> None:
         """Analyse the file in hand from its beginning up to a time at once, as if it had been played so far."""
         if self._player is None or self._file is None:
             return
         n_frames = round(min(seconds, self.duration) / FRAME_PERIOD) + (seconds >= self.duration)
-        self.findings.follow(self._file.path, self.channel, n_frames)
+        self.findings.add_file_start(self._file.path, self.channel, n_frames)
         self._player.seek(seconds)
         self.sought.emit()
 
-    def ahead(self) -> list[tuple[float, Analysis]]:
+    def upcoming(self) -> list[tuple[float, Analysis]]:
         """Give what is known of the file before it is heard, each block with the seconds until then."""
-        return self._player.ahead() if self._player is not None and self.source is SoundSource.FILE else []
+        return self._player.upcoming() if self._player is not None and self.source is SoundSource.FILE else []
 
     def explain(self) -> Trace | None:
         """Say why the newest frame was recognised as it was."""
@@ -384,8 +386,8 @@ class Session(QObject):
         self.findings.clear()
 
     def _use_preset(self) -> None:
-        self.microphone.use(self.preset.in_force)
+        self.microphone.set_preset(self.preset.in_force)
         if self._player is not None:
-            self._player.use(self.preset.in_force)
+            self._player.set_preset(self.preset.in_force)
             if not self.playing and self.source is SoundSource.FILE and self._file is not None:
                 self.findings.analyse_again(self._file.path, self.channel)

@@ -1,35 +1,17 @@
 """The line at the bottom: what is in hand, what it is heard on, and how late the picture of a voice is."""
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel
 
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 
 UNNOTICED, ACCEPTED = 0.045, 0.090
 """Seconds by which a picture may lag behind its sound before it is noticed, and before it is not accepted any more
 (ITU-R BT.1359)."""
 STEADINESS = 0.02
 """Share of a new measurement in what is shown."""
-
-
-class ElidedLabel(QLabel):
-    """A label that shows as much of its text as there is room for, and makes no window wider."""
-
-    def minimumSizeHint(self) -> QSize:
-        """Ask for no width."""
-        return QSize(0, super().minimumSizeHint().height())
-
-    def sizeHint(self) -> QSize:
-        """Ask for no width."""
-        return QSize(0, super().sizeHint().height())
-
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        """Write the text, with an ellipsis where it does not fit."""
-        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.width())
-        QPainter(self).drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, text)
 
 
 class StatusLine:

@@ -5,12 +5,12 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-from phonemeengine.audio.locking import lock_at
-from phonemeengine.errors import EngineError
-from phonemeengine.presets.files import load_preset, save_preset
 from PySide6.QtCore import QObject, QSettings, QTimer
 
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeengine.audio.locking import lock_at
+from phonemeengine.errors import EngineError
+from phonemeengine.presets.files import load_preset, save_preset
 
 KEPT_AFTER_MS = 1000
 """So long after the last change of a preset the changes are written: a drag is not written all the time."""
@@ -61,7 +61,7 @@ class UnsavedChanges(QObject):
         try:
             save_preset(self._preset.preset, self.path)
         except EngineError as error:
-            self._preset.refused.emit(f"The unsaved changes cannot be kept for the next start: {error}")
+            self._preset.rejected.emit(f"The unsaved changes cannot be kept for the next start: {error}")
 
     def forget(self) -> None:
         """Forget what was written."""

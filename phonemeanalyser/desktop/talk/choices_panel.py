@@ -1,17 +1,17 @@
 """Whose face it is, and how it moves."""
 
-from phonemeengine.mouth.morpher import Detail
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
 
-from phonemeanalyser.desktop.session.status_line import ElidedLabel
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.times_view import TransitionTimesView
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
+from phonemeengine.mouth.morpher import Detail
 
 DETAILS = {Detail.PHONEMES: "all phonemes", Detail.LOUDNESS: "loudness only", Detail.TWO_STATES: "open and shut"}
 OWN = "own table …"

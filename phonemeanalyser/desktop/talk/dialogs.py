@@ -2,15 +2,15 @@
 
 from pathlib import Path
 
-from phonemeengine.mouth.files.io import FACES, FIGURES
-from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.percentages import Mode
 from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeengine.mouth.files.io import FACES, FIGURES
+from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.percentages import Mode
 
 MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*FIGURES, *FACES))})"
 TABLES = "Mouth tables (*.toml)"

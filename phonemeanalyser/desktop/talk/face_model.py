@@ -4,6 +4,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import EYELIDS
@@ -13,9 +16,6 @@ from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.percentages import MOST_PERCENT
 from phonemeengine.mouth.table import MouthTable, load_table, shipped_tables
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.tasks import TaskQueue
 
 MOST_WEIGHT = MOST_PERCENT / 100
 
@@ -50,7 +50,7 @@ class FaceModel(QObject):
     """
 
     changed = Signal()
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
@@ -89,7 +89,7 @@ class FaceModel(QObject):
         """Load a face instead of the one that is there."""
         self._asked = True
         self.files = files
-        self._work.instead(lambda _heed: _loaded(files), lambda figure: self._take(files, figure))
+        self._work.instead(lambda _progress: _loaded(files), lambda figure: self._take(files, figure))
 
     def see(self) -> None:
         """Take note of what was loaded."""
@@ -152,7 +152,7 @@ class FaceModel(QObject):
 
     def _fail(self, sentence: str) -> None:
         self.files = self._shown
-        self.failed.emit(sentence)
+        self.error.emit(sentence)
 
 
 def _loaded(files: FaceFiles) -> MorphMesh:

@@ -6,9 +6,6 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
-from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.morph_mesh import MorphMesh
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QOffscreenSurface, QOpenGLContext, QPainter, QSurfaceFormat
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
@@ -17,6 +14,9 @@ from PySide6.QtWidgets import QWidget
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
+from phonemeengine.arrays import Float32Array
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.morph_mesh import MorphMesh
 
 GL_RENDERER = 0x1F01
 SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "gdi generic", "basic render")
@@ -73,7 +73,7 @@ class GlSurface(QOpenGLWidget):
     failed : a sentence; nothing can be drawn here.
     """
 
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(self, scene: Callable[[], Scene | None]) -> None:
         super().__init__()
@@ -108,13 +108,13 @@ class GlSurface(QOpenGLWidget):
             )  # fmt: skip
             self.n_drawn += 1
         except RenderingError as error:
-            self.failed.emit(str(error))
+            self.error.emit(str(error))
 
     def redraw(self) -> None:
         """Draw anew, since something is different."""
         self.update()
 
-    def let_go(self) -> None:
+    def release_gl(self) -> None:
         """Give everything back to the graphics driver."""
         if self._renderer is not None:
             self.makeCurrent()
@@ -146,7 +146,7 @@ class PictureSurface(QWidget):
     due : when the next picture may be drawn, on the clock of `time.monotonic`.
     """
 
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(self, scene: Callable[[], Scene | None]) -> None:
         super().__init__()
@@ -196,7 +196,7 @@ class PictureSurface(QWidget):
         self._fine = True
         self.update()
 
-    def let_go(self) -> None:
+    def release_gl(self) -> None:
         """Give everything back to the graphics driver."""
         self._rest.stop()
         if self._photographer is not None:
@@ -213,7 +213,7 @@ class PictureSurface(QWidget):
                 wireframe=scene.wireframe, light=scene.light, fine=fine,
             )  # fmt: skip
         except RenderingError as error:
-            self.failed.emit(str(error))
+            self.error.emit(str(error))
             return None
         self.n_drawn += 1
         self._kept = picture.tobytes()
@@ -227,6 +227,6 @@ class PictureSurface(QWidget):
 
     def _photographer_of(self, figure: MorphMesh) -> Any:
         if self._photographer is None or figure is not self._figure:
-            self.let_go()
+            self.release_gl()
             self._photographer, self._figure = rendering().pictures.Photographer(figure), figure
         return self._photographer

@@ -4,7 +4,6 @@ import math
 import time
 from dataclasses import replace
 
-from phonemeengine.mouth.morph_mesh import MorphMesh
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
@@ -14,6 +13,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import LIGHT, Light
+from phonemeengine.mouth.morph_mesh import MorphMesh
 
 PER_PIXEL = math.radians(0.4)
 """How far a drag of a pixel goes round the head."""
@@ -79,7 +79,7 @@ class HeadView(QWidget):
             self._shown = self._talking.revision
             self.surface.redraw()
 
-    def look_like(self, other: "HeadView") -> None:
+    def copy_view_from(self, other: "HeadView") -> None:
         """Look at the head as another view does."""
         self._figure, self.camera = other._figure, other.camera
         self.look(wireframe=other.wireframe, light=other.light)
@@ -100,10 +100,10 @@ class HeadView(QWidget):
         if self._figure is not None:
             self.look(camera=Camera.facing(self._figure.mesh), light=LIGHT)
 
-    def let_go(self) -> None:
+    def release_gl(self) -> None:
         """Give everything back to the graphics driver."""
         if self.surface is not None:
-            self.surface.let_go()
+            self.surface.release_gl()
 
     def sizeHint(self) -> QSize:
         """Ask for the shape of a head."""
@@ -202,7 +202,7 @@ class HeadView(QWidget):
     def _begin(self, surface: GlSurface | PictureSurface) -> None:
         """Draw on this one from now on; a failure comes while it paints, and is dealt with afterwards."""
         self.surface = surface
-        surface.failed.connect(self._fall_back, Qt.ConnectionType.QueuedConnection)
+        surface.error.connect(self._fall_back, Qt.ConnectionType.QueuedConnection)
         self._stack.addWidget(surface)
         self._stack.setCurrentWidget(surface)
 

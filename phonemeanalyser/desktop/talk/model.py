@@ -5,6 +5,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.talk.face_model import FaceModel
+from phonemeanalyser.desktop.talk.mouth import Frames, TalkMouth
+from phonemeanalyser.desktop.talk.osc_model import OscModel
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
@@ -15,13 +22,6 @@ from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipp
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.session.session import Session, SoundSource
-from phonemeanalyser.desktop.talk.face_model import FaceModel
-from phonemeanalyser.desktop.talk.mouth import Frames, TalkMouth
-from phonemeanalyser.desktop.talk.osc_model import OscModel
-from phonemeanalyser.desktop.tasks import TaskQueue
 
 QUIET = 0.3
 """Seconds without a frame after which the mouth of somebody who is listened to closes."""
@@ -57,7 +57,7 @@ class TalkModel(QObject):
 
     changed = Signal()
     asked_changed = Signal()
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(self, session: Session, clock: Callable[[], float] = time.monotonic) -> None:
         super().__init__()
@@ -80,7 +80,7 @@ class TalkModel(QObject):
         self._heard_at = self._began
         self._last: Analysis | None = None
         self._seen = np.zeros(0, np.float32)
-        self._work = TaskQueue(self.failed.emit)
+        self._work = TaskQueue(self.error.emit)
         self._connect()
 
     @property
@@ -96,7 +96,7 @@ class TalkModel(QObject):
             if name != self.table_name:
                 self._take_table(name, load_table(name))
         else:
-            self._work.instead(lambda _heed: load_table(name), lambda table: self._take_table(name, table))
+            self._work.instead(lambda _progress: load_table(name), lambda table: self._take_table(name, table))
 
     def set_detail(self, detail: Detail) -> None:
         """Follow more of the speech, or less."""
@@ -190,7 +190,7 @@ class TalkModel(QObject):
         end = now - FRAME_PERIOD * sum(map(len, heard))
         known = [(end := end + FRAME_PERIOD * len(block), block) for block in heard]
         if self.session.playing:
-            near = [entry for entry in self.session.ahead() if entry[0] <= FORESIGHT]
+            near = [entry for entry in self.session.upcoming() if entry[0] <= FORESIGHT]
             known += [(now + seconds, block) for seconds, block in near]
         places = [k for k, (_, block) in enumerate(known) if block is self._last]
         for at, block in known[places[-1] + 1 if places else 0 :]:
@@ -223,13 +223,13 @@ class TalkModel(QObject):
         self.face.changed.connect(self._take_face)
         self.asked_changed.connect(self._tell_network)
         for part in (self.face, self.osc):
-            part.failed.connect(self.failed)
+            part.error.connect(self.error)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
         """Take what was heard; once the sound has been stopped, what is still told of it says nothing any more."""
         if self.session.playing or self.session.position or self.session.source is not SoundSource.FILE:
             self._heard += blocks
-            self.osc.follow(blocks)
+            self.osc.add_analyses(blocks)
 
     def _tell_network(self) -> None:
         self.osc.ask(self.asked.phonemes, self.asked.speech)
@@ -266,7 +266,7 @@ class TalkModel(QObject):
         self._use(self.table)
         if not self.face.moved_by(self.table) and self.face.states is not None:
             names = ", ".join(self.face.states.names[:4])
-            self.failed.emit(
+            self.error.emit(
                 f"No table of the program moves the movestates of this face ({names} …); write a table for them, "
                 "and load it as your own table."
             )
@@ -275,7 +275,7 @@ class TalkModel(QObject):
         if self.face.states is not None and not self.face.moved_by(table):
             names = ", ".join(self.face.tables)
             known = f"choose one of {names}" if names else "write one for it, as your own table"
-            self.failed.emit(f"{Path(name).name}: this face has none of the table's movestates; {known}.")
+            self.error.emit(f"{Path(name).name}: this face has none of the table's movestates; {known}.")
             self.changed.emit()
             return
         self.table_name, self._written = name, table
@@ -290,6 +290,6 @@ class TalkModel(QObject):
         self.table = table
         self._mouth.use(table, self.detail)
         self.face.use(table)
-        self.osc.use(table, self.detail)
+        self.osc.set_head_table(table, self.detail)
         self._seen = np.zeros(0, np.float32)
         self.changed.emit()

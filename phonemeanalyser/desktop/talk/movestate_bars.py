@@ -2,7 +2,6 @@
 
 import math
 
-from phonemeengine.mouth.blendshape_names import EYELIDS
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -10,6 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeengine.mouth.blendshape_names import EYELIDS
 
 ROW, COLUMNS, GAP = 16, 2, 14
 NAME_SHARE, NUMBER_WIDTH = 0.5, 36

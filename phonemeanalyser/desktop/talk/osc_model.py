@@ -3,16 +3,16 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.tasks import TaskQueue
+from phonemeanalyser.desktop.threads import start_thread
 from phonemeengine.analyser import Analysis
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.phonemes import Phoneme
-from PySide6.QtCore import QObject, Signal
-
-from phonemeanalyser.desktop.tasks import TaskQueue
-from phonemeanalyser.desktop.threads import start_thread
 
 USUAL_ADDRESS = "127.0.0.1:39539"
 """Where VMC programs listen on this computer."""
@@ -36,7 +36,7 @@ class OscModel(QObject):
     """
 
     changed = Signal()
-    failed = Signal(str)
+    error = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
@@ -85,18 +85,18 @@ class OscModel(QObject):
             self.table = name
             self.set_on(self.on)
 
-    def use(self, head: MouthTable, detail: Detail) -> None:
+    def set_head_table(self, head: MouthTable, detail: Detail) -> None:
         """Move as a head does that is moved by this table, in this detail."""
         if (head, detail) != (self._head, self._detail):
             self._head, self._detail = head, detail
             if self.on:
                 self.set_on(True)
 
-    def follow(self, blocks: Sequence[Analysis]) -> None:
+    def add_analyses(self, blocks: Sequence[Analysis]) -> None:
         """Send what was heard."""
         if self._mouth is not None:
             for analysis in blocks:
-                self._mouth.follow(analysis)
+                self._mouth.add_analysis(analysis)
 
     def ask(self, phonemes: Mapping[Phoneme, float], speech: float) -> None:
         """Send the shapes of these phonemes, 0..1, beside a share of what is heard; of none, what is heard."""
@@ -109,7 +109,7 @@ class OscModel(QObject):
         self._work.see()
         failure = self._mouth.failure if self._mouth else ""
         if failure and failure != self._said:
-            self.failed.emit(_sentence(failure))
+            self.error.emit(_sentence(failure))
         self._said = failure
 
     def close(self) -> None:
@@ -128,7 +128,9 @@ class OscModel(QObject):
         except EngineError as error:
             self._fail(str(error))
             return
-        self._work.do(lambda _heed: OscMouth(address, table, detail=detail), lambda mouth: self._take(wanted, mouth))
+        self._work.do(
+            lambda _progress: OscMouth(address, table, detail=detail), lambda mouth: self._take(wanted, mouth)
+        )
 
     def _table_of_receiver(self) -> MouthTable:
         """Give the table of the head, or another one that moves as the head does."""
@@ -153,7 +155,7 @@ class OscModel(QObject):
 
     def _fail(self, sentence: str) -> None:
         self._leave()
-        self.failed.emit(_sentence(sentence))
+        self.error.emit(_sentence(sentence))
         self.changed.emit()
 
 

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeanalyser.desktop.session.status_line import ElidedLabel
 from phonemeanalyser.desktop.talk.choices_panel import ChoicesPanel
 from phonemeanalyser.desktop.talk.head_view import HINT, LIGHT_STEP, HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
@@ -23,6 +22,7 @@ from phonemeanalyser.desktop.talk.osc_panel import OscPanel
 from phonemeanalyser.desktop.talk.phoneme_chip import PhonemeChip
 from phonemeanalyser.desktop.talk.viseme_panel import VisemePanel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.heading import heading
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
 

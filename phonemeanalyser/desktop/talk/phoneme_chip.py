@@ -1,12 +1,12 @@
 """The phoneme that is heard now, small, beside the sound's name."""
 
-from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeengine.phonemes import Phoneme
 
 WIDTH, HEIGHT, EDGE = 96, 24, 4
 
@@ -31,7 +31,7 @@ class PhonemeChip(QWidget):
     def refresh(self) -> None:
         """Show what is heard now."""
         session = self._talking.session
-        newest = None if session.deaf else session.history.newest
+        newest = None if session.input_silent else session.history.newest
         heard = (Phoneme.SILENCE, 0.0)
         if newest is not None:
             heard = Phoneme(int(newest.phonemes[-1])), round(float(newest.intensities[-1]), 2)

@@ -1,7 +1,5 @@
 """How fast the mouth is for which sound."""
 
-from phonemeengine.mouth.table import SPEAKING, TABLES
-from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -9,6 +7,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeengine.mouth.table import SPEAKING, TABLES
+from phonemeengine.phonemes import Phoneme
 
 ROW, NAMES_WIDTH, LINE = 15, 46, 2
 MEANING = (

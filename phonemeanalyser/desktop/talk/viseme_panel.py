@@ -2,8 +2,6 @@
 
 from collections.abc import Mapping
 
-from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.table import MouthTable
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
@@ -23,6 +21,8 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.heading import heading
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.table import MouthTable
 
 MODES = {
     Mode.NONE: "others stay",

@@ -53,14 +53,14 @@ class Banner(QWidget):
         super().resizeEvent(event)
         self._fit()
 
-    def say(self, sentence: str) -> None:
+    def show_error(self, sentence: str) -> None:
         """Show what went wrong; an empty sentence takes that away, but not an offer."""
         if sentence:
             self._show(sentence, self._theme.bad, SHOWN_MS)
         else:
             self._go_back()
 
-    def tell(self, sentence: str) -> None:
+    def show_info(self, sentence: str) -> None:
         """Show what is going on, or went well."""
         self._show(sentence, self._theme.accent, SHOWN_MS)
 

@@ -3,12 +3,12 @@
 from typing import Any
 
 import numpy as np
-from phonemeengine.arrays import UInt32Array
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.painting import set_size
+from phonemeengine.arrays import UInt32Array
 
 BAR = 14
 """Width of the bar in pixels."""

@@ -2,9 +2,10 @@
 
 from typing import Any, Protocol
 
-from phonemeengine.phonemes import Phoneme
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+
+from phonemeengine.phonemes import Phoneme
 
 KEYS: dict[Phoneme, str] = {
     Phoneme.SILENCE: "Q",

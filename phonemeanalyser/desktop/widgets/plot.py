@@ -7,8 +7,8 @@ import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from phonemeanalyser.desktop.session.status_line import ElidedLabel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 
 READOUTS_PER_SECOND = 30
 
@@ -66,9 +66,9 @@ class ReadOut(QLabel):
         self._plot = plot
         self.setStyleSheet(f"color: {theme.text}; background: {theme.raised}; padding: 2px 5px; border-radius: 3px")
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.tell("")
+        self.show_reading("")
 
-    def tell(self, text: str) -> None:
+    def show_reading(self, text: str) -> None:
         """Show a text; an empty one hides it."""
         self.setVisible(bool(text))
         if text != self.text():
@@ -111,7 +111,7 @@ class Plot(QWidget):
         self._cursor.setVisible(point is not None)
         if point is not None:
             self._cursor.setPos(point.x())
-        self._cursor_label.tell("" if point is None else self._read_out(point.x(), point.y()))
+        self._cursor_label.show_reading("" if point is None else self._read_out(point.x(), point.y()))
 
     def leaveEvent(self, event: Any) -> None:
         """Hide the cursor when the mouse leaves."""

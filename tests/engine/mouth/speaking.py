@@ -1,6 +1,7 @@
 """Speech that is known beforehand, for what is written of it."""
 
 import numpy as np
+
 from phonemeengine.mouth.utterance import Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.cues import VOWELS, Cue, cues_of, joined_by_shape
 from phonemeengine.mouth.table import load_table

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+
 from phonemeengine.errors import ExportError
 from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.blendshape_names import ARKIT
@@ -14,7 +15,6 @@ from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_glb
 from phonemeengine.mouth.exports.gltf_rotation import inverse, product, rotated, turnings_of
 from phonemeengine.mouth.head_motion import quaternions_of
-
 from tests.engine.mouth.speaking import speech
 from tests.glb_faces import face_with_targets
 

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from praatio import textgrid
+
 from phonemeengine.errors import ExportError
 from phonemeengine.labels.audacity import marks_of
 from phonemeengine.mouth.animation import IdleMotion
@@ -22,8 +24,6 @@ from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.mouth.utterance import Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
-from praatio import textgrid
-
 from tests.engine.mouth.speaking import DURATION, speech
 
 GOLDEN = Path(__file__).resolve().parents[2] / "data" / "exports"

@@ -6,13 +6,13 @@ from copy import deepcopy
 import numpy as np
 import pygltflib
 import pytest
+
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.gltf import linear_of, parse_gltf, srgb_of
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_of
-
 from tests.meshes import (
     CORNERS,
     GLTF,

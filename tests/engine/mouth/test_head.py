@@ -2,6 +2,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth import head
 from phonemeengine.mouth.head import HEAD, load_head

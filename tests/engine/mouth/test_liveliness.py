@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from phonemeengine.mouth.blinks import CLOSING, OPENING, Blinker
 from phonemeengine.mouth.head_motion import FOLLOWING, NOD, PER_SEMITONE, HeadMotion
 

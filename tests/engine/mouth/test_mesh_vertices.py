@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from phonemeengine import MeshError, Mode, MovestateSet, load_head, movestate_at
 
+from phonemeengine import MeshError, Mode, MovestateSet, load_head, movestate_at
 from tests.meshes import CORNERS, cube
 
 

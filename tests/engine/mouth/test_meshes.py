@@ -2,6 +2,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb
@@ -10,7 +11,6 @@ from phonemeengine.mouth.files.obj import format_obj, parse_obj
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.mesh import Material, mesh_of, normals_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
-
 from tests.meshes import (
     CORNERS,
     CUBE_OBJ,

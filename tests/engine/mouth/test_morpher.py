@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.animation import animation_of
 from phonemeengine.mouth.cues import cues_of

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS, VRM
 from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes

@@ -3,12 +3,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.percentages import Mode
-
 from tests.meshes import CORNERS, cube, moved_by
 
 UP, RIGHT, BACK = (0, 1, 0), (1, 0, 0), (0, 0, -1)

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
 from phonemeengine.analyser import Analysis
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth import osc
@@ -15,7 +16,6 @@ from phonemeengine.mouth.blendshape_names import VRM
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
-
 from tests.microphones import offline
 from tests.osc_receiver import Receiver
 from tests.players import PRESET, wait_for
@@ -53,7 +53,7 @@ def speaking(mouth: OscMouth, phoneme: Phoneme, intensity: float = 1.0) -> Itera
 
     def speak() -> None:
         while not done.wait(0.01):
-            mouth.follow(heard(phoneme, intensity))
+            mouth.add_analysis(heard(phoneme, intensity))
 
     thread = threading.Thread(target=speak)
     thread.start()
@@ -164,7 +164,7 @@ def test_nobody_waits_for_the_network(monkeypatch: pytest.MonkeyPatch) -> None:
     mouth = OscMouth(OscAddress("127.0.0.1", 9), load_table("vrm"))
     assert hanging.wait(60)
     for _ in range(3000):
-        mouth.follow(heard(Phoneme.A))
+        mouth.add_analysis(heard(Phoneme.A))
     assert len(mouth._frames) == osc.MOST_WAITING
     released.set()
     mouth.close()

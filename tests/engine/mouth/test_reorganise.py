@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import Mesh, mesh_of
 from phonemeengine.mouth.morph_mesh import MorphTargets, matched, morph_targets_of, remap_vertices

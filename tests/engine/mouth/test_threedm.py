@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.io import load_morph_targets, save_morph_targets
 from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
@@ -12,7 +13,6 @@ from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_at
-
 from tests.meshes import figure_of_cube
 
 HUGE = 0xFFFF_FFFF

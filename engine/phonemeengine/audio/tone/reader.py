@@ -104,7 +104,7 @@ class ToneReader:
         """Length of the stream, seconds: 288 days."""
         return self.n_samples / SAMPLE_RATE
 
-    def use(self, tone: Tone) -> None:
+    def set_tone(self, tone: Tone) -> None:
         """Go over to another tone within 5 ms from the next `read` on, without a click.
 
         A tone of the same kind goes on where the other was: its frequency glides, and so do level and formants. A

@@ -1,4 +1,6 @@
-"""Fit the extended rules to labelled speech: ``python -m phonemeengine.calibration.fits.fit_rules CORPUS -o presets/``.
+"""Fit the extended rules to labelled speech.
+
+``python -m phonemeengine.calibration.fits.fit_rules CORPUS -o presets/``
 
 The rules are the leaves of a decision tree over bands of the spectrum, and over bands divided by one another; the
 tree chooses which. With ``--more FOLDER`` further speech helps. The figures that the preset states come from leaving
@@ -154,7 +156,7 @@ class RuleFitter:
             low=SNRS[0],
             high=SNRS[1],
             unseen=_in_words(scores),
-            kinds="; ".join(f"{kind} {self._scores(unseen, 0, hysteresis, kind).ten_f1:.3f}" for kind in kinds),
+            kinds="; ".join(f"{kind} {self._scores(unseen, 0, hysteresis, kind).macro_f1:.3f}" for kind in kinds),
             faint=_in_words(self._scores(unseen, 1, hysteresis)),
             noisy=_in_words(self._scores(unseen, 2, hysteresis)),
             seen=_in_words(self._scores(everyone, 0, hysteresis)),
@@ -163,7 +165,7 @@ class RuleFitter:
 
 NOTES = """\
 Rules of your own over frequency bands: every comparison shows its margin, and every limit can be dragged.
-{n_rules} rules over {n_variables} variables, fitted by phonemeengine.calibration.fits.fit_rules to {n_voices} voices, human
+{n_rules} rules over {n_variables} variables, fitted by fit_rules to {n_voices} voices, human
 and synthetic. The first rule whose comparisons all hold names the phoneme; no rule has more than {conditions}
 comparisons.
 A variable that begins with b is the sum over a band of the mel scale, its bounds in hertz; one that begins with r
@@ -182,8 +184,8 @@ On the speakers that the preset was fitted to: {seen}.
 
 def _in_words(scores: Scores) -> str:
     return (
-        f"macro F1 {scores.ten_f1:.3f}, accuracy {scores.ten_acc:.3f}, vowels {scores.vowel5:.3f}, "
-        f"mouth accuracy {scores.mouth_acc:.3f}, silence found {scores.silence_recall:.3f}, "
+        f"macro F1 {scores.macro_f1:.3f}, accuracy {scores.accuracy:.3f}, vowels {scores.vowel_accuracy:.3f}, "
+        f"mouth accuracy {scores.viseme_accuracy:.3f}, silence found {scores.silence_recall:.3f}, "
         f"false silence {scores.false_silence:.3f}, {scores.changes_per_s:.1f} changes a second "
         f"(labels: {scores.label_changes_per_s:.1f})"
     )
@@ -192,7 +194,7 @@ def _in_words(scores: Scores) -> str:
 def _recognised(features: Features, rules: Rules, hysteresis: float) -> UInt8Array:
     recogniser = RuleRecogniser(rules, Thresholds())
     codes = recogniser.recognise(features).phonemes
-    return PhonemeSmoother(0.0, SUCCESSORS, hysteresis).push(codes, recogniser.shortfalls(features))
+    return PhonemeSmoother(0.0, SUCCESSORS, hysteresis).smooth(codes, recogniser.deficits(features))
 
 
 def main() -> int:

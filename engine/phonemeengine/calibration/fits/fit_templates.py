@@ -1,4 +1,6 @@
-"""Templates from labelled recordings or takes: ``python -m phonemeengine.calibration.fits.fit_templates CORPUS -o presets/``.
+"""Templates from labelled recordings or takes.
+
+``python -m phonemeengine.calibration.fits.fit_templates CORPUS -o presets/``
 
 Of each stretch with a certain label the middle third counts, so that neither the transition from the sound before
 nor that to the next one blurs the template; each speaker counts alike.
@@ -104,7 +106,7 @@ def templates_from(voices: Mapping[str, LogMelsByPhoneme], base: Templates | Non
 def _log_mels_of(path: Path) -> Float32Array:
     framer = Framer()
     with SoundReader(path) as reader:
-        parts = [log_mels(framer.push(block)) for block in reader.blocks(BLOCK)]
+        parts = [log_mels(framer.cut_frames(block)) for block in reader.blocks(BLOCK)]
     return np.concatenate([*parts, log_mels(framer.finish())])
 
 
@@ -148,9 +150,10 @@ def _recognised(path: Path, preset: Preset) -> UInt8Array:
 NOTES = """\
 The nearest of nine mean spectra wins, as in uLipSync; best made from takes of one voice.
 Mean cepstra of {n} speakers, human and synthetic, each counting alike, made by
-phonemeengine.calibration.fits.fit_templates from the middle thirds of all sounds with a certain label.
+fit_templates from the middle thirds of all sounds with a certain label.
 Silence is told by its level alone.
-Each speaker left out in turn: macro F1 {s.ten_f1:.3f}, vowels {s.vowel5:.3f}, mouth accuracy {s.mouth_acc:.3f},
+Each speaker left out in turn: macro F1 {s.macro_f1:.3f}, vowels {s.vowel_accuracy:.3f},
+mouth accuracy {s.viseme_accuracy:.3f},
 silence found {s.silence_recall:.3f}, false silence {s.false_silence:.3f}, {s.changes_per_s:.1f} changes a second
 (labels: {s.label_changes_per_s:.1f}).
 """

@@ -1,4 +1,6 @@
-"""Fit the factory presets to a labelled corpus: ``python -m phonemeengine.calibration.fits.fit_thesis CORPUS -o presets/``.
+"""Fit the factory presets to a labelled corpus.
+
+``python -m phonemeengine.calibration.fits.fit_thesis CORPUS -o presets/``
 
 For each kind of decimation: the front end is chosen by scoring on speakers that were held out (speakers in groups),
 the thresholds and the table of successors are then fitted to all speakers, and the figures that the preset states
@@ -136,7 +138,7 @@ class PresetFitter:
         """Give the macro F1 on held-out groups of speakers, the mean of the sounds and their copies."""
         measured = self._measure(settings)
         unseen = self._held_out(measured, groups_of(self._speakers, N_GROUPS), N_QUICK_STARTS)
-        both = [self._scores(settings, heard, unseen).ten_f1 for heard in (measured.clean, measured.noisy)]
+        both = [self._scores(settings, heard, unseen).macro_f1 for heard in (measured.clean, measured.noisy)]
         score = sum(both) / 2
         print(
             f"  high-pass {settings.high_pass_start:g}..{settings.high_pass_end:g} Hz,"
@@ -193,7 +195,7 @@ class PresetFitter:
 
 
 NOTES = """\
-The thesis rules, fitted by phonemeengine.calibration.fits.fit_thesis (seed {seed}, {n_starts} starts) to {minutes:.1f}
+The thesis rules, fitted by fit_thesis (seed {seed}, {n_starts} starts) to {minutes:.1f}
 minutes of labelled speech of {n_speakers} speakers, human and synthetic. The search maximises the macro F1
 over ten classes, under three demands: u_o1 > o_o1 > i_o1; each rule finds at least {found:.0%} of its own phoneme's
 frames; each threshold keeps at least {excluded:.2%} of all frames from its rules.
@@ -214,8 +216,8 @@ On the speakers that it was fitted to: {seen}.
 
 def _in_words(scores: Scores) -> str:
     return (
-        f"macro F1 {scores.ten_f1:.3f}, accuracy {scores.ten_acc:.3f}, vowels {scores.vowel5:.3f}, "
-        f"mouth F1 {scores.mouth_f1:.3f}, mouth accuracy {scores.mouth_acc:.3f}, "
+        f"macro F1 {scores.macro_f1:.3f}, accuracy {scores.accuracy:.3f}, vowels {scores.vowel_accuracy:.3f}, "
+        f"mouth F1 {scores.viseme_f1:.3f}, mouth accuracy {scores.viseme_accuracy:.3f}, "
         f"silence found {scores.silence_recall:.3f}, false silence {scores.false_silence:.3f}, "
         f"{scores.changes_per_s:.1f} changes a second (labels: {scores.label_changes_per_s:.1f})"
     )
@@ -233,7 +235,7 @@ def _recognised(features: Features, fit: Fit, settings: AnalysisSettings) -> UIn
     rules = ThesisRules(fit.thresholds)
     codes = rules.recognise(features).phonemes
     calm = PhonemeSmoother(settings.minimum_hold, fit.successors, settings.hysteresis)
-    return calm.push(codes, rules.shortfalls(features)) if settings.statistics else codes
+    return calm.smooth(codes, rules.deficits(features)) if settings.statistics else codes
 
 
 def _recordings_of(folder: Path, seed: int) -> Iterator[_LabelledRecording]:

@@ -59,13 +59,13 @@ class FitReport:
     @property
     def gains(self) -> bool:
         """Whether anything better was found."""
-        return self.after.ten_f1 > self.before.ten_f1
+        return self.after.macro_f1 > self.before.macro_f1
 
 
 def fit_preset(
     workbench: LabelledFeatures,
     preset: Preset,
-    heed: Progress = no_progress,
+    progress: Progress = no_progress,
     *,
     seed: int = 1,
     leave_out: bool = True,
@@ -78,7 +78,7 @@ def fit_preset(
     ----------
     workbench : the recordings, measured with the preset's front end.
     preset : what to begin with.
-    heed : told how far it is.
+    progress : told how far it is.
     seed : of every random choice.
     leave_out : whether to fit anew without each speaker, or take, which takes most of the time.
 
@@ -86,17 +86,17 @@ def fit_preset(
     ------
     CorpusError : the preset has no thresholds to fit, the recordings hold nothing to fit to, or they must be measured
         anew.
-    Cancelled : `heed` did not want to go on.
+    Cancelled : `progress` did not want to go on.
     """
-    workbench = workbench.twin()
+    workbench = workbench.clone_for_thread()
     fitter = _Fitter(workbench, preset, seed)
     everything = np.ones(len(workbench.utterances), bool)
     left_out, names = _left_out(workbench)
     groups = groups_of(names, MOST_FOLDS) if left_out and leave_out else []
     first = 1 / (1 + len(groups) * N_FOLD_STARTS / N_STARTS)
-    fitted = fitter.fit(everything, N_STARTS, subrange(heed, 0.0, first))
-    unseen = fitter.unseen(names, groups, subrange(heed, first, 1.0)) if groups else None
-    report_progress(heed, 1.0)
+    fitted = fitter.fit(everything, N_STARTS, subrange(progress, 0.0, first))
+    unseen = fitter.unseen(names, groups, subrange(progress, first, 1.0)) if groups else None
+    report_progress(progress, 1.0)
     return FitReport(
         preset=fitted,
         before=workbench.confusion(preset).scores(),
@@ -121,36 +121,36 @@ class _Fitter:
         self._preset = preset
         self._seed = seed
 
-    def fit(self, chosen: BoolArray, n_starts: int, heed: Progress) -> Preset:
+    def fit(self, chosen: BoolArray, n_starts: int, progress: Progress) -> Preset:
         """Fit to the chosen recordings; gives the preset as it was where nothing better was found."""
         features, truth, first = self._frames_of(chosen)
         recordings = tuple(np.flatnonzero(chosen).tolist())
         best = self._preset
         if best.recogniser == "thesis":
             search = ThresholdSearch(features, truth, first)
-            fit = search.best_of(n_starts, np.random.default_rng(self._seed), subrange(heed, 0.0, 0.5))
+            fit = search.best_of(n_starts, np.random.default_rng(self._seed), subrange(progress, 0.0, 0.5))
             found = replace(best, thresholds=fit.thresholds, successors=fit.successors)
             best = self._better(found, best, recordings)
         limits = LimitSearch(features, truth, first, best.thresholds, best.successors)
         rules = _with_numbers(best) if best.recogniser == "thesis" else best.rules
-        moved = limits.improve(rules, subrange(heed, 0.5 if best.recogniser == "thesis" else 0.0, 1.0))
+        moved = limits.improve(rules, subrange(progress, 0.5 if best.recogniser == "thesis" else 0.0, 1.0))
         return self._better(_with_rules(best, moved), best, recordings)
 
     def _better(self, found: Preset, before: Preset, recordings: tuple[int, ...]) -> Preset:
         """Give what was found, if it answers better in these recordings."""
-        new, old = (self._workbench.confusion(p).scores(recordings).ten_f1 for p in (found, before))
+        new, old = (self._workbench.confusion(p).scores(recordings).macro_f1 for p in (found, before))
         return found if new > old else before
 
-    def unseen(self, names: Sequence[str], groups: Sequence[Sequence[str]], heed: Progress) -> Confusion:
+    def unseen(self, names: Sequence[str], groups: Sequence[Sequence[str]], progress: Progress) -> Confusion:
         """Recognise each recording with what was fitted without its group."""
-        shares = iter(subrange(heed, k / len(groups), (k + 1) / len(groups)) for k in range(len(groups)))
+        shares = iter(subrange(progress, k / len(groups), (k + 1) / len(groups)) for k in range(len(groups)))
         fits = cross_validate(names, groups, lambda chosen: self._answers_fitted_to(chosen, next(shares)))
         edges = self._workbench.edges
         lines = [fit[first:end] for fit, first, end in zip(fits, edges[:-1], edges[1:], strict=True)]
         return confusion_between(self._workbench.labels, np.concatenate(lines), edges)
 
-    def _answers_fitted_to(self, chosen: BoolArray, heed: Progress) -> UInt8Array:
-        return self._workbench.answers(self.fit(chosen, N_FOLD_STARTS, heed))
+    def _answers_fitted_to(self, chosen: BoolArray, progress: Progress) -> UInt8Array:
+        return self._workbench.answers(self.fit(chosen, N_FOLD_STARTS, progress))
 
     def _frames_of(self, chosen: BoolArray) -> tuple[Features, UInt8Array, BoolArray]:
         """Give the features, the labels, and where recordings begin, of the chosen recordings."""

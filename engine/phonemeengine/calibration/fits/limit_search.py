@@ -65,12 +65,12 @@ class LimitSearch:
         self._thresholds = thresholds
         self._table = np.array([successors.get(p, p) for p in Phoneme], np.uint8)
 
-    def improve(self, rules: Sequence[Rule], heed: Progress = no_progress) -> tuple[Rule, ...]:
-        """Give the rules with better limits, or as they are; `heed` is told how far it is.
+    def improve(self, rules: Sequence[Rule], progress: Progress = no_progress) -> tuple[Rule, ...]:
+        """Give the rules with better limits, or as they are; `progress` is told how far it is.
 
         Raises
         ------
-        Cancelled : `heed` did not want to go on.
+        Cancelled : `progress` did not want to go on.
         """
         rules = tuple(rules)
         score = self._score(rules)
@@ -79,7 +79,7 @@ class LimitSearch:
             before = score
             fillers = self._fillers(rules)
             for k, limit in enumerate(limits):
-                report_progress(heed, (n + k / len(limits)) / MOST_ROUNDS)
+                report_progress(progress, (n + k / len(limits)) / MOST_ROUNDS)
                 moved = self._best(limit, rules, fillers)
                 better, gained = _moved(rules, limit, moved), 0.0
                 if moved != limit[1] and (gained := self._score(better) - score) > LEAST_GAIN:

@@ -40,13 +40,15 @@ class SpectrumSample:
         return self.spectra[source][np.isin(self.phonemes, phonemes)]
 
 
-def sampled_spectra(utterances: Sequence[Utterance], preset: Preset, heed: Progress = no_progress) -> SpectrumSample:
+def sampled_spectra(
+    utterances: Sequence[Utterance], preset: Preset, progress: Progress = no_progress
+) -> SpectrumSample:
     """Analyse recordings, and keep the spectra of at most 1500 certain frames of each phoneme.
 
     Raises
     ------
     AudioError : a sound cannot be read.
-    Cancelled : `heed` did not want to go on.
+    Cancelled : `progress` did not want to go on.
     """
     labels = [frame_labels_of(u.labels) for u in utterances]
     settings = preset.settings
@@ -54,13 +56,13 @@ def sampled_spectra(utterances: Sequence[Utterance], preset: Preset, heed: Progr
     parts = [np.zeros((0, settings.n_bins), np.float32)]
     codes = [np.zeros(0, np.uint8)]
     for k, (utterance, heard, wanted) in enumerate(zip(utterances, labels, _wanted(labels), strict=True)):
-        report_progress(heed, k / len(utterances))
+        report_progress(progress, k / len(utterances))
         if len(wanted):
-            share = subrange(heed, k / len(utterances), (k + 1) / len(utterances))
+            share = subrange(progress, k / len(utterances), (k + 1) / len(utterances))
             spectra = _spectra_at(utterance, wanted, early, share)
             parts.append(spectra)
             codes.append(heard.phonemes[wanted[: len(spectra)]])
-    report_progress(heed, 1.0)
+    report_progress(progress, 1.0)
     filtered = np.concatenate(parts)
     return SpectrumSample(
         np.concatenate(codes), {Spectrum.FILTERED: filtered, Spectrum.NORMALISED: _finished(filtered, settings)}
@@ -79,12 +81,14 @@ def _wanted(labels: Sequence[FrameLabels]) -> list[IndexArray]:
     return [np.flatnonzero(part) for part in np.split(chosen, np.cumsum(lengths)[:-1])]
 
 
-def _spectra_at(utterance: Utterance, wanted: IndexArray, settings: AnalysisSettings, heed: Progress) -> Float32Array:
+def _spectra_at(
+    utterance: Utterance, wanted: IndexArray, settings: AnalysisSettings, progress: Progress
+) -> Float32Array:
     """Give the filtered spectra of those of the wanted frames that the sound has."""
     found = []
     with utterance.opened() as reader:
         for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), Preset(settings=settings)):
-            report_progress(heed, min(1.0, analysis.start / max(1, int(wanted[-1]))))
+            report_progress(progress, min(1.0, analysis.start / max(1, int(wanted[-1]))))
             first, end = np.searchsorted(wanted, (analysis.start, analysis.start + len(analysis)))
             found.append(analysis.spectra[wanted[first:end] - analysis.start])
     return np.concatenate([np.zeros((0, settings.n_bins), np.float32), *found])

@@ -74,7 +74,7 @@ def suggested_variables(
     preset: Preset,
     one: Phoneme,
     other: Phoneme | None = None,
-    heed: Progress = no_progress,
+    progress: Progress = no_progress,
 ) -> tuple[Suggestion, ...]:
     """Search for the variables that part one phoneme best from another, or from all other ones.
 
@@ -87,20 +87,24 @@ def suggested_variables(
     preset : the front end, and the variables that there are already.
     one : the phoneme.
     other : the phoneme to part it from; None for all other ones of the ten.
-    heed : told how far it is.
+    progress : told how far it is.
 
     Raises
     ------
     CorpusError : one of the phonemes has no certain frames in the recordings.
     AudioError : a sound cannot be read any more.
-    Cancelled : `heed` did not want to go on.
+    Cancelled : `progress` did not want to go on.
     """
-    sample = sampled_spectra(workbench.utterances, preset, subrange(heed, 0.0, 0.5))
-    return suggestions_from(sample, preset, one, other, subrange(heed, 0.5, 1.0))
+    sample = sampled_spectra(workbench.utterances, preset, subrange(progress, 0.0, 0.5))
+    return suggestions_from(sample, preset, one, other, subrange(progress, 0.5, 1.0))
 
 
 def suggestions_from(
-    sample: SpectrumSample, preset: Preset, one: Phoneme, other: Phoneme | None = None, heed: Progress = no_progress
+    sample: SpectrumSample,
+    preset: Preset,
+    one: Phoneme,
+    other: Phoneme | None = None,
+    progress: Progress = no_progress,
 ) -> tuple[Suggestion, ...]:
     """Search as `suggested_variables` does, in spectra that are at hand."""
     sides = _sides_of(sample, one, other)
@@ -109,7 +113,7 @@ def suggestions_from(
     tried: list[_Range] = []
     for k, source in enumerate(sources):
         for share, found in _tried(source, *sides[source], edges):
-            report_progress(heed, (k + share) / len(sources))
+            report_progress(progress, (k + share) / len(sources))
             tried += found
     worthy = sorted((r for r in tried if r.separation >= LEAST_SEPARATION), key=_rank_of)
     suggestions: list[Suggestion] = []

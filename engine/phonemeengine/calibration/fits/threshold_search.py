@@ -119,21 +119,21 @@ class ThresholdSearch:
             for c, values in self._values.items()
         }
 
-    def best_of(self, n_starts: int, generator: np.random.Generator, heed: Progress = no_progress) -> Fit:
-        """Search from some random starts and give the best end; `heed` is told how far it is.
+    def best_of(self, n_starts: int, generator: np.random.Generator, progress: Progress = no_progress) -> Fit:
+        """Search from some random starts and give the best end; `progress` is told how far it is.
 
         Raises
         ------
-        Cancelled : `heed` did not want to go on.
+        Cancelled : `progress` did not want to go on.
         """
-        starts = (subrange(heed, k / n_starts, (k + 1) / n_starts) for k in range(n_starts))
+        starts = (subrange(progress, k / n_starts, (k + 1) / n_starts) for k in range(n_starts))
         return max((self._descend(generator, start) for start in starts), key=lambda fit: fit.score)
 
-    def _descend(self, generator: np.random.Generator, heed: Progress) -> Fit:
+    def _descend(self, generator: np.random.Generator, progress: Progress) -> Fit:
         limits = self._start(generator)
         ends: list[Fit] = []
         for n in range(MOST_ROUNDS):
-            report_progress(heed, n / MOST_ROUNDS)
+            report_progress(progress, n / MOST_ROUNDS)
             table, fillers = self._successors(limits)
             marks = _marks_of(self._values, limits)
             ends.append(Fit(_thresholds_of(limits), successors_of(table), self._score(marks, fillers)))

@@ -12,9 +12,9 @@ from phonemeengine.calibration.scores.scoring import Scores
 KINDS = {"human": "people", "synthetic-formant": "formant synthesis"}
 
 HEADINGS = {
-    "ten_f1": "macro F1 of ten classes",
-    "mouth_acc": "mouth shapes right",
-    "vowel5": "clear vowels right",
+    "macro_f1": "macro F1 of ten classes",
+    "viseme_accuracy": "mouth shapes right",
+    "vowel_accuracy": "clear vowels right",
     "silence_recall": "silence found",
     "false_silence": "speech called silence",
     "changes_per_s": "changes a second",

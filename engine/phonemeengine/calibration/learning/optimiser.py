@@ -58,7 +58,7 @@ class ExponentialAverage:
         self.means = [v.copy() for v in values]
         self._n = 0
 
-    def follow(self) -> None:
+    def update(self) -> None:
         """Take in what the arrays are now."""
         self._n += 1
         share = np.float32(max(1 / AVERAGED, 10 / (self._n + 10)))

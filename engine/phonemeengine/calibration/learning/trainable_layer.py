@@ -1,8 +1,9 @@
 """One layer of the network while it is trained: forward with memory, and back with gradients.
 
 Between the weighted sum and the rectifier the sums are normalised over the batch (S. Ioffe and C. Szegedy, "Batch
-Normalization", arXiv:1502.03167); afterwards that is a factor of the weights, so `phonemeengine.recognition.network` needs
-none of it. Inputs are dropped at random (N. Srivastava et al., JMLR 15, 2014).
+Normalization", arXiv:1502.03167); afterwards that is a factor of the weights, so
+`phonemeengine.recognition.network` needs none of it. Inputs are dropped at random (N. Srivastava
+et al., JMLR 15, 2014).
 """
 
 import numpy as np

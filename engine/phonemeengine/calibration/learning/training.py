@@ -59,7 +59,7 @@ def train(
             heard = augment_spectra(np.power(np.float32(10), log_powers.astype(np.float32)), generator)
             loss = network.learn(heard, phonemes, importance[phonemes] * certainties)
             optimiser.step(network.gradients)
-            average.follow()
+            average.update()
             step += 1
             progress(min(step, n_steps), n_steps, loss)
             if step == n_steps:

@@ -119,7 +119,7 @@ def _certainties_of(labels: tuple[Label, ...], n: int) -> NDArray[np.float16]:
 
 def _windows_of(samples: Float32Array) -> Iterator[Float32Array]:
     framer = Framer()
-    for windows in (framer.push(samples), framer.finish()):
+    for windows in (framer.cut_frames(samples), framer.finish()):
         for k in range(0, len(windows), TOGETHER):
             yield windows[k : k + TOGETHER]
 

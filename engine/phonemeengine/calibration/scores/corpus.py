@@ -14,10 +14,10 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, UInt8Array
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.files import SUFFIXES, SoundReader
 from phonemeengine.calibration.takes.take_list import LIST
 from phonemeengine.errors import AudioError, CorpusError
+from phonemeengine.files import printable_name
 from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_marks
 from phonemeengine.labels.label import CORE, Label, RawLabel
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
@@ -159,7 +159,8 @@ def read_recordings(
     if not pairs:
         fault = "there is no label file beside this sound" if source.is_file() else "no labelled sound was found here"
         raise CorpusError(
-            f"{printable_name(source)}: {fault}; put a .TextGrid, .csv or .txt file of the same name beside each sound"
+            f"{printable_name(source)}: {fault}; "
+            "put a .TextGrid, .csv or .txt file of the same name beside each sound"
         )
     return _utterances_of(pairs, mapping, printable_name(source), tier, passed_over)
 

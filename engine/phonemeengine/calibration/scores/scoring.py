@@ -38,20 +38,20 @@ class Scores:
 
     Attributes
     ----------
-    ten_acc, ten_f1 : accuracy and macro F1 over the ten classes, on frames labelled as one of them.
-    vowel5 : share of right answers on frames labelled as a clear a, e, i, o or u.
-    mouth_acc, mouth_f1 : accuracy and macro F1 over six mouths (silence apart from closed), on all frames.
+    accuracy, macro_f1 : accuracy and macro F1 over the ten classes, on frames labelled as one of them.
+    vowel_accuracy : share of right answers on frames labelled as a clear a, e, i, o or u.
+    viseme_accuracy, viseme_f1 : accuracy and macro F1 over six mouths (silence apart from closed), on all frames.
     silence_recall : share of silent frames called silence.
     false_silence : share of spoken frames called silence.
     changes_per_s, label_changes_per_s : changes of the phoneme in a second, recognised and labelled.
     minutes : how much was scored.
     """
 
-    ten_acc: float
-    ten_f1: float
-    vowel5: float
-    mouth_acc: float
-    mouth_f1: float
+    accuracy: float
+    macro_f1: float
+    vowel_accuracy: float
+    viseme_accuracy: float
+    viseme_f1: float
     silence_recall: float
     false_silence: float
     changes_per_s: float
@@ -73,11 +73,11 @@ def scores_of(pairs: Iterable[tuple[FrameLabels, UInt8Array]]) -> Scores:
     mouths, guessed_mouths = MOUTH_CODES[truth], MOUTH_CODES[guess]
     seconds = len(truth) * FRAME_PERIOD
     return Scores(
-        ten_acc=_share(right[known]),
-        ten_f1=float(macro_f1_of(confusion_of(truth[known], guess[known]), SCORED_PHONEMES)),
-        vowel5=_share(right[np.isin(truth, VOWELS) & certain]),
-        mouth_acc=_share(mouths == guessed_mouths),
-        mouth_f1=float(macro_f1_of(confusion_of(mouths, guessed_mouths), range(len(_MOUTHS)))),
+        accuracy=_share(right[known]),
+        macro_f1=float(macro_f1_of(confusion_of(truth[known], guess[known]), SCORED_PHONEMES)),
+        vowel_accuracy=_share(right[np.isin(truth, VOWELS) & certain]),
+        viseme_accuracy=_share(mouths == guessed_mouths),
+        viseme_f1=float(macro_f1_of(confusion_of(mouths, guessed_mouths), range(len(_MOUTHS)))),
         silence_recall=_share(guess[quiet] == Phoneme.SILENCE),
         false_silence=_share(guess[~quiet] == Phoneme.SILENCE),
         changes_per_s=sum(_changes(codes) for _, codes in parts) / seconds,

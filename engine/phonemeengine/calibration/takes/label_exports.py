@@ -8,12 +8,11 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.calibration.takes.take import Take
 from phonemeengine.errors import CorpusError, TakeError
+from phonemeengine.files import free_path, printable_name, reason_of
 from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.label import Label
-from phonemeengine.paths import free_path, reason_of
 from phonemeengine.phonemes import Phoneme
 
 COPY_SUFFIXES = (".TextGrid", ".txt")
@@ -36,7 +35,8 @@ def write_copy(folder: Path, take: Take, suffix: str) -> Path | None:
             path.rename(aside)
     except OSError as error:
         raise TakeError(
-            f"{printable_name(path)}: this file cannot be renamed ({reason_of(error)}); close what uses it and try again"
+            f"{printable_name(path)}: this file cannot be renamed ({reason_of(error)}); "
+            "close what uses it and try again"
         ) from error
     write_labels(take.to_labels(), path, duration=take.duration)
     return aside if aside != path else None

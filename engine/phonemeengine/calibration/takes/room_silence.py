@@ -64,4 +64,4 @@ def _log_odds_of(sound: Float32Array, preset: Preset) -> Float64Array:
 
 
 def _levels_in(sound: Float32Array) -> Float32Array:
-    return levels_of(log_mels(Framer().push(sound)))
+    return levels_of(log_mels(Framer().cut_frames(sound)))

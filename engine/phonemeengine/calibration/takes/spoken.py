@@ -6,16 +6,15 @@ So nothing learns from it: who reads the project as a corpus gets the takes alon
 from pathlib import Path
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.flac import write_flac
 from phonemeengine.calibration.alignment import aligned
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import folder_for
 from phonemeengine.errors import TakeError
+from phonemeengine.files import free_path, printable_name, reason_of
 from phonemeengine.labels.table import format_table
 from phonemeengine.labels.text_io import write_text
-from phonemeengine.paths import free_path, reason_of
 
 FOLDER = "held-back"
 """Of sentences, in a project of takes."""

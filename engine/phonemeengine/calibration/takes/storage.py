@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.audio.flac import write_flac
 from phonemeengine.audio.locking import lock_at
 from phonemeengine.calibration.takes.label_exports import remove_copies, write_copies
@@ -28,7 +27,7 @@ from phonemeengine.calibration.takes.take_list import (
     write_take_list,
 )
 from phonemeengine.errors import CorpusError, TakeError
-from phonemeengine.paths import free_path, reason_of
+from phonemeengine.files import free_path, printable_name, reason_of
 from phonemeengine.phonemes import Phoneme
 
 LOCK = "takes.lock"

@@ -32,7 +32,7 @@ class BatchSmoother:
         self._first = np.zeros(self._n, bool)
         self._first[self._firsts] = True
 
-    def steadied(self, codes: UInt8Array, may_stay: BoolArray) -> UInt8Array:
+    def hysteresis(self, codes: UInt8Array, may_stay: BoolArray) -> UInt8Array:
         """Let each phoneme stay while it may.
 
         Parameters
@@ -49,7 +49,7 @@ class BatchSmoother:
         begun = self._leaving(may_stay[Phoneme.SILENCE], self._firsts)
         return self._drawn(codes, begun, np.repeat(following, ends - starts))
 
-    def filled(self, codes: UInt8Array, successors: Mapping[Phoneme, Phoneme]) -> UInt8Array:
+    def fill_unidentified(self, codes: UInt8Array, successors: Mapping[Phoneme, Phoneme]) -> UInt8Array:
         """Replace what is unidentified by the successor of what was identified last."""
         table = np.array([successors.get(p, p) for p in Phoneme], np.uint8)
         unidentified = np.flatnonzero(codes == Phoneme.UNIDENTIFIED)
@@ -57,7 +57,7 @@ class BatchSmoother:
         filled[unidentified] = table[last_identified(codes, self._first)[unidentified]]
         return filled
 
-    def held(self, codes: UInt8Array, minimum_hold: float) -> UInt8Array:
+    def minimum_hold(self, codes: UInt8Array, minimum_hold: float) -> UInt8Array:
         """Let each phoneme stay at least so many seconds before another follows."""
         least = max(1, round(minimum_hold / FRAME_PERIOD))
         if least == 1 or not self._n:

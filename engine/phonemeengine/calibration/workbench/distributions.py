@@ -110,7 +110,7 @@ def distribution_in(variable: str, values: Float32Array, phonemes: UInt8Array) -
 
 
 def ranked_variables(
-    workbench: LabelledFeatures, pair: Pair | None = None, heed: Progress = no_progress
+    workbench: LabelledFeatures, pair: Pair | None = None, progress: Progress = no_progress
 ) -> tuple[RankedVariable, ...]:
     """Rank all measured variables by how well they separate the ten phonemes, or one pair; the best one first.
 
@@ -118,7 +118,7 @@ def ranked_variables(
 
     Raises
     ------
-    Cancelled : `heed` did not want to go on.
+    Cancelled : `progress` did not want to go on.
     """
     certain = workbench.labels.certain
     phonemes = workbench.labels.phonemes[certain]
@@ -126,10 +126,10 @@ def ranked_variables(
     chosen = np.isin(phonemes, wanted)
     ranked = []
     for k, name in enumerate(workbench.variables):
-        report_progress(heed, k / len(workbench.variables))
+        report_progress(progress, k / len(workbench.variables))
         separation = _separation(workbench.values(name)[certain][chosen], phonemes[chosen], wanted)
         ranked.append(RankedVariable(name, separation))
-    report_progress(heed, 1.0)
+    report_progress(progress, 1.0)
     return tuple(sorted(ranked, key=lambda r: -np.nan_to_num(r.separation, nan=0.0)))
 
 

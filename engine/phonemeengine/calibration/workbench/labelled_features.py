@@ -4,10 +4,10 @@ It holds no sound, only what was measured, so an hour takes some 30 MB. What a n
 successor, hold or hysteresis changes is worked out in milliseconds; another front end or another variable means
 measuring anew, which takes seconds and is the caller's to do in the background::
 
-    workbench = LabelledFeatures(utterances, preset, heed=progress)    # in the background
+    workbench = LabelledFeatures(utterances, preset, progress=progress)    # in the background
     confusion = workbench.confusion(edited)                     # at once, while a threshold is dragged
     if workbench.needs_measuring(edited):
-        workbench = LabelledFeatures(utterances, edited, known=workbench, heed=progress)   # in the background
+        workbench = LabelledFeatures(utterances, edited, known=workbench, progress=progress)   # in the background
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -55,13 +55,13 @@ class LabelledFeatures:
     utterances : the labelled recordings.
     preset : what they are measured with.
     known : an older workbench; what it measured in the same way is taken from there.
-    heed : told how far the measuring is.
+    progress : told how far the measuring is.
 
     Raises
     ------
     AudioError : a sound cannot be read.
     EngineError : the preset's recogniser cannot be used.
-    Cancelled : `heed` did not want to go on.
+    Cancelled : `progress` did not want to go on.
     """
 
     def __init__(
@@ -70,7 +70,7 @@ class LabelledFeatures:
         preset: Preset,
         *,
         known: "LabelledFeatures | None" = None,
-        heed: Progress = no_progress,
+        progress: Progress = no_progress,
     ) -> None:
         self._utterances = tuple(utterances)
         self._names = names_of(preset)
@@ -80,7 +80,7 @@ class LabelledFeatures:
         lengths = [len(part.phonemes) for part in labels]
         self._edges = np.concatenate(([0], np.cumsum(lengths, dtype=np.intp))).astype(np.intp)
         self._labels = FrameLabels(_joined([p.phonemes for p in labels]), _joined([p.certain for p in labels], bool))
-        measurements = self._measure(preset, known, heed)
+        measurements = self._measure(preset, known, progress)
         self._calmer = BatchSmoother(self._edges)
         self._join(list(measurements))
 
@@ -131,7 +131,7 @@ class LabelledFeatures:
         """Give all that was measured, as a recogniser gets it."""
         return Features(self._names, self._values.T)
 
-    def twin(self) -> "LabelledFeatures":
+    def clone_for_thread(self) -> "LabelledFeatures":
         """Give a workbench with the same measurements, for another thread; it takes no time and hardly any memory."""
         twin = copy(self)
         twin._sheet = self._new_sheet()
@@ -168,8 +168,10 @@ class LabelledFeatures:
         codes = self._recognised(rules, scores)
         if settings.statistics:
             stays = self._may_stay(rules, scores, settings.hysteresis) if settings.hysteresis > 0 else None
-            codes = codes if stays is None else self._calmer.steadied(codes, stays)
-            codes = self._calmer.held(self._calmer.filled(codes, preset.successors), settings.minimum_hold)
+            codes = codes if stays is None else self._calmer.hysteresis(codes, stays)
+            codes = self._calmer.minimum_hold(
+                self._calmer.fill_unidentified(codes, preset.successors), settings.minimum_hold
+            )
         if len(self._beyond):
             codes = codes.copy()
             codes[self._beyond] = Phoneme.SILENCE
@@ -196,9 +198,9 @@ class LabelledFeatures:
             return self._sheet.may_stay(rules, hysteresis)
         return None if scores is None else np.asarray(scores.max(axis=0) - scores <= hysteresis)
 
-    def _measure(self, preset: Preset, known: "LabelledFeatures | None", heed: Progress) -> Iterator[Measurement]:
+    def _measure(self, preset: Preset, known: "LabelledFeatures | None", progress: Progress) -> Iterator[Measurement]:
         """Measure what is not known yet; the stamps are of the files as they were before."""
-        report_progress(heed, 0.0)
+        report_progress(progress, 0.0)
         again = {} if known is None or known.needs_measuring(preset) else known.measured
         self._stamps: list[_Stamp] = []
         total = max(1, int(self._edges[-1]))
@@ -206,9 +208,9 @@ class LabelledFeatures:
             first, end = self._edges[k : k + 2].tolist()
             stamp = _stamp_of(utterance.path, end - first)
             self._stamps.append(stamp)
-            share = subrange(heed, first / total, end / total)
+            share = subrange(progress, first / total, end / total)
             yield again.get(stamp) or measure(utterance.path, preset, end - first, share)
-        report_progress(heed, 1.0)
+        report_progress(progress, 1.0)
 
     def _join(self, measurements: list[Measurement]) -> None:
         """Put all recordings side by side, so that each variable is one array."""

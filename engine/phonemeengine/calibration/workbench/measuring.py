@@ -75,7 +75,7 @@ def rules_in(preset: Preset) -> RuleRecogniser | None:
     return recogniser if isinstance(recogniser, RuleRecogniser) else None
 
 
-def measure(path: Path, preset: Preset, n_frames: int, heed: Progress = no_progress) -> Measurement:
+def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_progress) -> Measurement:
     """Analyse a sound file as it is analysed everywhere, and keep what was measured in its first frames.
 
     Parameters
@@ -83,13 +83,13 @@ def measure(path: Path, preset: Preset, n_frames: int, heed: Progress = no_progr
     path : the sound file.
     preset : what it is analysed with.
     n_frames : how many frames are wanted; those beyond the sound measure 0.
-    heed : told how far it is.
+    progress : told how far it is.
 
     Raises
     ------
     AudioError : the sound cannot be read.
     EngineError : the recogniser cannot be used.
-    Cancelled : `heed` did not want to go on.
+    Cancelled : `progress` did not want to go on.
     """
     n_names = len(names_of(preset))
     values = np.zeros((n_names, n_frames), np.float32)
@@ -98,7 +98,7 @@ def measure(path: Path, preset: Preset, n_frames: int, heed: Progress = no_progr
     preset = replace(preset, settings=replace(preset.settings, statistics=False), sensitivities={})
     with SoundReader(path) as reader:
         for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), preset):
-            report_progress(heed, min(1.0, (analysis.start + len(analysis)) / max(1, n_frames)))
+            report_progress(progress, min(1.0, (analysis.start + len(analysis)) / max(1, n_frames)))
             span = slice(analysis.start, min(analysis.start + len(analysis), n_frames))
             wanted = analysis.part(slice(max(0, span.stop - span.start)))
             if not len(wanted):

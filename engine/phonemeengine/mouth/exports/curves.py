@@ -15,9 +15,9 @@ import json
 from collections.abc import Iterator, Sequence
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.files import begins_like
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.exports.export import Export
-from phonemeengine.own_files import begins_like
 
 FORMAT = "phonemeanalyser curves 1"
 HEAD = ("yaw", "pitch", "roll")

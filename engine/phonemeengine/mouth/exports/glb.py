@@ -3,8 +3,8 @@
 from pathlib import Path
 from typing import Any
 
-from phonemeengine.audio.file_access import printable_name
 from phonemeengine.errors import ExportError, MeshError
+from phonemeengine.files import printable_name
 from phonemeengine.mouth.files.glb import MAGIC, Table, chunks_of, document_of, glb_of
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.head import HEAD, load_head

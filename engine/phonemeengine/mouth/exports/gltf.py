@@ -76,7 +76,7 @@ class _Samplers:
         self._samplers: list[dict[str, Any]] = []
         self._channels: list[dict[str, Any]] = []
 
-    def push(self, node: int, path: str, values: NDArray[Any]) -> None:
+    def add_channel(self, node: int, path: str, values: NDArray[Any]) -> None:
         """Have a property of a node, such as ``rotation``, take values one after the other."""
         output = _accessor(self._glb, values.astype("<f4"), FORMS[path], {})
         self._channels.append({"sampler": len(self._samplers), "target": {"node": node, "path": path}})
@@ -91,7 +91,7 @@ def _move(faces: Sequence[tuple[int, Sequence[str]]], animation: Animation, samp
     for node, names in faces:
         weights = _weights_for(names, animation)
         if weights is not None:
-            samplers.push(node, "weights", weights)
+            samplers.add_channel(node, "weights", weights)
 
 
 def _turn(nodes: Sequence[int], animation: Animation, samplers: _Samplers) -> None:
@@ -99,7 +99,7 @@ def _turn(nodes: Sequence[int], animation: Animation, samplers: _Samplers) -> No
         return
     for turning in turnings_of(samplers.document, nodes, quaternions_of(animation.head)):
         for path, values in turning.tracks().items():
-            samplers.push(turning.node, path, values)
+            samplers.add_channel(turning.node, path, values)
 
 
 def _weights_for(names: Sequence[str], animation: Animation) -> Float32Array | None:

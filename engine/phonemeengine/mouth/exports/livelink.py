@@ -8,10 +8,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from phonemeengine.files import begins_like
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.number_lines import number_lines
-from phonemeengine.own_files import begins_like
 
 ANGLES = (
     "HeadYaw", "HeadPitch", "HeadRoll", "LeftEyeYaw", "LeftEyePitch", "LeftEyeRoll", "RightEyeYaw", "RightEyePitch",

@@ -7,8 +7,8 @@ import json
 from collections.abc import Iterator
 from html import escape
 
+from phonemeengine.files import begins_like
 from phonemeengine.mouth.exports.export import Export
-from phonemeengine.own_files import begins_like
 from phonemeengine.phonemes import Phoneme
 
 SHAPES = frozenset("ABCDEFGHX")

@@ -58,7 +58,7 @@ def parse_gltf(content: bytes, beside: Beside = lambda _name: None) -> MorphMesh
             table = document.entry("meshes", place)
             names = target_names(table)
             for primitive in tables_of(table, "primitives"):
-                gathered.push(primitive, names, transform)
+                gathered.add_primitive(primitive, names, transform)
         return gathered.figure(name_of(document))
 
 
@@ -90,7 +90,7 @@ class _Gathered:
     n_offsets: int = 0
     n_primitives: int = 0
 
-    def push(self, primitive: Table, names: list[str], transform: Float64Array) -> None:
+    def add_primitive(self, primitive: Table, names: list[str], transform: Float64Array) -> None:
         attributes, targets = table_of(primitive, "attributes"), tables_of(primitive, "targets")
         n = self._count(attributes, len(targets))
         if not n:

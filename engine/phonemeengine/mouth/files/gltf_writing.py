@@ -27,13 +27,13 @@ def format_glb(figure: MorphMesh) -> bytes:
     """
     mesh, buffer = figure.mesh, _Buffer()
     attributes = {
-        "POSITION": buffer.push(mesh.positions, bounded=True),
-        "NORMAL": buffer.push(mesh.normals),
-        "COLOR_0": buffer.push(linear_of(mesh.colours)),
+        "POSITION": buffer.append(mesh.positions, bounded=True),
+        "NORMAL": buffer.append(mesh.normals),
+        "COLOR_0": buffer.append(linear_of(mesh.colours)),
     }
     primitive: Table = {"attributes": attributes, "mode": TRIANGLES, "material": 0}
     if len(mesh.triangles):
-        primitive["indices"] = buffer.push(mesh.triangles.reshape(-1, 1))
+        primitive["indices"] = buffer.append(mesh.triangles.reshape(-1, 1))
     else:
         primitive["mode"] = POINTS
     _push_targets(primitive, figure.states, len(mesh), buffer)
@@ -53,8 +53,8 @@ def format_points(face: MorphTargets) -> bytes:
         raise MeshError("no vertex moves, so there is nothing to show; name its mesh with --mesh")
     buffer = _Buffer()
     attributes = {
-        "POSITION": buffer.push(face.positions, bounded=True),
-        NUMBER: buffer.push(face.numbers.astype(np.float32).reshape(-1, 1)),
+        "POSITION": buffer.append(face.positions, bounded=True),
+        NUMBER: buffer.append(face.numbers.astype(np.float32).reshape(-1, 1)),
     }
     primitive: Table = {"attributes": attributes, "mode": POINTS}
     within = [
@@ -73,7 +73,7 @@ class _Buffer:
         self.parts: list[bytes] = []
         self.size = 0
 
-    def push(self, array: NDArray[np.generic], *, bounded: bool = False) -> int:
+    def append(self, array: NDArray[np.generic], *, bounded: bool = False) -> int:
         """Append an array of float32 or uint32, shape (n, width); gives its accessor's number."""
         whole = array.dtype.kind == "u"
         content = array.astype("<u4" if whole else "<f4").tobytes()
@@ -95,7 +95,7 @@ class _Buffer:
 
 def _push_targets(primitive: Table, states: tuple[Movestate, ...] | list[Movestate], n: int, buffer: _Buffer) -> None:
     if states:
-        primitive["targets"] = [{"POSITION": buffer.push(_dense(state, n), bounded=True)} for state in states]
+        primitive["targets"] = [{"POSITION": buffer.append(_dense(state, n), bounded=True)} for state in states]
 
 
 def _dense(state: Movestate, n: int) -> Float32Array:

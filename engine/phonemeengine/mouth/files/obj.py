@@ -41,7 +41,7 @@ def parse_obj(content: bytes, beside: Beside = lambda _name: None) -> MorphMesh:
     reader = _ObjReader(beside)
     for number, line in _lines_of(content):
         try:
-            reader.push(line.split())
+            reader.read_statement(line.split())
         except MeshError as error:
             raise MeshError(f"line {number}: {error}") from error
         except (ValueError, OverflowError) as error:
@@ -79,7 +79,7 @@ class _ObjReader:
             b"o": self._called,
         }  # fmt: skip
 
-    def push(self, words: list[bytes]) -> None:
+    def read_statement(self, words: list[bytes]) -> None:
         """Take a line's words."""
         if words and (act := self._acts.get(words[0])):
             act(words[1:])

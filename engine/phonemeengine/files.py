@@ -1,0 +1,53 @@
+"""Files on the disk: how they are spoken of, free names, and which of them this program wrote itself.
+
+A file that is there already is replaced only by one of the same kind that this program wrote. Each format says what
+its own files look like; where those of other programs look alike, none counts as ours.
+"""
+
+import os
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+Owns = Callable[[bytes], bool]
+"""Says of the content of a file whether a format of this program wrote it; when in doubt, it did not."""
+
+LARGEST = 1 << 30
+"""Bytes of a file that are looked at."""
+
+JSON_TEXT = rb'"(?:[^"\\]|\\.)*"'
+"""A text in JSON, as a regular expression."""
+
+
+def begins_like(pattern: bytes) -> Owns:
+    """Give what takes files for ours that begin as a regular expression says."""
+    form = re.compile(pattern)
+    return lambda content: form.match(content) is not None
+
+
+def is_own(path: Path, owns: Owns) -> bool:
+    """Say whether there is a file at `path` that a format wrote; one that cannot be read is not."""
+    try:
+        with path.open("rb") as file:
+            return owns(file.read(LARGEST))
+    except OSError:
+        return False
+
+
+def printable_name(path: Path) -> str:
+    """Return the file's name, without characters that would break the sentence it stands in."""
+    return "".join(c if c.isprintable() else "?" for c in path.name or str(path))
+
+
+def reason_of(error: OSError | ValueError) -> str:
+    """Return the system's own words for an error."""
+    return (error.strerror if isinstance(error, OSError) else None) or str(error)
+
+
+def free_path(path: Path) -> Path:
+    """Return the path itself, or if there is such a file, one with a number behind its name."""
+    number, free = 1, path
+    while os.path.lexists(free):
+        number += 1
+        free = path.with_name(f"{path.stem} ({number}){path.suffix}")
+    return free
