@@ -26,17 +26,17 @@ test: setup
 
 bench: setup
 	@$(BIN)/python -c 'import librosa' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[bench]'
-	$(BIN)/python -m tests.bench
+	$(BIN)/python -m tools.bench
 
 fuzz: setup
-	$(BIN)/python -m tests.fuzz
+	$(BIN)/python -m tools.fuzz
 
 soak: setup
 	$(BIN)/python -m pytest -q -m long
-	$(BIN)/python -m tests.soak
+	$(BIN)/python -m tools.soak
 
 screenshots: setup
-	$(BIN)/python -m tests.screenshots
+	$(BIN)/python -m tools.screenshots
 
 # Fits the factory presets anew; CORPUS is a folder in the corpus format, MORE another one for the extended rules.
 CORPUS ?= ../shared/corpus

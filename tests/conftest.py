@@ -3,10 +3,14 @@
 import signal
 from pathlib import Path
 
+import numpy as np
 import pytest
+import soundfile
 from hypothesis import settings
 
-from tests.plug_ins import Shelf, install_example
+from phonemeengine.settings import SAMPLE_RATE
+from tests.fakes.plug_ins import Shelf, install_example
+from tests.sounds import noise, silence, vowel
 
 # A shell's background jobs ignore Ctrl-C and the terminal's end, and so would the programs that tests start.
 for number, handler in (("SIGINT", signal.default_int_handler), ("SIGHUP", signal.SIG_DFL)):
@@ -18,6 +22,17 @@ settings.load_profile("house")
 
 ROOT = Path(__file__).resolve().parents[1]
 CORPUS = ROOT.parent / "shared" / "corpus"
+
+
+SPEECH = np.concatenate(
+    (
+        silence(0.1),
+        vowel((700, 1200, 2500), 0.25),
+        noise(0.15, 0.2),
+        vowel((310, 800, 2300), 0.25, f0=210),
+        silence(0.1013),
+    )
+)
 
 
 @pytest.fixture(scope="session")
@@ -45,3 +60,19 @@ def loudness(example_site: Path, shelf: Shelf) -> Path:
     """The example of a plug-in, found by this process; the folder where it is installed."""
     shelf.use(example_site, "phonemeanalyser_loudness")
     return example_site
+
+
+@pytest.fixture
+def sound(tmp_path: Path) -> Path:
+    """Speech-like sound of 0.85 s in a file."""
+    path = tmp_path / "speech.wav"
+    soundfile.write(path, SPEECH, SAMPLE_RATE, subtype="FLOAT")
+    return path
+
+
+@pytest.fixture
+def stereo(tmp_path: Path) -> Path:
+    """The same on the left, and silence on the right."""
+    path = tmp_path / "stereo.wav"
+    soundfile.write(path, np.stack((SPEECH, 0 * SPEECH), axis=1), SAMPLE_RATE, subtype="FLOAT")
+    return path

@@ -5,12 +5,9 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
-import numpy as np
 import pytest
-import soundfile
 
 from phonemeengine.settings import SAMPLE_RATE
-from tests.sounds import noise, silence, vowel
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
@@ -30,18 +27,8 @@ from phonemeengine.presets.files import THESIS_PRESET, save_preset
 from phonemeengine.presets.preset import Preset
 from tests.desktop.hands import shown
 from tests.desktop.studio import DESK, Booth, Studio
-from tests.microphones import HandDrivenMicrophone
-from tests.outputs import Outputs
-
-SPEECH = np.concatenate(
-    (
-        silence(0.1),
-        vowel((700, 1200, 2500), 0.25),
-        noise(0.15, 0.2),
-        vowel((310, 800, 2300), 0.25, f0=210),
-        silence(0.1013),
-    )
-)
+from tests.fakes.microphones import HandDrivenMicrophone
+from tests.fakes.outputs import Outputs
 
 PATIENCE_MS = 60_000
 STEP = 700
@@ -51,7 +38,7 @@ AHEAD = STEP + 2000  # half a window and a block beyond what is heard next
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Have Qt's warnings fail the tests of this folder; the engine's tests know nothing of Qt."""
     for item in items:
-        if item.path.parent == Path(__file__).parent:
+        if item.path.is_relative_to(Path(__file__).parent):
             item.add_marker(pytest.mark.qt_log_level_fail("WARNING"))
             item.add_marker(pytest.mark.qt_log_ignore("propagateSizeHints"))
 
@@ -62,22 +49,6 @@ def qtbot(qtbot: QtBot) -> QtBot:
     for name in ("waitUntil", "waitSignal", "waitSignals", "waitActive", "waitExposed"):
         setattr(qtbot, name, partial(getattr(qtbot, name), timeout=PATIENCE_MS))
     return qtbot
-
-
-@pytest.fixture
-def sound(tmp_path: Path) -> Path:
-    """Speech-like sound of 0.85 s in a file."""
-    path = tmp_path / "speech.wav"
-    soundfile.write(path, SPEECH, SAMPLE_RATE, subtype="FLOAT")
-    return path
-
-
-@pytest.fixture
-def stereo(tmp_path: Path) -> Path:
-    """The same on the left, and silence on the right."""
-    path = tmp_path / "stereo.wav"
-    soundfile.write(path, np.stack((SPEECH, 0 * SPEECH), axis=1), SAMPLE_RATE, subtype="FLOAT")
-    return path
 
 
 @pytest.fixture

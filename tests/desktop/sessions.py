@@ -5,7 +5,7 @@ from pytestqt.qtbot import QtBot
 from phonemeanalyser.desktop.session.history import NOWHERE
 from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.settings import HOP, SAMPLE_RATE
-from tests.desktop.conftest import SPEECH
+from tests.conftest import SPEECH
 
 N_FRAMES = -(-len(SPEECH) // HOP)
 DURATION = len(SPEECH) / SAMPLE_RATE

@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.conftest import AHEAD, STEP, ended
-from tests.outputs import Outputs
+from tests.fakes.outputs import Outputs
 from tests.sounds import silence, vowel
 
 AN_A = np.concatenate((silence(0.6), vowel((700, 1200, 2500), 0.5), silence(0.6)))

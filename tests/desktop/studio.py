@@ -23,8 +23,8 @@ from phonemeengine.audio.output import ClockOutput
 from phonemeengine.live.listener import Listener
 from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.hands import press
-from tests.microphones import HandDrivenMicrophone, Microphones, frames_in
-from tests.players import wait_for
+from tests.fakes.microphones import HandDrivenMicrophone, Microphones, frames_in
+from tests.fakes.players import wait_for
 from tests.sounds import silence
 
 DESK = Device("Desk", "ALSA", 2, 0, 48_000, is_default=True)

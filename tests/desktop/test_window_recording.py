@@ -17,10 +17,10 @@ from PySide6.QtTest import QTest
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeengine.settings import HOP
 from tests.desktop.hands import CARDS, DEMO, click, press
+from tests.desktop.session.test_microphone import CUT_OFF
 from tests.desktop.studio import DESK, Booth
-from tests.desktop.test_microphone import CUT_OFF
-from tests.microphones import HandDrivenMicrophone
-from tests.recorders import samples_in, samples_of_16_bits
+from tests.fakes.microphones import HandDrivenMicrophone
+from tests.fakes.recorders import samples_in, samples_of_16_bits
 
 Open = Callable[..., Booth]
 

@@ -14,7 +14,7 @@ from phonemeengine.audio.tone.settings import ToneKind
 from tests.desktop.hands import press
 from tests.desktop.studio import Booth, choose
 from tests.desktop.test_window_sizes import name_of, room_and_need
-from tests.microphones import HandDrivenMicrophone
+from tests.fakes.microphones import HandDrivenMicrophone
 from tests.sounds import tone
 
 SIZES = [(1280, 800), (1920, 1080)]

@@ -11,10 +11,10 @@ from phonemeengine.audio import stream
 from phonemeengine.errors import EngineError
 from phonemeengine.live.microphone_analyser import MicrophoneAnalyser
 from tests.desktop.hands import press
+from tests.desktop.session.test_microphone_trouble import MEASURED
 from tests.desktop.studio import DESK, Booth, choose
-from tests.desktop.test_microphone_trouble import MEASURED
-from tests.microphones import HandDrivenMicrophone
-from tests.portaudio import FakePortAudio
+from tests.fakes.microphones import HandDrivenMicrophone
+from tests.fakes.portaudio import FakePortAudio
 from tests.sounds import noise
 
 Open = Callable[..., Booth]

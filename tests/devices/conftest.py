@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.devices.programs import PATIENCE, SETTLED, pcm_noise, recorder
-from tests.virtual_sound import VirtualSound
+from tests.fakes.virtual_sound import VirtualSound
 
 MINUTE = 60.0
 

@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
+from tests.fakes.virtual_sound import VirtualSound
 from tests.sounds import noise
-from tests.virtual_sound import VirtualSound
 
 HERE = Path(__file__).parent
 PATIENCE = 120.0

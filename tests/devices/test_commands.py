@@ -12,7 +12,7 @@ import soundfile
 from phonemeanalyser.cli.main import DEMO
 from phonemeengine.audio.wav import HEADER
 from tests.devices.programs import PATIENCE, Program, counted_in, recorder, samples_of
-from tests.virtual_sound import VirtualSound
+from tests.fakes.virtual_sound import VirtualSound
 
 SENTENCE = "phonemeanalyser: "
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from phonemeanalyser.cli.main import DEMO
 from tests.devices.programs import HERE, Program
-from tests.virtual_sound import VirtualSound
+from tests.fakes.virtual_sound import VirtualSound
 
 N_STARTS = 200
 SETTLED = 50

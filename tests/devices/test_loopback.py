@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine.live.loopback import EVERY
-from tests.virtual_sound import VirtualSound
+from tests.fakes.virtual_sound import VirtualSound
 
 DRIVER = Path(__file__).with_name("measure_loopback.py")
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tests.devices.programs import HERE, PATIENCE, SIGNATURE, Program, Samples, followed, pcm_noise, place_of
-from tests.virtual_sound import VirtualSound
+from tests.fakes.virtual_sound import VirtualSound
 
 SECONDS = 40.0
 """Of sound: it goes on, however long a busy machine takes to see what is there."""

@@ -23,7 +23,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.conftest import CORPUS
 from tests.devices.programs import PATIENCE, SETTLED, Program, counted_in, listener
-from tests.virtual_sound import VirtualSound
+from tests.fakes.virtual_sound import VirtualSound
 
 CARDS = Path(__file__).parents[1] / "data" / "cards.flac"
 CODES = {phoneme.label: phoneme.value for phoneme in Phoneme}

@@ -20,7 +20,7 @@ from tests.devices.programs import (
     samples_of,
     seconds_of,
 )
-from tests.virtual_sound import VirtualSound
+from tests.fakes.virtual_sound import VirtualSound
 
 N_KILLS = 20
 LONGEST = 6.0

@@ -22,7 +22,7 @@ from tests.devices.programs import (
     pcm_noise,
     samples_of,
 )
-from tests.virtual_sound import VirtualSound
+from tests.fakes.virtual_sound import VirtualSound
 
 SECONDS = 1.5
 """Length of the noises that are played before the trouble and after it."""

@@ -11,8 +11,8 @@ import pytest
 import soundfile
 
 from tests.devices.programs import followed
+from tests.fakes.virtual_sound import VirtualSound
 from tests.sounds import noise
-from tests.virtual_sound import VirtualSound
 
 DRIVER = Path(__file__).with_name("play_on_card.py")
 SECONDS = 3.0

@@ -12,7 +12,7 @@ import pytest
 from phonemeanalyser.cli.main import DEMO
 from tests.devices.programs import HERE, PATIENCE, Program, followed, samples_of
 from tests.devices.test_server_trouble import AWAY, SLACK, play
-from tests.virtual_sound import VirtualSound
+from tests.fakes.virtual_sound import VirtualSound
 
 
 def said(program: Program, since: float, true: Callable[[dict[str, Any]], bool]) -> list[dict[str, Any]]:

@@ -1,6 +1,6 @@
 """The head that ships with the program: CC0, with the 52 blend shapes of ARKit.
 
-Its origin is where it turns on the neck; a unit is a decimetre. Made by `tests/make_head.py`.
+Its origin is where it turns on the neck; a unit is a decimetre. Made by `python -m tools.head`.
 """
 
 import zipfile

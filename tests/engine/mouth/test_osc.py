@@ -16,9 +16,9 @@ from phonemeengine.mouth.blendshape_names import VRM
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
-from tests.microphones import offline
-from tests.osc_receiver import Receiver
-from tests.players import PRESET, wait_for
+from tests.fakes.microphones import offline
+from tests.fakes.osc_receiver import Receiver
+from tests.fakes.players import PRESET, wait_for
 from tests.sounds import silence
 
 FRAMES = offline(silence(0.5), PRESET)

@@ -1,0 +1,221 @@
+"""`phonemeanalyser analyse`: files in, tables out."""
+
+import csv
+import json
+import stat
+import subprocess
+import sys
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+from phonemeengine.features.variables import BUILT_IN_NAMES, SCORES, Kind, Variable
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import HOP, SAMPLE_RATE
+from tests.bad_files import ODD_FILES
+from tests.sounds import silence, tone
+from tests.tables import HEADER, analysed, gapless, refused, rows_of
+
+
+def test_one_file_is_printed_as_a_table_that_covers_it(sound: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    analysed(sound)
+    said = capsys.readouterr()
+    assert said.err == ""
+    assert said.out.splitlines()[0] == HEADER
+    gapless(rows_of(said.out), soundfile.info(sound).duration)
+
+
+@pytest.mark.parametrize("name", ODD_FILES)
+def test_an_unusual_file_has_a_table_too(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = ODD_FILES[name](tmp_path)
+    analysed(path)
+    rows = rows_of(capsys.readouterr().out)
+    assert rows[0]["start_s"] == "0.0"
+    assert all(one["end_s"] == other["start_s"] for one, other in pairwise(rows))
+
+
+def test_silence_is_silence_with_no_intensity(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    soundfile.write(tmp_path / "silence.wav", silence(0.5), SAMPLE_RATE)
+    analysed(tmp_path / "silence.wav")
+    assert capsys.readouterr().out == f"{HEADER}\n0.0,0.5,silence,0.0\n"
+
+
+def test_a_sound_that_begins_in_the_middle_begins_there_in_the_table(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    soundfile.write(tmp_path / "late.wav", np.concatenate((silence(1.0), tone(700, 1.0, 0.5))), SAMPLE_RATE)
+    analysed(tmp_path / "late.wav")
+    first = rows_of(capsys.readouterr().out)[0]
+    assert first["phoneme"] == "silence"
+    assert float(first["end_s"]) == pytest.approx(1.0, abs=0.0232 + 0.01)  # half a window and a frame
+
+
+@pytest.mark.parametrize("words", [["-o", "out/table.csv"], ["-o", "out"], ["-o", "out/deeper/still"]])
+def test_one_file_goes_to_a_file_or_into_a_folder(
+    words: list[str], sound: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    analysed(sound, *words)
+    said = capsys.readouterr()
+    target = tmp_path / words[1]
+    target = target if target.suffix else target / "speech.csv"
+    assert (said.out, said.err) == ("", "")
+    assert target.read_text().startswith(HEADER + "\n")
+    assert [path for path in (tmp_path / "out").rglob("*") if path.is_file()] == [target]
+    assert stat.S_IMODE(target.stat().st_mode) & 0o444 == 0o444
+    analysed(sound)
+    assert capsys.readouterr().out == target.read_text()
+
+
+def test_a_folder_is_walked_and_its_tree_is_mirrored(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    corpus = tmp_path / "corpus"
+    samples, rate = soundfile.read(sound)
+    for name in ("top.wav", "x/y.flac", "x/deep/z.ogg", "other/loud.WAV"):
+        (corpus / name).parent.mkdir(parents=True, exist_ok=True)
+        soundfile.write(corpus / name, samples, rate)
+    (corpus / "x" / "notes.txt").write_text("no sound, and no reason to speak")
+    analysed(corpus, "-o", tmp_path / "out")
+    capsys.readouterr()
+    found = {str(path.relative_to(tmp_path / "out")) for path in (tmp_path / "out").rglob("*") if path.is_file()}
+    assert found == {"top.csv", "x/y.csv", "x/deep/z.csv", "other/loud.csv"}
+    assert (tmp_path / "out/x/y.csv").read_text() == (tmp_path / "out/top.csv").read_text()
+
+
+def test_several_files_go_into_a_folder(sound: Path, stereo: Path, tmp_path: Path) -> None:
+    analysed(sound, stereo, "-o", tmp_path / "out")
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["speech.csv", "stereo.csv"]
+
+
+def test_a_table_replaces_an_older_one(sound: Path, tmp_path: Path) -> None:
+    (tmp_path / "table.csv").write_text(HEADER + "\n0.0,0.5,silence,0.0\n")
+    analysed(sound, "-o", tmp_path / "table.csv")
+    gapless(rows_of((tmp_path / "table.csv").read_text()), soundfile.info(sound).duration)
+
+
+def test_json_says_the_same_as_csv(sound: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    analysed(sound)
+    rows = rows_of(capsys.readouterr().out)
+    analysed(sound, "--format", "json")
+    document = json.loads(capsys.readouterr().out)
+    assert document["file"] == "speech.wav"
+    assert document["preset"] == load_preset(DEFAULT_PRESET).name
+    assert document["duration_s"] == pytest.approx(soundfile.info(sound).duration, abs=1e-6)
+    assert [{key: str(value) for key, value in run.items()} for run in document["phonemes"]] == rows
+
+
+def test_json_goes_to_a_json_file(sound: Path, tmp_path: Path) -> None:
+    analysed(sound, "--format", "json", "-o", tmp_path / "table.json")
+    analysed(sound, "--format", "json", "-o", tmp_path / "out")
+    assert (tmp_path / "table.json").read_text() == (tmp_path / "out" / "speech.json").read_text()
+
+
+def test_features_are_every_ten_milliseconds_with_every_variable(
+    sound: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    analysed(sound, "--features")
+    rows = rows_of(capsys.readouterr().out)
+    n_samples = soundfile.info(sound).frames
+    assert list(rows[0]) == [*HEADER.split(","), *BUILT_IN_NAMES, *SCORES]
+    assert len(rows) == -(-n_samples // HOP)
+    assert [float(row["start_s"]) for row in rows] == [round(k * 0.01, 6) for k in range(len(rows))]
+    assert float(rows[-1]["end_s"]) == pytest.approx(n_samples / SAMPLE_RATE, abs=1e-6)
+    assert all(one["end_s"] == other["start_s"] for one, other in pairwise(rows))
+
+
+def test_features_are_those_of_physics(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    soundfile.write(tmp_path / "tone.wav", tone(200, 1.0, 0.5), SAMPLE_RATE, subtype="FLOAT")
+    analysed(tmp_path / "tone.wav", "--features")
+    middle = rows_of(capsys.readouterr().out)[50]
+    assert float(middle["f0"]) == pytest.approx(200, abs=1)
+    assert float(middle["volume"]) == pytest.approx(0.5, abs=1e-3)
+    assert float(middle["zero_crossings"]) == pytest.approx(2 * 200 * 2048 / SAMPLE_RATE, abs=1)
+
+
+def test_features_hold_a_variable_of_the_users_own(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    preset = replace(load_preset(DEFAULT_PRESET), variables=(Variable("mine", 0, 22_050, Kind.MAX),), name="my own")
+    save_preset(preset, tmp_path / "mine.toml")
+    analysed(sound, "--features", "--preset", tmp_path / "mine.toml", "--format", "json")
+    document = json.loads(capsys.readouterr().out)
+    assert document["preset"] == "my own"
+    assert list(document["frames"][0]) == [*HEADER.split(","), *BUILT_IN_NAMES, "mine", *SCORES]
+    assert max(frame["mine"] for frame in document["frames"]) == 1.0  # the normalised spectrum's largest amplitude
+
+
+@pytest.mark.parametrize("name", ["phoneme", "intensity", "start_s", "end_s", "energy"])
+def test_no_variable_takes_the_name_of_another_column(
+    name: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    save_preset(Preset(variables=(Variable("mine", 100, 200),)), tmp_path / "mine.toml")
+    (tmp_path / "mine.toml").write_text((tmp_path / "mine.toml").read_text().replace('"mine"', f'"{name}"'))
+    assert f"{name} exists already" in refused(
+        capsys, "analyse", sound, "--features", "--preset", tmp_path / "mine.toml"
+    )
+
+
+def test_a_preset_decides_what_is_recognised(sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    thresholds = replace(Preset().thresholds, silence_zero_crossings=1e6, silence_energy=1e6)
+    thresholds = replace(thresholds, silence_max_energy=1e6, silence_szsch1=1e6)
+    for name in ("deaf.toml", "deaf.phonemedata"):
+        save_preset(Preset(thresholds=thresholds), tmp_path / name)
+        analysed(sound, "--preset", tmp_path / name)
+        assert {row["phoneme"] for row in rows_of(capsys.readouterr().out)} == {"silence"}
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("words.phonemedata", b"1,2,three"),
+        ("short.phonemedata", b"1,2,3"),
+        ("long.phonemedata", b"1," * 22),
+        ("nan.phonemedata", b"nan," * 21),
+        ("empty.phonemedata", b""),
+        ("bytes.phonemedata", b"\xff\xfe\0\1"),
+        ("none.toml", b"this is none"),
+        ("other.toml", b"format = 'another'"),
+        ("empty.toml", b""),
+        ("missing.toml", None),
+        ("folder.toml", "folder"),
+    ],
+)
+def test_a_broken_preset_is_refused_in_one_sentence(
+    name: str, content: bytes | str | None, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if isinstance(content, bytes):
+        (tmp_path / name).write_bytes(content)
+    elif content:
+        (tmp_path / name).mkdir()
+    sentence = refused(capsys, "analyse", sound, "--preset", tmp_path / name, "-o", tmp_path / "out")
+    assert sentence.startswith(f"{name}: ")
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_scorer_reads_the_tables(corpus: Path, tmp_path: Path) -> None:
+    scorer = corpus.parent / "score" / "score.py"
+    with (corpus / "manifest.csv").open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    chosen = rows[:: len(rows) // 3][:3]
+    mini = tmp_path / "mini"
+    for row in chosen:
+        for name in (row["wav"], row["labels"]):
+            (mini / name).parent.mkdir(parents=True, exist_ok=True)
+            (mini / name).symlink_to(corpus / name)
+    with (mini / "manifest.csv").open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(chosen)
+    analysed(mini, "-o", tmp_path / "out")
+    command = [sys.executable, str(scorer), str(mini), str(tmp_path / "out"), "--json", str(tmp_path / "score.json")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=240, check=False)
+    assert done.returncode == 0, done.stderr
+    figures = json.loads((tmp_path / "score.json").read_text())["groups"]["all"]
+    assert figures["minutes"] == pytest.approx(sum(float(row["duration_s"]) for row in chosen) / 60, abs=0.02)
+    assert figures["ten_acc"] > 0.15

@@ -1,0 +1,306 @@
+"""Listening and recording from the command line, without a sound card: words, lines, and refusals."""
+
+import csv
+import json
+import math
+import time
+from collections.abc import Callable
+from pathlib import Path
+from threading import Event
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import soundfile
+
+from phonemeanalyser.cli import listen as listening
+from phonemeanalyser.cli.listen import _as_json, _as_text, _Changes
+from phonemeanalyser.cli.main import main
+from phonemeengine.audio import stream
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.errors import RecordingError
+from phonemeengine.live.microphone_analyser import for_live_use
+from phonemeengine.live.recorder import Recorder
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import SAMPLE_RATE
+from tests.fakes.microphones import Clock, HandDrivenMicrophone, Microphones, frames_in, offline
+from tests.fakes.players import SPEECH
+from tests.fakes.portaudio import FakePortAudio
+
+PRESET = load_preset(DEFAULT_PRESET)
+
+
+@pytest.fixture
+def portaudio(monkeypatch: pytest.MonkeyPatch) -> FakePortAudio:
+    fake = FakePortAudio()
+    monkeypatch.setattr(stream, "_sounddevice", lambda: fake)
+    monkeypatch.setattr(stream, "_open", set())
+    return fake
+
+
+class Openers(Microphones):
+    """Opens microphones in turn; some time passes before each."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.wait: Callable[[], object] = lambda: None
+
+    def __call__(self, choice: InputChoice) -> HandDrivenMicrophone:
+        self.wait()
+        return super().__call__(choice)
+
+
+@pytest.fixture
+def openers() -> Openers:
+    """The microphones that these commands open."""
+    return Openers()
+
+
+@pytest.fixture
+def microphone(
+    portaudio: FakePortAudio, openers: Openers, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> HandDrivenMicrophone:
+    """A microphone that listens and records for these commands."""
+    portaudio.plug("Yeti")
+    microphone = HandDrivenMicrophone(name="Yeti · ALSA")
+    openers.waiting.append(microphone)
+
+    def listener(*arguments: object, **options: object) -> listening.Listener:
+        return real_listener(*arguments, open_input=openers, **options)
+
+    def tape(*arguments: object, **options: object) -> Recorder:
+        return Recorder(*arguments, journal=tmp_path / "journal", rescue=tmp_path / "rescue", **options)
+
+    real_listener = listening.Listener
+    monkeypatch.setattr(listening, "Listener", listener)
+    monkeypatch.setattr(listening, "Recorder", tape)
+    monkeypatch.setattr(listening, "PATIENCE", 60.0)
+    return microphone
+
+
+@pytest.fixture
+def over(monkeypatch: pytest.MonkeyPatch) -> Event:
+    """The end of the time for which a command waits for sound; until it is set, no time passes."""
+    ended = Event()
+    clock = SimpleNamespace(sleep=time.sleep, monotonic=lambda: math.inf if ended.is_set() else 0.0)
+    monkeypatch.setattr(listening, "time", clock)
+    return ended
+
+
+# -- wrong words ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["listen", "a.wav"],
+        ["listen", "--format", "xml"],
+        ["listen", "--seconds", "soon"],
+        ["listen", "--seconds", "nan"],
+        ["listen", "--seconds=-1"],
+        ["listen", "--channel", "middle"],
+        ["listen", "--channel=-1"],
+        ["listen", "--rate", "fast"],
+        ["listen", "--rate=-44100"],
+        ["listen", "--rate", "5"],
+        ["listen", "--device"],
+        ["record"],
+        ["record", "a.wav", "b.wav"],
+        ["record", "a.wav", "--format", "json"],
+        ["record", "a.wav", "--channel", "1.5"],
+    ],
+)
+def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(words)
+    assert end.value.code == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.startswith(f"usage: phonemeanalyser {words[0]}")
+
+
+@pytest.mark.parametrize("command", ["listen", "record"])
+def test_help_is_given(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main([command, "--help"])
+    assert end.value.code == 0
+    assert "--device NAME" in capsys.readouterr().out
+
+
+# -- devices --------------------------------------------------------------------------------------------------
+
+
+def test_microphones_are_listed_a_line_each_with_a_star_at_the_default(
+    portaudio: FakePortAudio, capsys: pytest.CaptureFixture[str]
+) -> None:
+    portaudio.plug("Built-in", 2)
+    portaudio.plug("Speaker", 0)
+    portaudio.plug("Yeti", 1, api=1, rate=44_100.0)
+    portaudio.default.device = (2, 1)
+    assert main(["listen", "--list-devices"]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "* Yeti · JACK  (1 channels, 44100 Hz)",
+        "  Built-in · ALSA  (2 channels, 48000 Hz)",
+    ]
+
+
+@pytest.mark.usefixtures("portaudio")
+@pytest.mark.parametrize("words", [["listen", "--list-devices"], ["listen"], ["record", "never.wav"]])
+def test_without_a_microphone_it_says_so_and_fails(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(words) == 1
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err == ("phonemeanalyser: there is no microphone; plug one in, or check that the sound system runs\n")
+
+
+def test_a_microphone_that_is_not_there_is_said_before_anything_is_begun(
+    portaudio: FakePortAudio, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    portaudio.plug("Yeti")
+    assert main(["record", str(tmp_path / "a.wav"), "--device", "Gone"]) == 1
+    assert capsys.readouterr().err == (
+        "phonemeanalyser: the microphone 'Gone' is not there; choose one of: Yeti · ALSA\n"
+    )
+    assert list(tmp_path.iterdir()) == []
+
+
+# -- lines ----------------------------------------------------------------------------------------------------
+
+
+def expected_changes(n_frames: int | None = None, preset: Preset = PRESET) -> list[tuple[float, str, float]]:
+    whole = offline(SPEECH, preset).part(slice(n_frames))
+    codes = whole.phonemes.astype(int)
+    starts = np.flatnonzero(np.diff(codes, prepend=-1))
+    return [(int(k) / 100, Phoneme(codes[k]).label, float(whole.intensities[k])) for k in starts]
+
+
+@pytest.mark.parametrize("n", [1, 7, 1000])
+def test_each_change_of_phoneme_is_a_line_however_the_frames_come(n: int, capsys: pytest.CaptureFixture[str]) -> None:
+    whole, changes = offline(SPEECH, PRESET), _Changes(_as_json)
+    for k in range(0, len(whole), n):
+        changes.follow(whole.part(slice(k, k + n)))
+    lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert [(line["time_s"], line["phoneme"]) for line in lines] == [change[:2] for change in expected_changes()]
+    assert [line["intensity"] for line in lines] == pytest.approx([c[2] for c in expected_changes()], abs=6e-4)
+    assert all(list(line) == ["time_s", "phoneme", "intensity", "latency_ms"] for line in lines)
+    assert len(lines) > 4
+
+
+def test_the_latency_of_a_line_is_the_age_of_its_first_frame(capsys: pytest.CaptureFixture[str]) -> None:
+    class Aged:
+        def age_of(self, frame: int) -> float:
+            return frame / 1000
+
+        def time_of(self, frame: int) -> float:
+            return frame / 100
+
+    whole, changes = offline(SPEECH, PRESET), _Changes(_as_json)
+    changes.listener = Aged()  # type: ignore[assignment]
+    changes.follow(whole)
+    for line in map(json.loads, capsys.readouterr().out.splitlines()):
+        assert line["latency_ms"] == pytest.approx(line["time_s"] * 100)
+
+
+def test_lines_of_text_have_time_phoneme_and_intensity_in_columns(capsys: pytest.CaptureFixture[str]) -> None:
+    _Changes(_as_text).follow(offline(SPEECH, PRESET))
+    lines = capsys.readouterr().out.splitlines()
+    words = [line.split() for line in lines]
+    assert [(float(w[0]), w[1], w[2]) for w in words] == [(t, "s", p) for t, p, _ in expected_changes()]
+    assert len({line.index(" s ") for line in lines}) == 1
+    assert lines[0] == "    0.00 s  silence       0.00"
+
+
+# -- whole commands -------------------------------------------------------------------------------------------
+
+
+def test_listening_prints_the_changes_and_says_elsewhere_what_it_listens_to(
+    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str]
+) -> None:
+    microphone.give(SPEECH)
+    listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json")
+    said = capsys.readouterr()
+    lines = [json.loads(line) for line in said.out.splitlines()]
+    expected = expected_changes(frames_in(len(SPEECH)), for_live_use(PRESET))
+    assert [(line["time_s"], line["phoneme"]) for line in lines] == [change[:2] for change in expected]
+    assert microphone.closed.is_set()
+
+
+def test_recording_keeps_the_length_and_reports_it(
+    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    microphone.give(SPEECH)
+    listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 1.0, with_phonemes=True)
+    found, rate = soundfile.read(tmp_path / "a.wav", dtype="float32")
+    assert (len(found), rate) == (SAMPLE_RATE, SAMPLE_RATE)
+    np.testing.assert_allclose(found, SPEECH[:SAMPLE_RATE].clip(-1, 1), atol=2**-23)
+    assert (tmp_path / "a.csv").read_text().splitlines()[-1].split(",")[1] == "1.0"
+    assert f"{tmp_path / 'a.wav'}: 1.00 s recorded, nothing lost" in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("microphone")
+def test_a_recording_of_nothing_fails_and_leaves_no_file(over: Event, tmp_path: Path) -> None:
+    over.set()
+    with pytest.raises(RecordingError, match=r"^a\.wav: no sound came from the microphone"):
+        listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.1, with_phonemes=True)
+    assert list(tmp_path.glob("a*")) == []
+
+
+def test_a_name_that_is_taken_ends_the_recording_with_its_sentence(
+    microphone: HandDrivenMicrophone, tmp_path: Path
+) -> None:
+    (tmp_path / "a.wav").write_bytes(b"mine")
+    microphone.give(SPEECH)
+    with pytest.raises(RecordingError, match=r"a\.wav: there is a file of that name"):
+        listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 60.0, with_phonemes=False)
+    assert (tmp_path / "a.wav").read_bytes() == b"mine"
+
+
+def test_a_bug_in_the_listening_reaches_the_caller(
+    microphone: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object) -> str:
+        raise BrokenPipeError
+
+    monkeypatch.setattr(listening, "_as_text", fail)
+    microphone.give(SPEECH)
+    with pytest.raises(BrokenPipeError):
+        listening.listen(PRESET, InputChoice(), None, "text")
+    assert microphone.closed.is_set()
+
+
+@pytest.mark.parametrize("fill", [False, True])
+def test_a_recording_across_a_lost_microphone_says_how_long_the_sound_and_the_gap_are(
+    microphone: HandDrivenMicrophone, openers: Openers, capsys: pytest.CaptureFixture[str], tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch, fill: bool,
+) -> None:  # fmt: skip
+    clock, back = Clock(monkeypatch), HandDrivenMicrophone(name="Yeti · ALSA")
+    openers.waiting.append(back)
+    openers.wait = lambda: setattr(clock, "now", clock.now + 4.21)
+    microphone.give(SPEECH[: SAMPLE_RATE // 2], SAMPLE_RATE // 2)
+    microphone.lost = True
+    back.give(SPEECH[: SAMPLE_RATE // 2])  # each block began 10 ms before it came
+    words = ["record", str(tmp_path / "a.wav"), "--seconds", "5.15", "--phonemes"]
+    assert main([*words, *(["--fill-gaps"] if fill else [])]) == 0
+    with (tmp_path / "a.csv").open(newline="") as table:
+        (gap,) = (row for row in csv.DictReader(table) if row["phoneme"].startswith("gap of "))
+    found, _ = soundfile.read(tmp_path / "a.wav")
+    length, silent = len(found) / SAMPLE_RATE, float(gap["end_s"]) - float(gap["start_s"])
+    assert (gap["start_s"], gap["phoneme"], silent) == ("0.5", "gap of 4.20 s", pytest.approx(4.2 * fill))
+    said = f"a.wav: {length:.2f} s recorded, with 1 {gap['phoneme']} marked in it"
+    said += f": {length - silent:.2f} s of sound, {silent:.2f} s of silence" if fill else ""
+    assert f"{said}, nothing more lost\n" in capsys.readouterr().err
+
+
+def test_a_microphone_that_vanishes_while_it_is_recorded_is_reported_as_lost(
+    microphone: HandDrivenMicrophone, over: Event, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    microphone.give(SPEECH[: SAMPLE_RATE // 2])
+    microphone.lost = True
+    microphone.closed = over
+    listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.9, with_phonemes=False)
+    said = capsys.readouterr().err
+    assert "0.50 s recorded" in said
+    assert "nothing lost" not in said
+    assert " s were lost on the way" in said

@@ -1,0 +1,115 @@
+"""`phonemeanalyser listen --osc`: what is heard reaches a program beside it, and the listening never suffers."""
+
+import itertools
+from collections.abc import Iterable, Iterator
+
+import pytest
+
+from phonemeanalyser.cli import listen as listening
+from phonemeanalyser.cli.main import main
+from phonemeengine.audio import stream
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.mouth.osc import OscMouth, OscSettings
+from phonemeengine.mouth.table import USUAL_TABLE, load_table
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.settings import SAMPLE_RATE
+from tests.fakes.microphones import HandDrivenMicrophone, Microphones
+from tests.fakes.osc_receiver import Receiver
+from tests.fakes.players import SPEECH, wait_for
+from tests.fakes.portaudio import FakePortAudio
+from tests.tables import refused
+
+PRESET = load_preset(DEFAULT_PRESET)
+
+
+@pytest.fixture
+def receiver() -> Iterator[Receiver]:
+    receiver = Receiver()
+    yield receiver
+    receiver.close()
+
+
+@pytest.fixture
+def microphone(monkeypatch: pytest.MonkeyPatch) -> HandDrivenMicrophone:
+    fake = FakePortAudio()
+    fake.plug("Yeti")
+    monkeypatch.setattr(stream, "_sounddevice", lambda: fake)
+    monkeypatch.setattr(stream, "_open", set())
+    microphone = HandDrivenMicrophone(name="Yeti · ALSA")
+    real, openers = listening.Listener, Microphones(microphone)
+    monkeypatch.setattr(listening, "Listener", lambda *a, **options: real(*a, open_input=openers, **options))
+    monkeypatch.setattr(listening, "PATIENCE", 60.0)
+    return microphone
+
+
+def listen_to_speech(microphone: HandDrivenMicrophone, osc: OscSettings | None) -> None:
+    microphone.give(SPEECH)
+    listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "text", osc)
+
+
+def spoken(names: Iterable[str]) -> list[str]:
+    """Give the phonemes without silences and repetitions."""
+    return [name for name, _ in itertools.groupby(names) if name != "silence"]
+
+
+def test_a_program_beside_it_hears_the_phonemes_that_are_printed(
+    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: pytest.CaptureFixture[str]
+) -> None:
+    listen_to_speech(microphone, OscSettings(receiver.address, load_table("vrm")))
+    printed = spoken(line.split()[2] for line in capsys.readouterr().out.splitlines())
+    wait_for(lambda: spoken(str(name) for name, _ in receiver.of("/phoneme")) == printed, "the printed phonemes")
+    shut = dict.fromkeys(("A", "I", "U", "E", "O"), 0.0)
+    wait_for(lambda: receiver.weights() == shut, "a shut mouth")
+    assert len(printed) > 4
+    assert receiver.of("/VMC/Ext/Blend/Apply")
+
+
+def test_a_receiver_that_cannot_be_reached_is_said_at_the_end_and_all_is_printed(
+    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    def fail(_self: OscMouth, _messages: object) -> None:
+        _self.failure = "the OSC receiver cannot be reached (no route); check its address"
+
+    monkeypatch.setattr(OscMouth, "_send", fail)
+    listen_to_speech(microphone, OscSettings(receiver.address, load_table("vrm")))
+    said = capsys.readouterr()
+    assert (
+        said.err.splitlines()[-1]
+        == "phonemeanalyser: the OSC receiver cannot be reached (no route); check its address"
+    )
+    assert len(said.out.splitlines()) > 4
+
+
+def test_the_command_line_sends_too(
+    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: pytest.CaptureFixture[str]
+) -> None:
+    microphone.give(SPEECH)
+    to = f"{receiver.address.host}:{receiver.address.port}"
+    assert main(["listen", "--seconds", "0.5", "--osc", to, "--table", "vrm"]) == 0
+    wait_for(lambda: set(receiver.weights()) == {"A", "I", "U", "E", "O"}, "a face")
+    assert capsys.readouterr().out
+
+
+def test_the_command_line_moves_a_face_as_the_head_moves_unless_told_otherwise(
+    microphone: HandDrivenMicrophone, receiver: Receiver
+) -> None:
+    head = load_table(USUAL_TABLE)
+    moved = {name for name, column in zip(head.movestates, head.weights().T, strict=True) if column.any()}
+    microphone.give(SPEECH)
+    assert main(["listen", "--seconds", "0.5", "--osc", f"{receiver.address.host}:{receiver.address.port}"]) == 0
+    wait_for(lambda: set(receiver.weights()) == moved, "the movestates of the head")
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--osc", "nowhere"), "an OSC receiver is HOST:PORT, such as 127.0.0.1:39539, found 'nowhere'"),
+        (("--osc", "127.0.0.1:9", "--table", "gone"), "gone: there is no such mouth table; name a file, or one of"),
+    ],
+)
+def test_wrong_receivers_and_tables_are_said_before_anything_is_begun(
+    words: tuple[str, ...], sentence: str, microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert refused(capsys, "listen", *words).startswith(sentence)
+    assert not microphone.closed.is_set()

@@ -1,0 +1,200 @@
+"""What a voice's takes make of each recogniser's preset, and what is never paid for it."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.desktop.calibrate.guide_model import STEPS
+from phonemeengine.calibration.calibrate import calibrate
+from phonemeengine.calibration.guard import MOST_LOSS, loss_of
+from phonemeengine.calibration.learners import LEARNERS
+from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.evaluation import predict
+from phonemeengine.calibration.scores.scoring import Scores, scores_of
+from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.quality import check_take
+from phonemeengine.calibration.takes.room_noise import measure_room
+from phonemeengine.errors import CorpusError, PresetError
+from phonemeengine.labels.label import CORE, Label
+from phonemeengine.labels.table import format_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import SAMPLE_RATE
+from tests.desktop.calibrate.calibrating import ROOM, in_room, said
+from tests.sounds import silence
+
+P = Phoneme
+ORDER = (P.SILENCE, P.M, P.A, P.SZ, P.I, P.SCH, P.E, P.SILENCE, P.O, P.M, P.U, P.SZ, P.A, P.SILENCE)
+"""What the voice says in the sentence that is held back."""
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TakeProject]:
+    """A take of each sound by one voice."""
+    with TakeProject(tmp_path_factory.mktemp("project")) as project:
+        for step in STEPS:
+            sound = in_room(np.concatenate((silence(0.2), said(step.phoneme, 1.4))))
+            project.add(sound, "Ann", step.phoneme, report=check_take(sound, ROOM, step.phoneme))
+        yield project
+
+
+@pytest.fixture(scope="module")
+def takes(project: TakeProject) -> tuple[Utterance, ...]:
+    return tuple(Utterance(project.path_of(t), t.to_labels(), t.speaker, "takes") for t in project.takes)
+
+
+@pytest.fixture(scope="module")
+def sentence(tmp_path_factory: pytest.TempPathFactory) -> Utterance:
+    """The same voice at another pitch, in other company."""
+    path, parts, labels, at = tmp_path_factory.mktemp("sentence") / "s.wav", [], [], 0.0
+    for phoneme in ORDER:
+        seconds = 0.5 if phoneme is P.SILENCE else 0.2
+        parts.append(said(phoneme, seconds, f0=150))
+        labels.append(Label(at, at + seconds, phoneme.label, phoneme))
+        at += seconds
+    soundfile.write(path, in_room(np.concatenate(parts)), SAMPLE_RATE, subtype="FLOAT")
+    return Utterance(path, tuple(labels), "Ann", "held back")
+
+
+def scores(preset: Preset, utterance: Utterance) -> Scores:
+    return scores_of([predict(utterance, preset).pair])
+
+
+@pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])
+def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
+    takes: tuple[Utterance, ...], sentence: Utterance, name: str
+):
+    preset = load_preset(FACTORY / f"{name}.toml")
+    outcome = calibrate(preset, takes, held_back=[sentence])
+    assert outcome.gains
+    assert outcome.before == scores(preset, sentence)  # the figures are of the sentence alone
+    assert outcome.after == scores(outcome.preset, sentence)
+    assert outcome.after.macro_f1 > outcome.before.macro_f1 + 0.02
+    assert loss_of(outcome.before, outcome.after) == ""
+    assert outcome.preset.recogniser == preset.recogniser
+    assert outcome.seconds == pytest.approx(sentence.labels[-1].end)
+    assert outcome.sure is not None
+    assert outcome.sure.room_silent.value > 0.9
+
+
+def test_without_a_sentence_quarters_of_the_takes_are_held_back(takes: tuple[Utterance, ...]):
+    outcome = calibrate(load_preset(FACTORY / "templates.toml"), takes)
+    assert outcome.in_turn
+    assert outcome.gains
+    counted = sum(x.end - x.start for u in takes for x in u.labels if x.certainty == CORE)
+    assert outcome.seconds == pytest.approx(counted)
+
+
+def a_deaf_one(preset: Preset) -> Preset:
+    """The preset with templates of this voice that takes hardly anything for speech."""
+    assert preset.templates is not None
+    return replace(preset, templates=replace(preset.templates, silence_below=-22.0))
+
+
+@pytest.mark.parametrize("held_back", [True, False])
+def test_what_gains_by_losing_speech_is_refused_and_something_milder_taken(
+    takes: tuple[Utterance, ...], sentence: Utterance, monkeypatch: pytest.MonkeyPatch, held_back: bool
+):
+    learn = LEARNERS["templates"]
+
+    def bold(preset, heard, quiet, progress):
+        whole, half, _ = learn(preset, heard, quiet, progress)
+        return a_deaf_one(whole), half
+
+    monkeypatch.setitem(LEARNERS, "templates", bold)
+    preset = load_preset(FACTORY / "templates.toml")
+    others = [sentence] if held_back else []
+    outcome = calibrate(preset, takes, held_back=others)
+    assert "speech called silence rises from" in outcome.refusal
+    assert "something milder was taken" in outcome.refusal
+    assert outcome.gains
+    assert outcome.after.false_silence <= outcome.before.false_silence + MOST_LOSS
+    assert outcome.after.viseme_accuracy >= outcome.before.viseme_accuracy - MOST_LOSS
+
+
+def test_where_only_what_costs_gains_the_preset_stays_as_it_was(
+    takes: tuple[Utterance, ...], sentence: Utterance, monkeypatch: pytest.MonkeyPatch
+):
+    learn = LEARNERS["templates"]
+    monkeypatch.setitem(LEARNERS, "templates", lambda *given: (a_deaf_one(learn(*given)[0]),))
+    preset = load_preset(FACTORY / "templates.toml")
+    outcome = calibrate(preset, takes, held_back=[sentence])
+    assert outcome.preset is preset
+    assert not outcome.gains
+    assert outcome.after == outcome.before
+    assert outcome.refusal.endswith("; the preset stays as it was.")
+
+
+def test_what_gets_worse_is_said_with_both_figures():
+    figures = Scores(0.5, 0.5, 0.5, 0.8, 0.5, 0.999, 0.02, 10, 10, 1)
+    assert loss_of(figures, replace(figures, viseme_accuracy=0.7901, false_silence=0.0299)) == ""
+    worse = replace(figures, silence_recall=0.397, false_silence=0.05)
+    assert loss_of(figures, worse) == (
+        "silence found falls from 99.9 % to 39.7 % and speech called silence rises from 2.0 % to 5.0 %"
+    )
+    unknown = replace(figures, silence_recall=float("nan"))
+    assert loss_of(unknown, figures) == loss_of(figures, unknown) == ""
+
+
+def test_the_pauses_of_a_p_are_silence(takes: tuple[Utterance, ...]):
+    said_p = takes[-1]
+    certain = [label for label in said_p.labels if label.certainty == CORE]
+    bursts = [label for label in certain if label.phoneme is P.P]
+    pauses = [label for label in certain if label.phoneme is P.SILENCE]
+    assert len(bursts) == 7  # one each 0.2 s, of 0.05 s
+    assert len(pauses) == 6
+    for k, burst in enumerate(bursts):
+        assert burst.start == pytest.approx(0.2 + 0.2 * k, abs=0.021)
+        assert burst.end - burst.start < 0.1
+
+
+@pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])
+def test_the_command_line_gives_the_same_preset(
+    project: TakeProject, takes: tuple[Utterance, ...], sentence: Utterance, tmp_path: Path, capsys, name: str
+):
+
+    sentence.path.with_suffix(".csv").write_text(format_table(sentence.labels), encoding="utf-8")
+    preset = load_preset(FACTORY / f"{name}.toml")
+    expected = calibrate(preset, takes, held_back=[sentence]).preset
+    out = tmp_path / "mine.toml"
+    arguments = [str(project.folder), "-o", str(out), "--preset", str(FACTORY / f"{name}.toml")]
+    assert main(["adapt", *arguments, "--held-back", str(sentence.path)]) == 0
+    assert "on what was held back, 4 s: macro F1 " in capsys.readouterr().out
+    found = load_preset(out)
+    assert found.name == "mine"
+    for name_of in ("settings", "thresholds", "rules", "model", "templates", "sensitivities", "recogniser"):
+        assert getattr(found, name_of) == getattr(expected, name_of), name_of
+
+
+def test_the_room_sets_the_silence_of_rules(takes: tuple[Utterance, ...], sentence: Utterance):
+    preset = load_preset(FACTORY / "thesis.toml")
+    room = measure_room(in_room(silence(2.0)), preset)
+    found = calibrate(preset, takes, held_back=[sentence], room=in_room(silence(2.0))).preset
+    assert found.settings.denoise_threshold == room.thresholds(preset).settings.denoise_threshold
+
+
+def test_what_gains_nothing_leaves_the_preset_as_it_was(takes: tuple[Utterance, ...], sentence: Utterance):
+    preset = calibrate(load_preset(FACTORY / "templates.toml"), takes, held_back=[sentence]).preset
+    outcome = calibrate(preset, takes, held_back=[sentence])
+    assert outcome.preset is preset
+    assert not outcome.gains
+
+
+def test_what_cannot_learn_says_so(takes: tuple[Utterance, ...]):
+    preset = load_preset(DEFAULT_PRESET)
+    with pytest.raises(PresetError, match="no learned model"):
+        calibrate(replace(preset, model=None), takes)
+    with pytest.raises(CorpusError, match="no take to calibrate with"):
+        calibrate(preset, ())
+
+
+def test_files_of_takes_stay_as_they_are(takes: tuple[Utterance, ...]):
+    before = [Path(u.path).read_bytes() for u in takes]
+    calibrate(load_preset(FACTORY / "templates.toml"), takes)
+    assert [Path(u.path).read_bytes() for u in takes] == before

@@ -1,0 +1,343 @@
+"""Takes by mouse and keyboard: recorded, marked, trimmed, relabelled, excluded, deleted, and all that undone."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+import soundfile
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDockWidget
+
+from phonemeanalyser.desktop.calibrate.takes_model import AROUND
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeengine.calibration.scores.corpus import read_corpus
+from phonemeengine.labels.label import CORE
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
+from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, in_room, said
+from tests.desktop.hands import DEMO, LEFT, click, drag, press
+from tests.desktop.studio import Booth
+from tests.fakes.microphones import HandDrivenMicrophone
+from tests.sounds import silence
+
+Open = Callable[..., Booth]
+A = in_room(np.concatenate((silence(0.2), said(Phoneme.A, 0.6), silence(0.2))))
+
+
+@pytest.fixture
+def calibrator(open_booth: Open, mic: HandDrivenMicrophone) -> Calibrator:
+    return Calibrator(open_booth(mic), mic)
+
+
+@pytest.fixture
+def listening(calibrator: Calibrator) -> Calibrator:
+    calibrator.listen()
+    return calibrator
+
+
+def verdicts(calibrator: Calibrator) -> list[str]:
+    table = calibrator.page.takes.list
+    return [table.item(row, 4).text() for row in range(table.rowCount())]
+
+
+# -- the page -----------------------------------------------------------------------------------------
+
+
+def test_keys_and_buttons_show_the_pages_and_each_has_its_docks(open_booth: Open, mic: HandDrivenMicrophone):
+    window = open_booth(mic).window
+    docks = {d.objectName(): (d.isVisible(), d.width()) for d in window.findChildren(QDockWidget)}
+    press(window, Qt.Key.Key_2, CONTROL)
+    assert window.calibration.isVisible()
+    assert not any(d.isVisible() for d in window.findChildren(QDockWidget))
+    click(window.switch.buttons[0])
+    assert not window.calibration.isVisible()
+    QTest.qWait(30)
+    assert {d.objectName(): (d.isVisible(), d.width()) for d in window.findChildren(QDockWidget)} == docks
+    click(window.switch.buttons[1])
+    assert window.calibration.isVisible()
+    press(window, Qt.Key.Key_1, CONTROL)
+    assert not window.calibration.isVisible()
+
+
+def test_the_page_survives_another_theme_with_its_takes(calibrator: Calibrator):
+    calibrator.keep(Phoneme.A)
+    calibrator.booth.desktop.set_theme("dark")
+    assert calibrator.page.isVisible()
+    assert verdicts(calibrator) == ["good"]
+    click(calibrator.booth.window.switch.buttons[0])
+    docks = calibrator.booth.window.findChildren(QDockWidget)
+    assert {d.objectName() for d in docks if d.isVisible()} == {"Filters", "Phoneme", "Thresholds"}
+
+
+# -- recording ----------------------------------------------------------------------------------------
+
+
+def test_what_is_heard_while_a_key_is_held_becomes_a_take(listening: Calibrator):
+    listening.page.takes.speaker.setText("")
+    click(listening.page.takes.speaker)
+    QTest.keyClicks(listening.page.takes.speaker, "Ann")
+    press(listening.booth.window, Qt.Key.Key_Return)  # leaves the field
+    listening.say(Qt.Key.Key_A, A)
+    (take,) = listening.takes
+    assert (take.speaker, take.phoneme) == ("Ann", Phoneme.A)
+    samples, rate = soundfile.read(listening.model.takes.path_of(take), dtype="float32")
+    assert rate == SAMPLE_RATE
+    assert len(samples) == len(A)
+    np.testing.assert_allclose(samples, A, atol=2**-15)
+    assert take.start == pytest.approx(0.2, abs=0.07)
+    assert take.end == pytest.approx(0.8, abs=0.07)
+    assert verdicts(listening) == ["good"]
+    (utterance,) = read_corpus(listening.model.takes.folder)
+    assert Phoneme.A in {label.phoneme for label in utterance.labels}
+
+
+@pytest.mark.parametrize("phoneme", KEYS, ids=lambda phoneme: phoneme.label)
+def test_each_sound_has_a_key_of_its_own_which_holds_its_button_down(calibrator: Calibrator, phoneme: Phoneme):
+    key = getattr(Qt.Key, f"Key_{KEYS[phoneme]}")
+    QTest.keyPress(calibrator.page.takes.list, key)
+    assert calibrator.model.phoneme is phoneme
+    assert calibrator.page.takes.record.buttons[phoneme].isDown()
+    QTest.keyRelease(calibrator.page.takes.list, key)
+    assert calibrator.model.phoneme is None
+
+
+def test_a_button_held_with_the_mouse_records_too(listening: Calibrator):
+    button = listening.page.takes.record.buttons[Phoneme.I]
+    QTest.mousePress(button, LEFT)
+    listening.booth.give(listening.mic, in_room(said(Phoneme.I, 0.7)))
+    listening.until(lambda: listening.model.catch.seconds >= 0.7)
+    QTest.mouseRelease(button, LEFT)
+    listening.settle()
+    assert [take.phoneme for take in listening.takes] == [Phoneme.I]
+
+
+def test_a_key_begins_to_listen_where_nobody_did(calibrator: Calibrator):
+    assert calibrator.booth.desktop.session.source is SoundSource.FILE
+    calibrator.say(Qt.Key.Key_A, A)
+    assert calibrator.booth.desktop.session.source is SoundSource.MICROPHONE
+    assert len(calibrator.takes) == 1
+
+
+def test_letters_in_the_speakers_name_record_nothing(listening: Calibrator):
+    click(listening.page.takes.speaker)
+    QTest.keyClicks(listening.page.takes.speaker, "maesh")
+    assert listening.model.takes.speaker.endswith("maesh")
+    assert listening.model.phoneme is None
+    assert listening.takes == ()
+
+
+def test_a_slip_of_the_finger_is_no_take_and_is_said(listening: Calibrator):
+    listening.say(Qt.Key.Key_A, A[:441])
+    assert listening.takes == ()
+    assert "Hold a for as long as you say the sound" in listening.booth.banner
+
+
+def test_a_clipped_take_is_kept_and_the_list_and_the_banner_say_so(listening: Calibrator):
+    listening.say(Qt.Key.Key_A, np.clip(5 * A, -1, 1))
+    assert verdicts(listening) == ["clipped"]
+    assert "too loud" in listening.booth.banner
+
+
+def test_the_window_losing_the_keyboard_ends_the_take(listening: Calibrator):
+    QTest.keyPress(listening.page.takes.list, Qt.Key.Key_A)
+    listening.booth.give(listening.mic, A)
+    listening.until(lambda: listening.model.catch.seconds >= 0.9)
+    QCoreApplication.sendEvent(listening.booth.window, QEvent(QEvent.Type.WindowDeactivate))
+    listening.settle()
+    assert len(listening.takes) == 1
+
+
+# -- takes of a file ----------------------------------------------------------------------------------
+
+
+def test_a_marked_stretch_of_the_file_becomes_a_take_at_a_key(calibrator: Calibrator):
+    session = calibrator.booth.desktop.session
+    session.open(DEMO)
+    session.seek(1.0)
+    press(calibrator.booth.window, Qt.Key.Key_BracketLeft)
+    session.seek(1.6)
+    press(calibrator.booth.window, Qt.Key.Key_BracketRight)
+    assert calibrator.model.stretch == pytest.approx((1.0, 1.6), abs=0.011)
+    press(calibrator.booth.window, Qt.Key.Key_O)
+    calibrator.settle()
+    (take,) = calibrator.takes
+    assert (take.phoneme, take.device) == (Phoneme.O, "demo.flac")
+    assert take.duration == pytest.approx(0.6 + 2 * AROUND, abs=0.011)
+    assert AROUND <= take.start < take.end <= AROUND + 0.611
+    assert {label.phoneme for label in take.to_labels() if label.certainty == CORE} == {Phoneme.O}
+    heard, _ = soundfile.read(calibrator.model.takes.path_of(take), dtype="float32")
+    whole, rate = soundfile.read(DEMO, dtype="float32")
+    first = start_of(heard, whole, rate)
+    np.testing.assert_allclose(heard, whole[first : first + len(heard)], atol=2**-14)
+
+
+def start_of(heard: np.ndarray, whole: np.ndarray, rate: int) -> int:
+    """Find where a stretch lies in a sound, a little before 1 s."""
+    around = range(round((0.98 - AROUND) * rate), round((1.02 - AROUND) * rate))
+    return min(around, key=lambda k: float(np.abs(whole[k : k + 2000] - heard[:2000]).sum()))
+
+
+def test_marking_without_a_file_says_what_to_do(open_booth: Open, mic: HandDrivenMicrophone):
+    booth = open_booth(mic)
+    calibrator = Calibrator(booth, mic)
+    calibrator.listen()
+    calibrator.model.mark(end=False)
+    assert "open one to mark a stretch" in booth.banner
+
+
+def test_a_key_held_while_the_file_plays_takes_what_was_played(calibrator: Calibrator):
+    session = calibrator.booth.desktop.session
+    session.open(DEMO)
+    press(calibrator.booth.window, Qt.Key.Key_Space)
+    calibrator.until(lambda: session.position > 0.2)
+    QTest.keyPress(calibrator.page.takes.list, Qt.Key.Key_E)
+    began = session.position
+    calibrator.until(lambda: session.position > began + 0.4)
+    QTest.keyRelease(calibrator.page.takes.list, Qt.Key.Key_E)
+    ended = session.position
+    calibrator.settle()
+    (take,) = calibrator.takes
+    assert take.duration == pytest.approx(ended - began + AROUND + min(began, AROUND), abs=0.1)
+    assert take.phoneme is Phoneme.E
+
+
+# -- what is done with takes --------------------------------------------------------------------------
+
+
+def test_delete_is_undone_and_redone_by_the_keys(calibrator: Calibrator):
+    calibrator.keep(Phoneme.A)
+    calibrator.keep(Phoneme.I)
+    click_row(calibrator, 0)
+    press(calibrator.booth.window, Qt.Key.Key_Delete)
+    calibrator.settle()
+    assert [take.phoneme for take in calibrator.takes] == [Phoneme.I]
+    press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
+    calibrator.settle()
+    assert [take.phoneme for take in calibrator.takes] == [Phoneme.A, Phoneme.I]
+    press(calibrator.booth.window, Qt.Key.Key_Y, CONTROL)
+    calibrator.settle()
+    assert [take.phoneme for take in calibrator.takes] == [Phoneme.I]
+
+
+def test_undo_takes_back_what_changed_last_be_it_a_take_or_a_threshold(calibrator: Calibrator):
+    preset = calibrator.booth.desktop.preset
+    calibrator.keep(Phoneme.A)
+    before = preset.preset.thresholds
+    preset.tune("sz_s1", 3.0)
+    calibrator.keep(Phoneme.I)
+    window = calibrator.booth.window
+    undo = next(a for a in window.menus._edits_of_page if a.isVisible())
+    assert undo.text() == "Undo add i-2"
+    press(window, Qt.Key.Key_Z, CONTROL)
+    calibrator.settle()
+    assert len(calibrator.takes) == 1
+    assert preset.preset.thresholds.sz_s1 == 3.0
+    press(window, Qt.Key.Key_Z, CONTROL)
+    calibrator.settle()
+    assert preset.preset.thresholds == before
+    assert len(calibrator.takes) == 1
+    press(window, Qt.Key.Key_Z, CONTROL)
+    calibrator.settle()
+    assert calibrator.takes == ()
+    for _ in range(3):
+        press(window, Qt.Key.Key_Y, CONTROL)
+        calibrator.settle()
+    assert len(calibrator.takes) == 2
+    assert preset.preset.thresholds.sz_s1 == 3.0
+
+
+def test_x_excludes_a_take_and_includes_it_again(calibrator: Calibrator):
+    calibrator.keep(Phoneme.A)
+    click_row(calibrator, 0)
+    press(calibrator.booth.window, Qt.Key.Key_X)
+    calibrator.settle()
+    assert verdicts(calibrator) == ["excluded"]
+    assert calibrator.model.bench.utterances == ()
+    click(calibrator.page.takes.exclude)
+    calibrator.settle()
+    assert verdicts(calibrator) == ["good"]
+    assert len(calibrator.model.bench.utterances) == 1
+
+
+def test_a_take_is_relabelled_in_the_box(calibrator: Calibrator):
+    calibrator.keep(Phoneme.A)
+    click_row(calibrator, 0)
+    box = calibrator.page.takes.phoneme
+    box.setFocus()
+    QTest.keyClick(box, Qt.Key.Key_Down)  # a is followed by e
+    calibrator.settle()
+    assert [take.phoneme for take in calibrator.takes] == [Phoneme.E]
+
+
+def test_the_ends_of_a_take_are_dragged(calibrator: Calibrator):
+    calibrator.keep(Phoneme.A)
+    click_row(calibrator, 0)
+    calibrator.settle()
+    wave = calibrator.page.takes.wave
+    (take,) = calibrator.takes
+    start, end = (wave._x_of(seconds) for seconds in (take.start, take.end))
+    drag(wave, start, (start + end) / 2)
+    calibrator.settle()
+    (trimmed,) = calibrator.takes
+    assert trimmed.start == pytest.approx((take.start + take.end) / 2, abs=0.02)
+    assert trimmed.end == take.end
+    wave.setFocus()
+    QTest.keyClick(wave, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    calibrator.settle()
+    assert calibrator.takes[0].end == pytest.approx(take.end - 0.01, abs=1e-6)
+    press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
+    press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
+    calibrator.settle()
+    assert calibrator.takes == (take,)
+
+
+def test_return_plays_what_counts_of_a_take_and_stops_there(calibrator: Calibrator):
+    calibrator.keep(Phoneme.A)
+    click_row(calibrator, 0)
+    press(calibrator.booth.window, Qt.Key.Key_Return)
+    session, (take,) = calibrator.booth.desktop.session, calibrator.takes
+    assert session.path == calibrator.model.takes.path_of(take)
+    assert session.playing
+    calibrator.until(lambda: not session.playing)
+    assert take.end - 0.02 <= session.position < take.duration - 0.02
+
+
+# -- the project --------------------------------------------------------------------------------------
+
+
+def test_project_and_speaker_are_there_again_at_the_next_start(calibrator: Calibrator, qapp, tmp_path):
+    calibrator.model.takes.open(tmp_path / "my voice")
+    calibrator.settle()
+    calibrator.model.takes.speaker = "Mara"
+    calibrator.keep(Phoneme.A)
+    booth = calibrator.booth
+    booth.desktop.window.save_state()
+    calibrator.model.takes.close()
+    again = Booth(qapp, booth.settings, booth.studio, booth.qtbot)
+    try:
+        again.qtbot.waitUntil(lambda: len(again.desktop.calibration.takes.now.takes) == 1)
+        assert again.desktop.calibration.takes.folder == tmp_path / "my voice"
+        assert again.window.calibration.takes.speaker.text() == "Mara"
+    finally:
+        again.desktop.close()
+
+
+def test_a_project_that_cannot_be_opened_is_said_and_the_old_one_stays(calibrator: Calibrator, tmp_path):
+    calibrator.keep(Phoneme.A)
+    (tmp_path / "file").write_text("no folder", encoding="utf-8")
+    calibrator.model.takes.open(tmp_path / "file")
+    calibrator.settle()
+    assert "file" in calibrator.booth.banner
+    assert len(calibrator.takes) == 1
+    calibrator.keep(Phoneme.I)
+    assert len(calibrator.takes) == 2
+
+
+def click_row(calibrator: Calibrator, row: int) -> None:
+    table = calibrator.page.takes.list
+    place = table.visualItemRect(table.item(row, 1)).center()
+    QTest.mouseClick(table.viewport(), LEFT, pos=QPoint(place.x(), place.y()))
+    table.setFocus()
+    calibrator.settle()

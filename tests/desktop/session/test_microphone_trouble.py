@@ -1,0 +1,164 @@
+"""The microphone's model when the microphone is missing, vanishes or hangs, and when its latency is measured."""
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from phonemeanalyser.desktop.session import latency_test as click_test
+from phonemeengine.audio import stream
+from phonemeengine.audio.devices import InputChoice
+from phonemeengine.live.loopback import Loopback
+from phonemeengine.settings import HOP, SAMPLE_RATE
+from tests.desktop.studio import DESK, Studio
+from tests.fakes.microphones import REFUSAL, HandDrivenMicrophone
+from tests.fakes.players import PRESET, wait_for
+from tests.fakes.portaudio import FakePortAudio
+from tests.fakes.recorders import samples_in, samples_of_16_bits
+from tests.sounds import noise
+
+MEASURED = Loopback(round_trip=0.12, capture=0.031, spread=0.002, n_heard=8, n_played=8)
+
+
+@pytest.fixture
+def studio(open_studio: Callable[..., Studio], mic: HandDrivenMicrophone) -> Studio:
+    studio = open_studio(mic)
+    studio.model.listen(PRESET)
+    return studio
+
+
+@pytest.fixture
+def measured(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(click_test, "measure_loopback", lambda _choice: MEASURED)
+
+
+def known(first: int, n_hops: int) -> np.ndarray:
+    """Samples of 16 bits, n_hops hops of them."""
+    return samples_of_16_bits(first * HOP, n_hops * HOP)
+
+
+# -- trouble ------------------------------------------------------------------------------------------
+
+
+def test_a_missing_microphone_is_told_once_and_so_is_its_coming(
+    open_studio: Callable[..., Studio], mic: HandDrivenMicrophone
+) -> None:
+    studio = open_studio()
+    studio.model.listen(PRESET)
+    studio.until(lambda: studio.failed)
+    n_asked = len(studio.openers.asked)
+    studio.until(lambda: len(studio.openers.asked) > n_asked + 3)
+    assert studio.failed == [f"{REFUSAL[0].upper()}{REFUSAL[1:]}; trying again every 2 s."]
+    studio.openers.waiting.append(mic)
+    studio.hear(mic, noise(0.2))
+    assert studio.told == ["The microphone is there: Desk · ALSA; 0.0 s could not be heard."]
+
+
+def test_a_microphone_that_comes_back_is_recorded_on_and_the_gap_is_counted(
+    open_studio: Callable[..., Studio], mic: HandDrivenMicrophone
+) -> None:
+    back = HandDrivenMicrophone(name=DESK.label)
+    studio = open_studio(mic)
+    studio.model.listen(PRESET)
+    studio.model.begin_recording()
+    began = time.monotonic()
+    studio.hear(mic, known(0, 20)[:, 0])
+    mic.lost = True
+    studio.until(lambda: studio.failed)
+    assert studio.failed[0].endswith("; the recording waits for it.")
+    assert (studio.model.recording, studio.model.listening) == (True, False)
+    assert studio.model.latency is None
+    studio.openers.waiting.append(back)
+    studio.hear(back, known(20, 20)[:, 0])
+    assert 0 < studio.model.lost_seconds <= time.monotonic() - began
+    studio.model.end_recording()
+    studio.until(lambda: studio.recorded)
+    np.testing.assert_array_equal(samples_in(studio.take), known(0, 40))
+    assert studio.gaps == [f"with 1 gap of {studio.model.lost_seconds:.2f} s marked in it"]
+    assert studio.take.read_bytes().count(f"gap of {studio.model.lost_seconds:.2f} s".encode()) == 1
+
+
+def test_silence_takes_the_place_of_the_gap_where_that_is_chosen(
+    open_studio: Callable[..., Studio], mic: HandDrivenMicrophone
+) -> None:
+    back = HandDrivenMicrophone(name=DESK.label)
+    studio = open_studio(mic)
+    studio.model.fill_gaps = True
+    studio.model.listen(PRESET)
+    studio.model.begin_recording()
+    studio.hear(mic, known(0, 20)[:, 0])
+    mic.lost = True
+    studio.until(lambda: studio.failed)
+    studio.openers.waiting.append(back)
+    studio.hear(back, known(20, 20)[:, 0])
+    studio.model.end_recording()
+    studio.until(lambda: studio.recorded)
+    found = samples_in(studio.take)
+    n_silent = round(studio.model.lost_seconds * SAMPLE_RATE)
+    assert len(found) == 40 * HOP + n_silent
+    assert not found[20 * HOP : 20 * HOP + n_silent].any()
+    np.testing.assert_array_equal(found[20 * HOP + n_silent :], known(20, 20))
+    assert studio.gaps[0].endswith(f": 0.40 s of sound, {n_silent / SAMPLE_RATE:.2f} s of silence")
+
+
+def test_a_microphone_that_hangs_when_it_is_opened_holds_nobody_up(
+    open_studio: Callable[..., Studio], mic: HandDrivenMicrophone
+) -> None:
+    studio = open_studio(mic)
+    studio.openers.may_answer.clear()
+    studio.model.listen(PRESET)
+    studio.until(lambda: studio.failed)
+    assert studio.failed == ["Opening the microphone."]
+    studio.model.stop()
+    assert studio.model.take_analyses() == []
+    studio.model.close()
+    assert studio.openers.hangs
+    studio.openers.may_answer.set()
+    assert mic.closed.wait(60)
+
+
+# -- latency by clicks --------------------------------------------------------------------------------
+
+
+def test_what_clicks_measured_takes_the_place_of_the_cards_word_until_another_is_chosen(
+    open_studio: Callable[..., Studio], mic: HandDrivenMicrophone, measured: None
+) -> None:
+    back, third = HandDrivenMicrophone(), HandDrivenMicrophone()
+    studio = open_studio(mic, back, third)
+    studio.model.listen(PRESET)
+    studio.hear(mic, noise(0.2))
+    assert studio.model.latency.capture == mic.delay
+    studio.model.measure()
+    studio.until(lambda: studio.told)
+    assert "back after 120 ms (8 of 8 heard" in studio.told[0]
+    studio.hear(back, noise(0.2))
+    assert studio.model.latency.capture == MEASURED.capture
+    studio.model.choose(InputChoice("Headset"))
+    studio.hear(third, noise(0.2))
+    assert studio.model.latency.capture == third.delay
+
+
+def test_nothing_is_recorded_while_clicks_are_played_which_is_said(
+    studio: Studio, measured: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    studio.model.measure()
+    studio.model.begin_recording()
+    assert not studio.model.recording
+    assert studio.failed == ["Nothing is recorded, since the latency is being measured; try again in a few seconds."]
+    assert studio.model.words == "measuring its latency"
+    studio.until(lambda: studio.model.active)
+
+
+def test_without_a_device_the_latency_is_not_measured_which_is_one_sentence(
+    open_studio: Callable[..., Studio], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(stream, "_sounddevice", FakePortAudio)
+    studio = open_studio()
+    studio.model.measure()
+    studio.until(lambda: studio.failed)
+    assert studio.failed == [
+        "The latency was not measured: there is no microphone; plug one in, or check that the sound system runs."
+    ]
+    assert not studio.model.active
+    wait_for(lambda: not studio.model.clicks.running, "the end")

@@ -1,0 +1,259 @@
+"""Listening by mouse and keyboard: what is heard is seen, and which microphone it is."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox
+
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.session.level_meter import words_of
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeengine.audio.devices import Device
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import BIN_WIDTH, HOP
+from tests.desktop.hands import CARDS, DEMO, ON_BIN, TimeEyes, click, drag, press
+from tests.desktop.studio import DESK, HEADSET, Booth, Studio, choose
+from tests.fakes.microphones import HandDrivenMicrophone, offline
+from tests.fakes.players import SPEECH
+from tests.sounds import noise, silence, tone, vowel
+
+HEARD = SPEECH[: len(SPEECH) // HOP * HOP]
+A = vowel((700, 1200, 2500), 0.4)
+
+Open = Callable[..., Booth]
+
+
+def entries(box: QComboBox) -> list[str]:
+    return [box.itemText(k) for k in range(box.count())]
+
+
+# -- what is heard is seen ----------------------------------------------------------------------------
+
+
+def test_choosing_the_microphone_listens_and_lets_the_files_device_go(open_booth: Open, mic: HandDrivenMicrophone):
+    booth = open_booth(mic)
+    press(booth.window, Qt.Key.Key_Space)
+    player = booth.desktop.session._player
+    booth.listen()
+    assert player is not None
+    assert not player._thread.is_alive()
+    assert booth.desktop.session._player is None
+    booth.hear(mic, HEARD)
+    assert booth.desktop.session.source is SoundSource.MICROPHONE
+    assert booth.window.windowTitle().startswith("microphone - ")
+    booth.until(lambda: booth.status.strip().startswith("microphone: Desk · ALSA, 44 100 Hz"), mic)
+    transport = booth.window.transport
+    assert transport.microphone.isVisible()
+    assert not transport.time_line.isVisible()
+    assert not transport.loop.isVisible()
+    assert not transport.volume.isVisible()
+
+
+def test_a_sine_is_seen_at_its_frequency(booth: Booth, mic: HandDrivenMicrophone):
+    booth.hear(mic, tone(ON_BIN, 1.0, 0.5))
+    booth.window.drawing.refresh_all()
+    x, y = booth.window.analysis.spectrum.item.curves[0].getData()
+    assert x[np.argmax(y)] == pytest.approx(ON_BIN, abs=BIN_WIDTH)
+    assert TimeEyes(booth.window).brightest(-0.3) == pytest.approx(ON_BIN, abs=2 * BIN_WIDTH)
+    assert booth.window.phoneme.meters["vol"] == "0.500"
+    assert booth.window.phoneme.meters["zc"] == f"{2 * ON_BIN * 2048 / 44_100:.0f}"
+
+
+def test_the_phonemes_are_those_of_the_analysis_of_a_file(booth: Booth, mic: HandDrivenMicrophone):
+    booth.hear(mic, HEARD)
+    booth.window.drawing.refresh_all()
+    history = booth.desktop.session.history
+    found = history.phonemes[history.indices(0, history.n)]
+    expected = offline(HEARD, booth.desktop.preset.in_force).phonemes[: len(found)]
+    np.testing.assert_array_equal(found, expected)
+    assert len(np.unique(found)) > 3
+    assert booth.window.phoneme.phoneme == Phoneme(int(expected[-1]))
+    assert booth.frames == list(range(len(expected)))
+
+
+def test_a_dragged_threshold_acts_on_what_comes_next(booth: Booth, mic: HandDrivenMicrophone):
+    booth.hear(mic, A)
+    assert booth.desktop.session.history.phonemes[booth.desktop.session.history.n - 1] == Phoneme.A
+    for name in ("silence_energy", "silence_max_energy"):
+        slider = booth.window.thresholds.rows[name].slider
+        drag(slider, slider.width() / 2, slider.width() + 50)
+    booth.hear(mic, A)
+    history = booth.desktop.session.history
+    phonemes = history.phonemes[history.indices(0, history.n)]
+    assert phonemes[25] == Phoneme.A
+    assert set(phonemes[-20:]) == {Phoneme.SILENCE}
+
+
+def test_the_level_meter_follows_and_holds_and_clips(booth: Booth, mic: HandDrivenMicrophone):
+    booth.hear(mic, tone(1000, 0.2, 0.25))
+    level = booth.studio.model.level
+    assert level.held == pytest.approx(0.25, abs=0.001)
+    assert level.clipped_ago is None
+    booth.hear(mic, tone(1000, 0.1, 1.0))
+    assert words_of(booth.studio.model.level.clipped_ago) == "CLIPPED"
+    assert booth.studio.model.level.held == pytest.approx(1, abs=0.001)
+    booth.hear(mic, silence(0.5))
+    assert booth.studio.model.level.peak < 1
+
+
+def test_space_lets_the_microphone_go_and_takes_it_again(open_booth: Open, mic: HandDrivenMicrophone):
+    again = HandDrivenMicrophone(name=DESK.label)
+    booth = open_booth(mic, again)
+    booth.listen()
+    booth.hear(mic, A)
+    press(booth.window, Qt.Key.Key_Space)
+    assert not booth.desktop.session.playing
+    booth.until(mic.closed.is_set)
+    booth.until(lambda: "microphone: not listening" in booth.status)
+    click(booth.window.transport.play)
+    booth.hear(again, A)
+    booth.until(lambda: "microphone: Desk" in booth.status, again)
+
+
+# -- between the sources ------------------------------------------------------------------------------
+
+
+def test_back_at_the_file_it_stands_where_it_was_left(booth: Booth, mic: HandDrivenMicrophone):
+    choose(booth.window.transport.source, "file")
+    booth.desktop.session.seek(1.5)
+    booth.listen()
+    choose(booth.window.transport.source, "file")
+    session = booth.desktop.session
+    assert session.path == CARDS
+    assert session.position == pytest.approx(1.5, abs=0.01)
+    assert not session.playing
+    booth.until(mic.closed.is_set)
+    assert booth.window.transport.time_line.isVisible()
+    assert booth.window.transport.time.text().startswith("0:01.5 / ")
+
+
+def test_opening_a_file_while_it_listens_lets_the_microphone_go(
+    booth: Booth, mic: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
+):
+    booth.hear(mic, A)
+    monkeypatch.setattr(
+        "phonemeanalyser.desktop.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(DEMO), "")
+    )
+    press(booth.window, Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
+    assert booth.desktop.session.source is SoundSource.FILE
+    assert booth.window.transport.source.currentText() == "file"
+    booth.until(mic.closed.is_set)
+    assert booth.desktop.session.path == DEMO
+
+
+def test_clear_forgets_what_was_heard_and_listening_goes_on(booth: Booth, mic: HandDrivenMicrophone):
+    booth.hear(mic, A)
+    press(booth.window, Qt.Key.Key_C)
+    assert booth.desktop.session.history.n == 0
+    booth.hear(mic, A)
+    assert booth.desktop.session.history.n == 40
+
+
+def test_another_theme_goes_on_listening(booth: Booth, mic: HandDrivenMicrophone):
+    booth.hear(mic, A)
+    old = booth.window
+    booth.desktop.set_theme("dark" if old.theme.name == "light" else "light")
+    assert booth.window is not old
+    assert booth.window.transport.source.currentText() == "microphone"
+    assert not mic.closed.is_set()
+    booth.hear(mic, A)
+    assert booth.frames == list(range(len(booth.frames)))
+
+
+# -- which microphone ---------------------------------------------------------------------------------
+
+
+def test_the_devices_are_named_the_default_first_and_a_new_one_appears_on_f5(booth: Booth):
+    bar = booth.window.transport.microphone
+    booth.until(lambda: bar.device.count() == 3)
+    assert entries(bar.device) == ["default microphone", DESK.label, HEADSET.label]
+    booth.studio.devices.append(Device("Interface", "JACK", 4, 4, 96_000, is_default=False))
+    press(booth.window, Qt.Key.Key_F5)
+    booth.until(lambda: bar.device.count() == 4)
+    assert bar.device.currentText() == "default microphone"
+    booth.studio.devices.append(Device("Webcam", "ALSA", 1, 0, 16_000, is_default=False))
+    click(bar.again)
+    booth.until(lambda: "Webcam · ALSA" in entries(bar.device))
+
+
+def test_a_chosen_microphone_that_has_gone_stays_and_is_marked(booth: Booth):
+    bar = booth.window.transport.microphone
+    booth.until(lambda: bar.device.count() == 3)
+    choose(bar.device, HEADSET.label)
+    booth.studio.devices.remove(HEADSET)
+    click(bar.again)
+    booth.until(lambda: bar.device.currentText() == f"{HEADSET.label} (not there)")
+    booth.studio.devices.append(HEADSET)
+    click(bar.again)
+    booth.until(lambda: bar.device.currentText() == HEADSET.label)
+
+
+def test_device_channel_and_rate_are_opened_as_chosen(booth: Booth):
+    bar = booth.window.transport.microphone
+    booth.until(lambda: bar.device.count() == 3)
+    choose(bar.device, DESK.label)
+    assert entries(bar.channel) == ["channel 1", "channel 2", "1 + 2"]
+    choose(bar.channel, "1 + 2")
+    choose(bar.rate, "48 000 Hz")
+    booth.until(lambda: booth.studio.openers.asked[-1].rate == 48_000)
+    assert booth.studio.openers.asked[-1] == booth.studio.model.choice
+    assert (booth.studio.model.choice.label, booth.studio.model.choice.channel) == (DESK.label, 0)
+
+
+def test_a_microphone_of_one_channel_is_heard_on_its_first(booth: Booth):
+    bar = booth.window.transport.microphone
+    booth.until(lambda: bar.device.count() == 3)
+    choose(bar.channel, "1 + 2")
+    choose(bar.device, HEADSET.label)
+    assert entries(bar.channel) == ["channel 1"]
+    assert bar.channel.currentText() == "channel 1"
+
+
+def test_the_second_channel_is_heard(open_booth: Open):
+    stereo = HandDrivenMicrophone(n_channels=2)
+    booth = open_booth(stereo)
+    booth.listen()
+    booth.until(lambda: booth.window.transport.microphone.device.count() == 3)
+    booth.hear(stereo, np.stack((tone(ON_BIN, 0.3), silence(0.3)), axis=1))
+    assert booth.desktop.session.history.newest.features.frame(0)["volume"] > 0.9
+
+
+def test_another_buffer_is_asked_of_the_microphone_at_once(open_booth: Open):
+    first, second = HandDrivenMicrophone(), HandDrivenMicrophone(name="the same again")
+    booth = open_booth(first, second)
+    booth.listen()
+    booth.hear(first, noise(0.2))
+    booth.window.transport.record.buffers[0.04].trigger()
+    booth.until(lambda: len(booth.studio.openers.asked) == 2)
+    booth.hear(second, noise(0.2))
+    assert [choice.latency for choice in booth.studio.openers.asked] == [0.08, 0.04]
+    assert booth.studio.model.lost_seconds == 0
+
+
+def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth: Booth, qtbot, qapp, tmp_path):
+    bar = booth.window.transport.microphone
+    booth.until(lambda: bar.device.count() == 3)
+    for box, text in ((bar.device, DESK.label), (bar.channel, "channel 2"), (bar.rate, "48 000 Hz")):
+        choose(box, text)
+    booth.window.transport.record.else_default.trigger()
+    booth.window.transport.record.kinds[".flac"].trigger()
+    booth.window.transport.record.buffers[0.2].trigger()
+    booth.window.transport.record.phonemes.trigger()
+    booth.window.transport.record.gaps.trigger()
+    assert booth.window.close()
+    booth.settings.sync()
+    studio = Studio(tmp_path)
+    again = Desktop(qapp, booth.settings, microphone=studio.model)
+    again.window.show()
+    qtbot.wait(100)
+    assert studio.openers.asked == []
+    assert again.session.source is SoundSource.FILE
+    assert studio.model.choice == booth.studio.model.choice
+    assert studio.model.choice.latency == 0.2
+    assert (studio.model.suffix, studio.model.with_phonemes, studio.model.fill_gaps) == (".flac", True, True)
+    bar = again.window.transport.microphone
+    assert bar.device.currentText() == f"{DESK.label} (not there)"
+    assert (bar.channel.currentText(), bar.rate.currentText()) == ("channel 2", "48 000 Hz")
+    again.close()

@@ -1,0 +1,551 @@
+"""The head in the window, by mouse and keyboard."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, QSettings, Qt
+from PySide6.QtGui import QImage, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDockWidget, QFileDialog, QSlider
+from pytestqt.qtbot import QtBot
+
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.rendering import offscreen as pictures
+from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.errors import RenderingError
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.mouth.files.io import save_morph_targets
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import morph_targets_of
+from phonemeengine.mouth.movestate import movestate_of
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.table import TABLES, load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import THESIS_PRESET
+from tests.conftest import ROOT
+from tests.desktop.hands import LEFT, button, click, press, shown, wav
+from tests.desktop.stage import AN_A
+from tests.fakes.osc_receiver import Receiver
+from tests.glb_faces import face_with_targets
+from tests.graphics import context_or_skip
+from tests.sounds import silence, vowel
+
+LONG_A = np.concatenate((silence(0.6), vowel((700, 1200, 2500), 2.5), silence(0.6)))
+"""Says an a so long that a slow window sees it as well."""
+CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def graphics() -> None:
+    """OpenGL without a window."""
+    context_or_skip().release()
+
+
+@pytest.fixture
+def window(desktop: Desktop, qtbot: QtBot, tmp_path: Path, graphics: None) -> MainWindow:
+    """The window with its page of the head, and an a in hand."""
+    return talking(desktop, qtbot, tmp_path)
+
+
+@pytest.fixture
+def receiver() -> Iterator[Receiver]:
+    receiver = Receiver()
+    yield receiver
+    receiver.close()
+
+
+def talking(desktop: Desktop, qtbot: QtBot, folder: Path) -> MainWindow:
+    window = shown(desktop, qtbot, wav(folder, LONG_A))
+    press(window, Qt.Key.Key_3, CONTROL)
+    seen(window.talk.head, qtbot)
+    return window
+
+
+def seen(head: HeadView, qtbot: QtBot) -> None:
+    """Wait until a head is drawn."""
+    qtbot.waitUntil(lambda: head.surface is not None and head.surface.n_drawn > 0)
+
+
+def picture(head: HeadView) -> np.ndarray:
+    """What the view shows, shape (height, width, 3)."""
+    image = head.grab().toImage().convertToFormat(QImage.Format.Format_RGBX8888)
+    return np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.width(), 4)[..., :3].copy()
+
+
+def dock(window: MainWindow) -> QDockWidget:
+    return next(d for d in window.findChildren(QDockWidget) if d.objectName() == "Head")
+
+
+def jaw(desktop: Desktop) -> float:
+    return desktop.talking.percentages["jawOpen"]
+
+
+def open_mouth(desktop: Desktop, qtbot: QtBot, least: float = 15) -> None:
+    qtbot.waitUntil(lambda: jaw(desktop) > least)
+
+
+def closed_mouth(desktop: Desktop, qtbot: QtBot) -> None:
+    qtbot.waitUntil(lambda: jaw(desktop) < 1)
+
+
+# -- page and dock ------------------------------------------------------------------------------------
+
+
+def test_the_dock_is_hidden_at_first_and_f7_shows_and_hides_it(desktop, qtbot, graphics):
+    window = shown(desktop, qtbot)
+    assert not dock(window).isVisible()
+    press(window, Qt.Key.Key_F7)
+    assert dock(window).isVisible()
+    seen(window.head, qtbot)
+    press(window, Qt.Key.Key_F7)
+    assert not dock(window).isVisible()
+    qtbot.waitUntil(lambda: not desktop.talking.watched)
+
+
+def test_the_page_shows_a_head_in_the_middle(window):
+    drawn = picture(window.talk.head).astype(int)
+    height, width, _ = drawn.shape
+    red, green, blue = drawn[height // 2, width // 2]
+    assert red > green > blue  # skin
+    np.testing.assert_array_equal(drawn[4, 4], drawn[4, -4])  # background
+    assert len(np.unique(drawn.reshape(-1, 3), axis=0)) > 1000
+
+
+def test_docks_belong_to_the_first_page_and_come_back(window, desktop):
+    press(window, Qt.Key.Key_1, CONTROL)
+    before = {d.objectName() for d in window.findChildren(QDockWidget) if d.isVisible()}
+    assert {"Filters", "Phoneme", "Thresholds"} <= before
+    for key in (Qt.Key.Key_3, Qt.Key.Key_2, Qt.Key.Key_3):
+        press(window, key, CONTROL)
+        assert not any(d.isVisible() for d in window.findChildren(QDockWidget))
+    press(window, Qt.Key.Key_1, CONTROL)
+    assert {d.objectName() for d in window.findChildren(QDockWidget) if d.isVisible()} == before
+
+
+def test_without_opengl_a_sentence_stands_where_the_head_would_be(desktop, qtbot, tmp_path, monkeypatch):
+    def refuse(_figure):
+        raise RenderingError("pictures need OpenGL 3.3, and there is none")
+
+    monkeypatch.setattr(pictures, "OffscreenRenderer", refuse)
+    window = shown(desktop, qtbot, wav(tmp_path, AN_A))
+    press(window, Qt.Key.Key_3, CONTROL)
+    qtbot.waitUntil(lambda: bool(window.talk.head.trouble))
+    assert window.talk.head.trouble == "The head cannot be shown: pictures need OpenGL 3.3, and there is none."
+    press(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: desktop.session.history.n > 20)
+
+
+def test_a_theme_changes_the_colours_and_nothing_else(window, desktop, qtbot):
+    press(window, Qt.Key.Key_Right)
+    press(window, Qt.Key.Key_W)
+    window.talk.visemes.sliders["o"].setValue(40)
+    camera = window.talk.head.camera
+    desktop.set_theme("dark")
+    head = desktop.window.talk.head
+    seen(head, qtbot)
+    assert desktop.window.pages.currentIndex() == 2
+    assert head.camera == camera
+    assert head.wireframe
+    assert desktop.window.talk.wireframe.isChecked()
+    assert desktop.window.talk.visemes.sliders["o"].value() == 40
+    assert picture(head)[4, 4].max() < 60
+
+
+def test_frozen_views_hold_the_head_still(window, desktop, qtbot):
+    press(window, Qt.Key.Key_F)
+    revision = desktop.talking.revision
+    press(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: desktop.session.position > 0.3)
+    assert desktop.talking.revision == revision
+
+
+# -- looking at it ------------------------------------------------------------------------------------
+
+
+def test_a_drag_goes_round_the_head_and_home_comes_back(window):
+    head = window.talk.head
+    front = head.camera
+    before = picture(head)
+    dragged(head, LEFT)
+    assert head.camera.azimuth < front.azimuth
+    assert head.camera.centre == front.centre
+    assert np.abs(picture(head).astype(int) - before).mean() > 1
+    press(window, Qt.Key.Key_Home)
+    assert head.camera == front
+
+
+@pytest.mark.parametrize("hand", [(Qt.MouseButton.RightButton, {}), (LEFT, {"modifier": SHIFT})])
+def test_the_right_button_or_shift_moves_it(window, hand):
+    head = window.talk.head
+    mouse, options = hand
+    dragged(head, mouse, **options)
+    assert head.camera.azimuth == 0
+    assert head.camera.centre[0] < 0  # the camera goes left, and so the head right
+    QTest.mouseDClick(head, LEFT)
+    assert head.camera.centre == head.camera.home
+
+
+def dragged(head: HeadView, mouse: Qt.MouseButton, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier):
+    middle = QPoint(head.width() // 2, head.height() // 2)
+    QTest.mousePress(head, mouse, modifier, middle)
+    head.mouseMoveEvent(_moved(head, middle + QPoint(60, 0), mouse, modifier))
+    QTest.mouseRelease(head, mouse, modifier, middle + QPoint(60, 0))
+
+
+def _moved(head, to, mouse, modifier):
+    from PySide6.QtCore import QEvent
+    from PySide6.QtGui import QMouseEvent
+
+    place = QPointF(to)
+    return QMouseEvent(QEvent.Type.MouseMove, place, head.mapToGlobal(place), mouse, mouse, modifier)
+
+
+def test_the_wheel_and_plus_and_minus_come_nearer_and_go_away(window):
+    head = window.talk.head
+    far = head.camera.distance
+    place = QPointF(head.width() / 2, head.height() / 2)
+    turned = QWheelEvent(
+        place, head.mapToGlobal(place), QPoint(), QPoint(0, 120), Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(head, turned)
+    near = head.camera.distance
+    assert near < far
+    press(window, Qt.Key.Key_Plus)
+    assert head.camera.distance < near
+    press(window, Qt.Key.Key_Minus)
+    press(window, Qt.Key.Key_Minus)
+    assert head.camera.distance == pytest.approx(far)
+
+
+def test_arrows_go_round_and_with_shift_move_and_the_dots_move_the_light(window):
+    head = window.talk.head
+    light = head.light.azimuth
+    press(window, Qt.Key.Key_Left)
+    press(window, Qt.Key.Key_Up)
+    assert head.camera.azimuth < 0 < head.camera.elevation
+    press(window, Qt.Key.Key_Right, SHIFT)
+    assert head.camera.centre != head.camera.home
+    press(window, Qt.Key.Key_Period)
+    assert head.light.azimuth > light
+    click(window.talk.light_left)
+    assert head.light.azimuth == pytest.approx(light)
+    click(window.talk.home)
+    assert head.camera == Camera.facing(desktop_mesh(window))
+
+
+def desktop_mesh(window: MainWindow):
+    return window._talking.face.figure.mesh
+
+
+def test_w_and_the_box_show_the_wireframe(window):
+    head = window.talk.head
+    solid = picture(head)
+    press(window, Qt.Key.Key_W)
+    assert window.talk.wireframe.isChecked()
+    assert np.abs(picture(head).astype(int) - solid).mean() > 5
+    click(window.talk.wireframe)
+    assert not head.wireframe
+
+
+# -- what it says -------------------------------------------------------------------------------------
+
+
+def test_the_mouth_opens_when_the_file_says_an_a_and_silence_closes_it(window, desktop, qtbot):
+    click(window.talk.play)
+    assert window.talk.play.text() == "Pause"
+    open_mouth(desktop, qtbot)
+    bars = window.talk.bars
+    qtbot.waitUntil(lambda: max(bars._shown) > 10)
+    closed_mouth(desktop, qtbot)
+    qtbot.waitUntil(lambda: window.talk.play.text() == "Play")
+
+
+def test_stop_closes_the_mouth(window, desktop, qtbot):
+    press(window, Qt.Key.Key_Space)
+    open_mouth(desktop, qtbot)
+    click(window.talk.stop)
+    closed_mouth(desktop, qtbot)
+    assert desktop.session.position == 0
+
+
+def test_the_page_names_the_phoneme_that_is_heard(window, desktop, qtbot):
+    press(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: window.talk.heard.phoneme.label == "a")
+
+
+def test_a_key_holds_its_mouth_shape_until_it_is_let_go(window, desktop, qtbot):
+    window.talk.head.setFocus()
+    QTest.keyPress(window.talk.head, Qt.Key.Key_A)
+    assert window.talk.visemes.buttons["a"].isDown()
+    open_mouth(desktop, qtbot, 40)
+    QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
+    assert not window.talk.visemes.buttons["a"].isDown()
+    closed_mouth(desktop, qtbot)
+
+
+def test_a_button_holds_its_mouth_shape_until_it_is_let_go(window, desktop, qtbot):
+    held = window.talk.visemes.buttons["a"]
+    QTest.mousePress(held, LEFT)
+    open_mouth(desktop, qtbot, 40)
+    QTest.mouseRelease(held, LEFT)
+    closed_mouth(desktop, qtbot)
+
+
+def test_a_slider_opens_the_mouth_and_one_button_leaves_it_to_the_speech(window, desktop, qtbot):
+    visemes = window.talk.visemes
+    slider: QSlider = visemes.sliders["a"]
+    slider.setFocus()
+    assert not visemes.leave.isEnabled()
+    for _ in range(6):
+        press(window, Qt.Key.Key_PageUp)
+    assert slider.value() == 60
+    open_mouth(desktop, qtbot, 25)
+    click(visemes.leave)
+    assert slider.value() == 0
+    closed_mouth(desktop, qtbot)
+
+
+def test_the_page_has_the_choice_of_what_becomes_of_other_shapes(window, desktop):
+    visemes = window.talk.visemes
+
+    def values_after(mode: Mode) -> tuple[int, int]:
+        visemes.mode.setCurrentIndex(visemes.mode.findData(mode.value))
+        visemes.mode.activated.emit(visemes.mode.currentIndex())
+        click(visemes.leave)
+        visemes.sliders["a"].setValue(80)
+        visemes.sliders["o"].setValue(60)
+        return visemes.sliders["a"].value(), visemes.sliders["o"].value()
+
+    assert visemes.mode.currentData() == Mode.INTERACT
+    assert values_after(Mode.INTERACT) == (40, 60)
+    assert values_after(Mode.NONE) == (80, 60)
+    assert values_after(Mode.RESET) == (0, 60)
+    assert values_after(Mode.FORCE_RESET) == (0, 60)
+    QTest.mousePress(visemes.buttons["e"], LEFT)
+    assert (visemes.sliders["e"].value(), visemes.sliders["o"].value()) == (100, 0)
+    QTest.mouseRelease(visemes.buttons["e"], LEFT)
+    assert (visemes.sliders["e"].value(), visemes.sliders["o"].value()) == (0, 60)
+
+
+def test_another_table_brings_its_own_shapes(window, desktop, qtbot):
+    table = window.talk.choices.table
+    table.setCurrentIndex(table.findData("five"))
+    table.activated.emit(table.currentIndex())
+    assert set(window.talk.visemes.buttons) == {"open", "wide", "round", "closed", "slightly open"}
+    QTest.keyPress(window.talk.head, Qt.Key.Key_A)
+    qtbot.waitUntil(lambda: jaw(desktop) > 40)
+    assert window.talk.visemes.buttons["open"].isDown()
+    QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
+
+
+def test_a_sound_that_is_loaded_beside_the_head_is_said_at_once(window, desktop, monkeypatch, tmp_path, qtbot):
+    other = wav(tmp_path, AN_A, "other.wav")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(other), ""))
+    click(window.talk.open)
+    assert desktop.session.path == other
+    assert window.talk.said.text() == "other.wav"
+    assert desktop.session.playing
+    open_mouth(desktop, qtbot)
+
+
+@pytest.mark.parametrize("chosen", ["", "none.wav"])
+def test_nothing_is_said_where_no_sound_was_loaded(window, desktop, monkeypatch, tmp_path, chosen):
+    before = desktop.session.path
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (chosen and str(tmp_path / chosen), ""))
+    click(window.talk.open)
+    assert desktop.session.path == before
+    assert not desktop.session.playing
+
+
+def test_a_button_loads_phoneme_data(window, desktop, monkeypatch):
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(THESIS_PRESET.parent / "extended.toml"), ""))
+    click(window.talk.preset)
+    assert desktop.preset.path.name == "extended.toml"
+
+
+def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, tmp_path, qtbot):
+    times, choices = window.talk.choices.times, window.talk.choices
+    assert times.milliseconds(Phoneme.M) == ("50", "150")
+    assert times.milliseconds(Phoneme.A) == ("100", "200")
+    assert "a: 100 and 200 ms" in times.toolTip()
+    before = times.grab().toImage()
+    choices.attack.setValue(150)
+    choices.release.setValue(200)
+    assert times.milliseconds(Phoneme.A) == ("150", "400")
+    assert "a: 150 and 400 ms" in times.toolTip()
+    assert times.grab().toImage() != before
+    text = (TABLES / "arkit.toml").read_text(encoding="utf-8").replace("a = { attack = 0.10", "a = { attack = 0.20")
+    (tmp_path / "mine.toml").write_text(text, encoding="utf-8")
+    desktop.talking.set_table(str(tmp_path / "mine.toml"))
+    qtbot.waitUntil(lambda: times.milliseconds(Phoneme.A) == ("300", "400"))
+    assert times.milliseconds(Phoneme.M) == ("75", "300")
+
+
+# -- whose face it is ---------------------------------------------------------------------------------
+
+
+def test_a_bad_mesh_is_refused_in_one_sentence_and_the_head_stays(window, desktop, qtbot, monkeypatch, tmp_path):
+    (tmp_path / "bad.obj").write_text("v 0 0 zero\n")
+    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: ([str(tmp_path / "bad.obj")], ""))
+    click(button(window.talk, "Own Mesh…"))
+    qtbot.waitUntil(lambda: window.banner.label.text().startswith("bad.obj: "))
+    assert desktop.talking.face.is_shipped
+    assert window.talk.choices.face.text() == "the program's own head"
+
+
+def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop, qtbot, monkeypatch, tmp_path):
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I", "U", "E", "O")))
+    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: ([str(tmp_path / "own.glb")], ""))
+    click(window.talk.choices.own)
+    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "own.glb")
+    assert window.talk.choices.table.currentData() == "vrm"
+    assert [name for name, _ in window.talk.bars.rows] == ["A", "I", "U", "E", "O"]
+    n_drawn = window.talk.head.surface.n_drawn
+    qtbot.waitUntil(lambda: window.talk.head.surface.n_drawn > n_drawn)
+    click(window.talk.choices.shipped)
+    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "the program's own head")
+    assert "jawOpen" in desktop.talking.percentages
+
+
+def test_a_mesh_that_is_dropped_is_shown(window, desktop, qtbot, tmp_path):
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I")))
+    window.talking_dialogs.open([tmp_path / "own.glb"])
+    qtbot.waitUntil(lambda: desktop.talking.face.name == "own.glb")
+
+
+def test_a_mesh_that_cannot_be_seen_is_told_and_another_one_is_shown(window, desktop, qtbot, tmp_path):
+    points = mesh_of([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    save_morph_targets(morph_targets_of(points, [movestate_of("jawOpen", [[0, 1, 0]] * 3)]), tmp_path / "points.glb")
+    head = window.talk.head
+    window.talking_dialogs.open([tmp_path / "points.glb"])
+    qtbot.waitUntil(lambda: head.trouble.startswith("The head cannot be shown: the mesh has no triangles"))
+    click(window.talk.choices.shipped)
+    qtbot.waitUntil(lambda: not head.trouble)
+    seen(head, qtbot)
+
+
+def test_a_window_with_opengl_draws_the_head_with_it(graphics):
+    if shutil.which("xvfb-run") is None:
+        pytest.skip("there is no Xvfb")
+    command = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", sys.executable, "-m", "tests.desktop.talk.gl_window"]
+    environment = {name: value for name, value in os.environ.items() if name != "QT_QPA_PLATFORM"}
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    answer = json.loads(done.stdout)
+    assert answer["software"]  # Xvfb has no graphics card, so the program would rather draw pictures
+    for seen, brightness in zip(answer["seen"], (200, 0), strict=True):
+        red, green, blue = seen["middle"]
+        assert seen["kind"] == "GlSurface"
+        assert red > green > blue  # skin
+        assert brightness <= min(seen["corner"]) <= brightness + 60
+
+
+# -- over the network ---------------------------------------------------------------------------------
+
+
+def type_address(window: MainWindow, text: str) -> None:
+    box = window.talk.osc.address
+    box.setFocus()
+    box.selectAll()
+    QTest.keyClicks(box, text)
+
+
+def test_the_switch_sends_the_mouth_to_the_address_that_was_typed(window, desktop, qtbot, receiver):
+    type_address(window, f"127.0.0.1:{receiver.address.port}")
+    click(window.talk.osc.switch)
+    qtbot.waitUntil(lambda: window.talk.osc.state.text().startswith("sending"))
+    press(window, Qt.Key.Key_Escape)
+    desktop.session.play()
+    qtbot.waitUntil(lambda: any(name == "a" for name, *_ in receiver.of("/phoneme")))
+    qtbot.waitUntil(lambda: receiver.weights().get("jawOpen", 0.0) > 0.1)
+    click(window.talk.osc.switch)
+    assert window.talk.osc.state.text() == "off"
+    assert not window.talk.osc.switch.isChecked()
+
+
+def test_test_keys_and_sliders_reach_the_receiver_too(window, qtbot, receiver):
+    type_address(window, f"127.0.0.1:{receiver.address.port}")
+    click(window.talk.osc.switch)
+    qtbot.waitUntil(lambda: receiver.weights().get("jawOpen") == 0)
+    window.talk.head.setFocus()
+    QTest.keyPress(window.talk.head, Qt.Key.Key_A)
+    qtbot.waitUntil(lambda: receiver.weights()["jawOpen"] > 0.5)
+    qtbot.waitUntil(lambda: ("a", 1.0) in receiver.of("/phoneme"))
+    QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
+    window.talk.visemes.sliders["u"].setValue(60)
+    qtbot.waitUntil(lambda: receiver.weights()["mouthPucker"] > 0.3 > receiver.weights()["jawOpen"])
+    qtbot.waitUntil(lambda: receiver.of("/viseme")[-1] == ("u", pytest.approx(0.6)))
+    click(window.talk.visemes.leave)
+    qtbot.waitUntil(lambda: receiver.weights()["mouthPucker"] < 0.01)
+
+
+def test_a_wrong_address_is_told_and_the_switch_goes_back(window, desktop):
+    type_address(window, "somewhere")
+    click(window.talk.osc.switch)
+    assert "HOST:PORT" in window.banner.label.text()
+    assert not window.talk.osc.switch.isChecked()
+
+
+# -- the next start -----------------------------------------------------------------------------------
+
+
+def test_choices_come_back_at_the_next_start(qapp, settings: QSettings, no_microphone: Microphone, qtbot, tmp_path):
+    def start() -> Desktop:
+        return Desktop(qapp, settings, lambda _n: ClockOutput(), no_microphone, PresetModel(THESIS_PRESET))
+
+    desktop = start()
+    window = shown(desktop, qtbot, None)
+    press(window, Qt.Key.Key_3, CONTROL)
+    choices = window.talk.choices
+    desktop.talking.set_table("five")
+    for box in (choices.blinks, choices.random):
+        click(box)
+    choices.attack.setValue(200)
+    choices.release.setValue(50)
+    desktop.talking.set_mode(Mode.NONE)
+    desktop.talking.osc.set_address("127.0.0.1:9000")
+    desktop.close()
+    again = start()
+    talking = again.talking
+    assert (talking.table_name, talking.blinks, talking.random, talking.head_motion) == ("five", False, False, True)
+    assert again.window.talk.visemes.mode.currentData() == Mode.NONE
+    a, written = talking.table.times[Phoneme.A], load_table("five").times[Phoneme.A]
+    assert (a.attack, a.release) == pytest.approx((2 * written.attack, written.release / 2))
+    assert again.window.talk.choices.attack.value() == 200
+    assert again.window.talk.osc.address.text() == "127.0.0.1:9000"
+    assert not talking.osc.on
+    again.close()
+
+
+# -- the microphone -----------------------------------------------------------------------------------
+
+
+def test_the_head_says_what_the_microphone_hears(open_booth, mic, graphics):
+    booth = open_booth(mic)
+    booth.listen()
+    press(booth.window, Qt.Key.Key_3, CONTROL)
+    booth.until(lambda: booth.desktop.talking.face.states is not None)
+    booth.hear(mic, vowel((700, 1200, 2500), 0.3))
+    booth.until(lambda: jaw(booth.desktop) > 15)
+    booth.until(lambda: jaw(booth.desktop) < 1, mic)
+
+
+def test_the_window_keeps_its_width_whichever_page_is_shown(window, desktop, qtbot):
+    width = window.width()
+    desktop.set_theme("dark")
+    for key in (Qt.Key.Key_1, Qt.Key.Key_3, Qt.Key.Key_2, Qt.Key.Key_1):
+        press(desktop.window, key, CONTROL)
+        QTest.qWait(30)
+    assert abs(desktop.window.width() - width) <= 2

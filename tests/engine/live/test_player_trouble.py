@@ -1,0 +1,154 @@
+"""The player when something goes wrong: it says so, and never hangs."""
+
+import threading
+import time
+from collections import deque
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.errors import AudioError
+from phonemeengine.live import playback_queue as waiting
+from phonemeengine.live.player import Player
+from phonemeengine.settings import FRAME_PERIOD
+from tests.bad_files import BAD_FILES
+from tests.fakes.outputs import HandDrivenOutput
+from tests.fakes.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, offline, wait_for
+
+
+@pytest.mark.parametrize("name", ["not_a_number", "truncated_flac"])
+def test_a_file_that_breaks_in_the_middle_raises_where_it_is_taken(name: str, tmp_path: Path) -> None:
+    rig = Rig(BAD_FILES[name](tmp_path))
+    rig.player.play()
+    with pytest.raises(AudioError, match=r" \d\.\d{3} s"):
+        rig.hear(1000)
+    assert rig.player.take_analyses() == [] or not rig.player.finished
+    rig.player.seek(0)
+    rig.settle()
+    assert frames_of(rig.hear(5))[:3] == [0, 1, 2]
+    rig.player.close()
+
+
+def test_a_seek_into_damage_raises_and_the_beginning_still_plays(tmp_path: Path) -> None:
+    rig = Rig(BAD_FILES["not_a_number"](tmp_path))
+    rig.player.seek(0.9)
+    wait_for(lambda: rig.player._error is not None, "the error")
+    with pytest.raises(AudioError, match="not_a_number"):
+        rig.player.take_analyses()
+    rig.player.seek(0)
+    rig.player.play()
+    rig.settle()
+    assert frames_of(rig.hear(5))[:3] == [0, 1, 2]
+    rig.player.close()
+
+
+def test_a_bug_in_the_analysis_is_raised_where_it_is_taken(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(_samples: object) -> None:
+        raise ZeroDivisionError("a bug")
+
+    monkeypatch.setattr(rig.player._analyser, "push", fail)
+    rig.player.play()
+    wait_for(lambda: rig.player._error is not None, "the error")
+    with pytest.raises(ZeroDivisionError):
+        rig.player.take_analyses()
+
+
+@pytest.mark.parametrize("name", ["not_a_sound", "missing", "empty", "list_that_hangs"])
+def test_a_bad_file_opens_no_device_and_leaves_no_thread(name: str, tmp_path: Path) -> None:
+    before = threading.active_count()
+    opened: list[int] = []
+
+    def open_device(n_channels: int) -> HandDrivenOutput:
+        opened.append(n_channels)
+        return HandDrivenOutput(n_channels)
+
+    with pytest.raises(AudioError):
+        Player(SoundReader(BAD_FILES[name](tmp_path)), PRESET, open_device)
+    assert threading.active_count() == before
+    assert not opened
+
+
+def test_a_lost_device_goes_on_on_the_clock_from_the_same_place(rig: Rig, path: Path) -> None:
+    rig.player.play()
+    before = frames_of(rig.hear(33))
+    position = rig.player.position
+    rig.output.lost = True
+    after = rig.player.take_analyses()
+    wait_for(lambda: not rig.player.has_card, "the clock")
+    wait_for(lambda: rig.output.closed, "the end of the device")
+    assert position - FRAME_PERIOD <= rig.player.position < position + 0.5
+    assert "no sound card" in rig.player.output_name
+    assert rig.player.playing
+
+    def done() -> bool:
+        after.extend(rig.player.take_analyses())
+        return rig.player.finished
+
+    wait_for(done, "the end")
+    first = after[0].start
+    assert abs(first - before[-1]) <= 2
+    assert frames_of(after) == list(range(first, N_FRAMES))
+    agree(after, offline(path), first)
+
+
+def test_a_device_lost_in_a_pause_stays_paused_on_the_clock(rig: Rig) -> None:
+    rig.player.play()
+    rig.hear(33)
+    rig.player.pause()
+    rig.output.lost = True
+    position = rig.player.position
+    rig.player.take_analyses()
+    wait_for(lambda: not rig.player.has_card, "the clock")
+    wait_for(lambda: not rig.player._commands, "the thread")
+    time.sleep(0.03)
+    assert position - FRAME_PERIOD <= rig.player.position <= position
+    assert rig.player.take_analyses() == []
+
+
+def test_frames_that_nobody_takes_are_dropped_and_counted(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(waiting, "MOST_WAITING", 5)
+    rig.output.ahead = 10 * len(SPEECH)
+    rig.player.play()
+    rig.settle()
+    rig.output.move(1e9)
+    taken = frames_of(rig.player.take_analyses())
+    assert rig.player.n_dropped == N_FRAMES - len(taken) > 0
+    assert taken == list(range(N_FRAMES - len(taken), N_FRAMES))
+
+
+def test_closing_ends_the_thread_and_lets_file_and_device_go(path: Path) -> None:
+    before = set(threading.enumerate())
+    for state in ("standing", "playing", "paused", "seeking", "ended"):
+        rig = Rig(path)
+        if state != "standing":
+            rig.player.play()
+        if state == "paused":
+            rig.player.pause()
+        if state == "seeking":
+            rig.player.seek(1.0)
+        if state == "ended":
+            rig.hear_all()
+        rig.player.close()
+        assert rig.output.closed, state
+        assert rig.player.reader._raw.closed, state
+    assert set(threading.enumerate()) == before
+
+
+class SlowDeque(deque[Any]):
+    """Lets the other thread have its turn between looking and taking."""
+
+    def __getitem__(self, k: Any) -> Any:
+        time.sleep(0.001)
+        return super().__getitem__(k)
+
+
+def test_a_seek_between_looking_and_taking_trips_nobody(rig: Rig) -> None:
+    rig.player._waiting._blocks = SlowDeque()
+    rig.player.play()
+    for _ in range(30):
+        rig.settle()
+        rig.output.move(1e9)
+        rig.player.seek(0)
+        rig.player.take_analyses()

@@ -1,0 +1,12 @@
+"""The figures that a change may not make worse; `python -m tools.bench` prints them.
+
+They are timings, so they are no tests. Each is a ratio to a reference that is measured in the same run, or to a limit
+that is scaled by how fast the machine is.
+"""
+
+import os
+
+PINS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+"""What keeps the arithmetic on one core; read when NumPy is first imported, so they stand here."""
+
+os.environ.update(dict.fromkeys(PINS, "1"))

@@ -1,0 +1,89 @@
+"""The head: one frame with its morphing, drawn in software, in processor time of all threads."""
+
+import statistics
+import time
+from collections.abc import Callable
+
+import moderngl
+import numpy as np
+
+from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.contexts import offscreen_context
+from phonemeanalyser.rendering.offscreen import OffscreenRenderer
+from phonemeanalyser.rendering.renderer import HeadRenderer
+from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
+from tools.bench.figures import Absolute, Figure
+
+GREY = (0.5, 0.5, 0.5)
+SPOKEN = (Phoneme.A, Phoneme.M, Phoneme.I, Phoneme.SCH, Phoneme.U)
+N_ROUNDS, N_FRAMES = 7, 10
+FRAME = 1 / 60
+"""What one frame of 60 fps may take where a core has nothing else to do, seconds."""
+
+
+def figures() -> list[Figure]:
+    """Measure a frame as a window of 320 and of 640 pixels draws it, and one of a preview."""
+    context = offscreen_context()
+    with context:
+        renderer = context.info["GL_RENDERER"].split(" (")[0]
+        found = [_window(context, size, renderer) for size in (320, 640)]
+    context.release()
+    return [*found, _preview(renderer)]
+
+
+def _window(context: moderngl.Context, size: int, renderer: str) -> Figure:
+    head = load_head()
+    drawing, talking = HeadRenderer(context, head), _Talking(MovestateSet(head.mesh, head.states))
+    target, camera = context.framebuffer(context.renderbuffer((size, size), 4)), Camera.facing(head.mesh)
+
+    def draw() -> None:
+        drawing.draw(camera, talking.positions(), size=(size, size), background=GREY, fine=False, target=target)
+        context.finish()
+
+    seconds = _processor_time(draw)
+    drawing.release()
+    target.release()
+    return _figure(f"head {size}x{size} by {renderer}", seconds)
+
+
+def _preview(renderer: str) -> Figure:
+    head = subdivided(load_head())
+    talking, camera = _Talking(MovestateSet(head.mesh, head.states)), Camera.facing(head.mesh)
+    with OffscreenRenderer(head, (640, 640)) as photographer:
+        seconds = _processor_time(lambda: photographer.picture(camera, talking.positions(), background=GREY))
+    return Figure(f"preview 640x640 by {renderer}", f"{seconds * 1e3:.1f} ms", "16.7 ms", seconds / FRAME)
+
+
+class _Talking:
+    """Moves a face through some phonemes, one each frame."""
+
+    def __init__(self, face: MovestateSet) -> None:
+        table = load_table("arkit")
+        self._face, self._frame = face, 0
+        rows = 100.0 * table.weights()
+        self._shapes = [dict(zip(table.movestates, rows[phoneme], strict=True)) for phoneme in SPOKEN]
+
+    def positions(self) -> np.ndarray:
+        self._face.set_percentages(self._shapes[self._frame % len(self._shapes)])
+        self._frame += 1
+        return self._face.morphed()
+
+
+def _processor_time(act: Callable[[], object]) -> float:
+    """Give the median of the processor time that it takes once, seconds."""
+    act()
+    found = []
+    for _ in range(N_ROUNDS):
+        began = time.process_time()
+        for _ in range(N_FRAMES):
+            act()
+        found.append((time.process_time() - began) / N_FRAMES)
+    return statistics.median(found)
+
+
+def _figure(name: str, seconds: float) -> Figure:
+    return Figure(name, f"{seconds * 1e3:.1f} ms", "16.7 ms", seconds / FRAME, 1.0, absolute=Absolute.WORK)

@@ -1,0 +1,120 @@
+"""The window with the head at 60 frames a second while it talks, drawn by the processor: all threads together.
+
+The page of the head, and the dock beside the analysis.
+"""
+
+import json
+import statistics
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from PySide6.QtWidgets import QDockWidget
+
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.window import ANALYSE, TALK
+from phonemeengine.settings import FRAME_PERIOD
+from tools.bench.desktop import live_for, shown_desktop, written_speech
+from tools.bench.figures import Absolute, Figure, answer_of
+
+WARM_UP, MEASURED = 3.0, 8.0
+"""Seconds."""
+LIMIT = 1.0
+"""Of one core."""
+LONGEST_TICK = 0.0003
+UNDECIDED = 3
+"""Frames between what the clock says and what has been shown."""
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What some seconds took: share of a core, heads drawn a second, frames never shown, and the model's tick."""
+
+    share: float
+    pictures: float
+    missed: int
+    tick: float
+
+
+def figures() -> list[Figure]:
+    """Measure page and dock, in a process of its own."""
+    costs = {name: Cost(**cost) for name, cost in answer_of("talking").items()}
+    found = [
+        Figure(
+            f"window with the head, {name}",
+            f"{cost.share:.0%} of a core, head {cost.pictures:.0f} fps",
+            "one busy core",
+            cost.share,
+            limit=LIMIT,
+            absolute=Absolute.WORK,
+        )
+        for name, cost in costs.items()
+    ]
+    missed, tick = sum(cost.missed for cost in costs.values()), max(cost.tick for cost in costs.values())
+    return [
+        *found,
+        Figure(
+            "the head's model, one tick",
+            f"{1000 * tick:.2f} ms",
+            "0.3 ms",
+            tick / LONGEST_TICK,
+            1.0,
+            absolute=Absolute.TIME,
+        ),
+        Figure("analyses missed with the head", f"{missed} frames", "none", float(missed), limit=0.0),
+    ]
+
+
+def main() -> None:
+    """Measure, and print the costs as JSON."""
+    with tempfile.TemporaryDirectory() as folder:
+        desktop = shown_desktop(Path(folder))
+        window = desktop.window
+        window.dialogs.open_sound(written_speech(Path(folder), 2 * (WARM_UP + MEASURED) + 10))
+        window.show_page(TALK)
+        page = _measured(desktop, window.talk.head)
+        window.show_page(ANALYSE)
+        next(d for d in window.findChildren(QDockWidget) if d.objectName() == "Head").show()
+        dock = _measured(desktop, window.head)
+        desktop.close()
+    print(json.dumps({"full page": asdict(page), "dock": asdict(dock)}))
+
+
+def _measured(desktop: Desktop, head: HeadView) -> Cost:
+    session, ticks = desktop.session, _Ticks(desktop.talking.tick)
+    desktop.talking.tick = ticks  # type: ignore[method-assign]
+    session.play()
+    live_for(WARM_UP)
+    assert head.surface is not None, head.trouble
+    n_frames, position, n_drawn = session.history.n, session.position, head.surface.n_drawn
+    ticks.seconds.clear()
+    wall, processor = time.perf_counter(), time.process_time()
+    live_for(MEASURED)
+    processor, wall = time.process_time() - processor, time.perf_counter() - wall
+    session.poll()
+    heard = round((session.position - position) / FRAME_PERIOD)
+    late = heard - (session.history.n - n_frames)
+    session.pause()
+    pictures = (head.surface.n_drawn - n_drawn) / wall
+    missed = session.n_dropped + max(0, late - UNDECIDED)
+    return Cost(processor / wall, pictures, missed, statistics.median(ticks.seconds))
+
+
+class _Ticks:
+    """Times what it does."""
+
+    def __init__(self, act: Callable[[], None]) -> None:
+        self.seconds: list[float] = []
+        self._act = act
+
+    def __call__(self) -> None:
+        began = time.perf_counter()
+        self._act()
+        self.seconds.append(time.perf_counter() - began)
+
+
+if __name__ == "__main__":
+    main()

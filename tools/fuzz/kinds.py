@@ -1,0 +1,120 @@
+"""What is damaged: good files of each kind, and what reads them."""
+
+import io
+import json
+import struct
+import zipfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from random import Random
+
+from phonemeengine.mouth.files.gltf import parse_gltf
+from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
+from phonemeengine.mouth.files.obj import parse_obj
+from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
+from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
+from phonemeengine.mouth.files.x_file import parse_x
+from phonemeengine.mouth.morph_mesh import morph_targets_of
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import TABLES, load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.recognition.model import load_model, save_model
+from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, figure_of_cube
+from tests.models import tone_model
+from tools.fuzz.mutation import mutated
+
+Read = Callable[[bytes], object]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Good files, what reads one, what brings a damaged one past the first check, and how long its head is."""
+
+    good: tuple[bytes, ...]
+    read: Read
+    dress: Callable[[bytes], bytes] = bytes
+    head: int = 0
+
+    def damaged(self, chance: Random) -> bytes:
+        """Give a damaged file."""
+        return self.dress(mutated(chance.choice(self.good), self.good, chance, self.head))
+
+
+def kinds(folder: Path) -> dict[str, Kind]:
+    """Give all kinds; those that are read from a path are written into a folder."""
+    figure = figure_of_cube()
+    face = morph_targets_of(figure.mesh, figure.states)
+    glb, points = format_glb(figure), format_points(face)
+    text, blob = _parts_of(glb)
+    model = folder / "good.npz"
+    save_model(tone_model({1000.0: Phoneme.A}, n_heads=1), model)
+    presets = tuple((FACTORY / f"{name}.toml").read_bytes() for name in ("thesis", "extended"))
+    tables = tuple((TABLES / f"{name}.toml").read_bytes() for name in ("five", "eleven"))
+    old = (b"0,0,5,7,0\n" + b"1,2,3,4\n" * 4,)
+    return {
+        "3dm": Kind((format_3dm(face), format_3dm(morph_targets_of(figure.mesh, []))), _morph_3dm, head=10),
+        "3dma": Kind((format_3dma(face), format_3dma(morph_targets_of(figure.mesh, []))), parse_3dma, head=7),
+        "x": Kind((CUBE_X, FRAMES_X), parse_x, head=17),
+        "obj": Kind((CUBE_OBJ, LIBRARY), lambda content: parse_obj(content, lambda _name: content)),
+        "glb": Kind((glb, points), parse_gltf),
+        "gltf": Kind((GLTF_TEXT,), lambda content: parse_gltf(content, lambda _name: content)),
+        "gltf in glb": Kind((text, GLTF_TEXT), parse_gltf, lambda content: _glb_of(content, blob)),
+        "toml": Kind(presets, _through(folder / "preset.toml", load_preset)),
+        "mouth table": Kind(tables, _through(folder / "table.toml", load_table)),
+        "phonemedata": Kind(old, _through(folder / "old.phonemedata", load_preset)),
+        "npz": Kind((model.read_bytes(),), _through(folder / "model.npz", load_model)),
+        "arrays in npz": Kind(_members(model), _through(folder / "model.npz", load_model), _Zipped(model), head=128),
+    }
+
+
+def _morph_3dm(content: bytes) -> object:
+    """Read movestates, and use them as the head would."""
+    face, mesh = parse_3dm(content), figure_of_cube().mesh
+    fitting = [state for state in face.states if not len(state) or state.numbers[-1] < len(mesh)]
+    states = MovestateSet(mesh, fitting)
+    for state in fitting:
+        states.set_percentage(state.name, 100)
+    return states.morphed()
+
+
+def _through(path: Path, read: Callable[[Path], object]) -> Read:
+    def write_and_read(content: bytes) -> object:
+        path.write_bytes(content)
+        return read(path)
+
+    return write_and_read
+
+
+class _Zipped:
+    """Puts a damaged array into an otherwise good archive, each time in place of another one."""
+
+    def __init__(self, model: Path) -> None:
+        with zipfile.ZipFile(model) as archive:
+            self._members = {name: archive.read(name) for name in archive.namelist()}
+
+    def __call__(self, content: bytes) -> bytes:
+        names = list(self._members)
+        chosen = names[len(content) % len(names)]
+        out = io.BytesIO()
+        with zipfile.ZipFile(out, "w") as archive:
+            for name, member in self._members.items():
+                archive.writestr(name, content if name == chosen else member)
+        return out.getvalue()
+
+
+def _members(model: Path) -> tuple[bytes, ...]:
+    with zipfile.ZipFile(model) as archive:
+        return tuple(archive.read(name) for name in archive.namelist())
+
+
+def _parts_of(glb: bytes) -> tuple[bytes, bytes]:
+    (size,) = struct.unpack_from("<I", glb, 12)
+    return json.dumps(json.loads(glb[20 : 20 + size])).encode(), glb[28 + size :]
+
+
+def _glb_of(text: bytes, blob: bytes) -> bytes:
+    text += b" " * (-len(text) % 4)
+    head = b"glTF" + struct.pack("<II", 2, 28 + len(text) + len(blob)) + struct.pack("<I4s", len(text), b"JSON")
+    return head + text + struct.pack("<I4s", len(blob), b"BIN\0") + blob

@@ -1,0 +1,245 @@
+"""Makes the head that ships with the program: `python -m tools.head ORIGINAL`, where ORIGINAL is its source.
+
+The original (CC0) has a ragged neck, eyes without irises, and no colours. Its arrays: P positions, F triangles,
+part of each vertex, names of the blend shapes, M their offsets.
+"""
+
+import argparse
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.mouth.mesh import normals_of
+from tools.head.colours import brow_region, eye_colours, painted
+
+Floats = NDArray[np.float32]
+Numbers = NDArray[np.int64]
+
+OUT = Path(__file__).resolve().parents[2] / "engine" / "phonemeengine" / "mouth" / "head.npz"
+PARTS = ("skin", "left eye", "lower teeth", "right eye", "tongue", "upper teeth")
+PIVOT = np.array([0.0, 7.75, 0.25], np.float32)
+"""Where the head turns on the neck, in the original's coordinates; becomes the origin."""
+NECK, SLOPE, FLARE = 6.74, -0.16, 0.30
+"""The cut through the neck: its height, how it falls towards the front, how it rises towards the shoulders."""
+REST = {
+    "jawOpen": -0.05, "mouthShrugLower": 0.12, "mouthSmileLeft": 0.04, "mouthSmileRight": 0.04,
+    "eyeWideLeft": 0.45, "eyeWideRight": 0.45, "browInnerUp": -0.45, "mouthFrownLeft": -0.22,
+    "mouthFrownRight": -0.22, "browOuterUpLeft": 0.15, "browOuterUpRight": 0.15,
+}  # fmt: skip
+"""What closes the lips, which stand a little apart in the original, and wakes the eyes."""
+TEETH = {"upper teeth": (0.0, -0.035, 0.02), "lower teeth": (0.0, -0.06, -0.015)}
+"""How the teeth are moved, so that they are seen where a person's are."""
+HOLLOW = 0.4
+"""How far the neck's end goes up inside, so that it is seen from below alone."""
+ROUNDNESS = 0.75
+"""How far new vertices go towards the planes of their neighbours."""
+SKULL = 8.35
+"""Above this height is the skull, which is made rounder."""
+BULGE, STEEPEST, N_ROUNDED = 0.003, 0.9, 2
+"""Edges are cut, so many times, where the arc over them rises so far; where it turns more (radians), it is a fold."""
+INSIDE_OF_NECK = (60, 44, 40)
+N_AROUND = 32
+RINGS = np.radians([0, 6, 11, 11, 16, 21, 26.5, 26.5, 33, 45, 60, 80, 100])
+"""Angles from the gaze; where two are alike the colour changes at an edge: pupil and iris."""
+
+
+@dataclass
+class Clay:
+    """A mesh in the making: positions, triangles, the part of each vertex, and the offsets of each blend shape."""
+
+    points: Floats
+    triangles: Numbers
+    part: NDArray[np.uint8]
+    offsets: Floats
+
+    def kept(self, keep: NDArray[np.bool_]) -> "Clay":
+        """Give the triangles that are to be kept, and only the vertices that they use."""
+        triangles = self.triangles[keep]
+        used, renumbered = np.unique(triangles, return_inverse=True)
+        shape = renumbered.reshape(triangles.shape)
+        return Clay(self.points[used], shape, self.part[used], self.offsets[:, used])
+
+    def with_vertices(self, begin: Numbers, end: Numbers, share: Floats) -> "Clay":
+        """Add vertices that lie a share of the way from one vertex to another."""
+        t = share[:, np.newaxis]
+        points = (1 - t) * self.points[begin] + t * self.points[end]
+        offsets = (1 - t) * self.offsets[:, begin] + t * self.offsets[:, end]
+        return Clay(
+            np.concatenate((self.points, points)), self.triangles, np.concatenate((self.part, self.part[begin])),
+            np.concatenate((self.offsets, offsets), axis=1),
+        )  # fmt: skip
+
+    def joined(self, other: "Clay") -> "Clay":
+        """Give both as one."""
+        return Clay(
+            np.concatenate((self.points, other.points)),
+            np.concatenate((self.triangles, other.triangles + len(self.points))),
+            np.concatenate((self.part, other.part)),
+            np.concatenate((self.offsets, other.offsets), axis=1),
+        )
+
+
+def trimmed(clay: Clay, height: Floats) -> Clay:
+    """Cut off what lies below height 0; triangles that cross it are cut through."""
+    edges: dict[tuple[int, int], int] = {}
+    triangles: list[tuple[int, int, int]] = []
+    for triangle in clay.triangles[np.any(height[clay.triangles] >= 0, axis=1)].tolist():
+        corners: list[int] = []
+        for a, b in zip(triangle, triangle[1:] + triangle[:1], strict=True):
+            if height[a] >= 0:
+                corners.append(a)
+            if (height[a] >= 0) != (height[b] >= 0):
+                edge = (min(a, b), max(a, b))
+                corners.append(edges.setdefault(edge, len(clay.points) + len(edges)))
+        triangles += [(corners[0], corners[k], corners[k + 1]) for k in range(1, len(corners) - 1)]
+    begin, end = np.array(list(edges)).T
+    share = (height[begin] / (height[begin] - height[end])).astype(np.float32)
+    longer = clay.with_vertices(begin, end, share)
+    longer.triangles = np.array(triangles)
+    return longer.kept(np.ones(len(triangles), bool))
+
+
+def capped(clay: Clay, rim: NDArray[np.bool_]) -> Clay:
+    """Close the hole whose edge runs along the rim, with vertices of its own, so that its edge stays sharp."""
+    directed = np.concatenate([clay.triangles[:, (k, (k + 1) % 3)] for k in range(3)])
+    known = set(map(tuple, directed.tolist()))
+    loop = np.array([(a, b) for a, b in directed.tolist() if (b, a) not in known and rim[a] and rim[b]])
+    n = len(clay.points)
+    edge = np.unique(loop)
+    place = {int(vertex): n + k for k, vertex in enumerate(edge)}
+    closed = clay.with_vertices(edge, edge, np.zeros(len(edge), np.float32))
+    centre = closed.points[n:].mean(axis=0)
+    closed = closed.with_vertices(edge[:1], edge[:1], np.zeros(1, np.float32))
+    closed.points[-1], closed.offsets[:, -1] = centre + np.float32((0, HOLLOW, 0)), 0
+    fan = [(place[b], place[a], n + len(edge)) for a, b in loop.tolist()]
+    closed.triangles = np.concatenate((closed.triangles, fan))
+    return closed
+
+
+def refined(clay: Clay, where: NDArray[np.bool_]) -> Clay:
+    """Cut the edges between vertices of a region in half, so that what is painted there has a finer edge."""
+    sides = _sides_of(clay)
+    return _cut(clay, sides[where[sides].all(axis=1)])
+
+
+def rounded(clay: Clay) -> Clay:
+    """Cut those edges of the skull in half that are seen as corners in its outline."""
+    sides = _sides_of(clay)
+    begin, end = sides.T
+    normals = normals_of(clay.points, clay.triangles.astype(np.uint32))
+    turned = np.arccos(np.clip((normals[begin] * normals[end]).sum(axis=1), -1, 1))
+    apart = np.linalg.norm(clay.points[begin] - clay.points[end], axis=1)
+    skull = (clay.points[begin, 1] > SKULL) & (clay.points[end, 1] > SKULL)
+    return _cut(clay, sides[skull & (turned * apart / 8 > BULGE) & (turned < STEEPEST)])
+
+
+def _sides_of(clay: Clay) -> Numbers:
+    return np.unique(np.sort(np.concatenate([clay.triangles[:, (k, (k + 1) % 3)] for k in range(3)]), axis=1), axis=0)
+
+
+def _cut(clay: Clay, cut: Numbers) -> Clay:
+    """Cut edges in half; new vertices go towards the planes of both ends.
+
+    Boubekeur and Alexa 2008, "Phong tessellation".
+    """
+    middle = {(int(a), int(b)): len(clay.points) + k for k, (a, b) in enumerate(cut)}
+    longer = clay.with_vertices(cut[:, 0], cut[:, 1], np.full(len(cut), 0.5, np.float32))
+    normals = normals_of(clay.points, clay.triangles.astype(np.uint32))
+    added = longer.points[len(clay.points) :]
+    off = [((added - clay.points[end]) * normals[end]).sum(axis=1, keepdims=True) * normals[end] for end in cut.T]
+    added -= np.float32(ROUNDNESS) * (off[0] + off[1]) / 2
+    triangles: list[tuple[int, int, int]] = []
+    for a, b, c in clay.triangles.tolist():
+        ab, bc, ca = (middle.get((min(side), max(side))) for side in ((a, b), (b, c), (c, a)))
+        triangles += _halves((a, b, c), (ab, bc, ca))
+    longer.triangles = np.array(triangles)
+    return longer
+
+
+def _halves(corners: tuple[int, int, int], middles: tuple[int | None, ...]) -> list[tuple[int, int, int]]:
+    """Give the parts of a triangle, of whose sides some have a vertex in the middle."""
+    if None not in middles:
+        (a, b, c), (ab, bc, ca) = corners, middles
+        return [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]  # type: ignore[list-item]
+    loop = [v for pair in zip(corners, middles, strict=True) for v in pair if v is not None]
+    ears = [k for k in range(len(loop)) if loop[k] in corners and loop[k - 1] not in corners]
+    first = ears[0] if ears and len(loop) > 3 else 0
+    turned = loop[first - 1 :] + loop[: first - 1] if len(loop) > 3 else loop
+    return [(turned[0], turned[k], turned[k + 1]) for k in range(1, len(turned) - 1)]
+
+
+def eyeball(clay: Clay, part: int) -> Clay:
+    """Make an eye that looks ahead, with rings where pupil and iris end; it turns as the original's eye does."""
+    old = clay.part == part
+    centre = (clay.points[old].min(axis=0) + clay.points[old].max(axis=0)) / 2
+    radius = np.linalg.norm(clay.points[old] - centre, axis=1).mean()
+    around = 2 * np.pi * np.arange(N_AROUND) / N_AROUND
+    polar, turn = (grid.ravel() for grid in np.meshgrid(RINGS, around, indexing="ij"))
+    ball = np.stack((np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), np.cos(polar)), axis=1)
+    points = (centre + radius * ball).astype(np.float32)
+    known = np.column_stack((clay.points[old], np.ones(old.sum())))
+    moved = np.column_stack((points, np.ones(len(points))))
+    offsets = np.stack([moved @ np.linalg.lstsq(known, state[old], rcond=None)[0] for state in clay.offsets])
+    offsets[np.abs(clay.offsets[:, old]).max(axis=(1, 2)) < 1e-4] = 0
+    triangles = []
+    for ring in np.flatnonzero(np.diff(RINGS) > 0):
+        for k in range(N_AROUND):
+            a, b = ring * N_AROUND + k, ring * N_AROUND + (k + 1) % N_AROUND
+            triangles += [(a, a + N_AROUND, b + N_AROUND), (a, b + N_AROUND, b)]
+    triangles = [t for t in triangles if len({tuple(points[v].tolist()) for v in t}) == 3]
+    return Clay(points, np.array(triangles), np.full(len(points), part, np.uint8), offsets.astype(np.float32))
+
+
+def rested(clay: Clay, names: list[str]) -> Clay:
+    """Close the lips and wake the eyes; a closed eye stays where it was."""
+    points, offsets = clay.points, clay.offsets.copy()
+    for name, share in REST.items():
+        moved = np.float32(share) * clay.offsets[names.index(name)]
+        points = points + moved
+        if name.startswith("eyeWide"):
+            offsets[names.index(name.replace("Wide", "Blink"))] -= moved
+    return Clay(points, clay.triangles, clay.part, offsets)
+
+
+def bust(clay: Clay) -> tuple[Clay, NDArray[np.uint8]]:
+    """Give the trimmed and closed head without eyes, and its colours."""
+    x, y, z = clay.points.T
+    clay = trimmed(clay, y - np.float32(NECK) - np.float32(SLOPE) * z - np.float32(FLARE) * x**2)
+    clay = refined(clay, brow_region(clay.points))
+    for _ in range(N_ROUNDED):
+        clay = rounded(clay)
+    colours = painted(clay.points, clay.triangles, clay.part)
+    closed = capped(clay, clay.points[:, 1] < NECK + 0.5)
+    cap = np.tile(np.array(INSIDE_OF_NECK, np.uint8), (len(closed.points) - len(clay.points), 1))
+    return closed, np.concatenate((colours, cap))
+
+
+def main() -> None:
+    """Write the head."""
+    parser = argparse.ArgumentParser(prog="python -m tools.head", description=__doc__)
+    parser.add_argument("original", type=Path)
+    parser.add_argument("-o", "--out", type=Path, default=OUT)
+    options = parser.parse_args()
+    with np.load(options.original, allow_pickle=False) as file:
+        names = file["names"]
+        clay = Clay(file["P"], file["F"].astype(np.int64), file["part"], file["M"].astype(np.float32))
+    clay = rested(clay, names.tolist())
+    for part, moved in TEETH.items():
+        clay.points[clay.part == PARTS.index(part)] += np.float32(moved)
+    eyes = [PARTS.index(f"{side} eye") for side in ("left", "right")]
+    head, colours = bust(clay.kept(~np.isin(clay.part[clay.triangles[:, 0]], eyes)))
+    rings = np.repeat(np.arange(len(RINGS)), N_AROUND)
+    for eye in eyes:
+        head = head.joined(eyeball(clay, eye))
+        colours = np.concatenate((colours, eye_colours(rings)))
+    np.savez_compressed(
+        options.out, allow_pickle=False, positions=head.points - PIVOT, triangles=head.triangles.astype(np.uint16),
+        colours=colours, part=head.part, names=names, offsets=head.offsets.astype(np.float16),
+    )  # fmt: skip
+    print(f"{options.out}: {len(head.points)} vertices, {options.out.stat().st_size / 1000:.0f} kB")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+"""Makes the pictures in `screenshots/` from the running program: `make screenshots`."""
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import soundfile
+
+from tests.fakes.virtual_sound import VirtualSound
+
+OFFSCREEN = {"QT_QPA_PLATFORM": "offscreen"}
+ROOT = Path(__file__).resolve().parents[2]
+DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
+PICTURES = {
+    "window-light.png": ("1280x800", "light", "6.0"),
+    "window-dark.png": ("1280x800", "dark", "6.0"),
+    "window-large-light.png": ("1920x1080", "light", "9.4"),
+    "window-large-dark.png": ("1920x1080", "dark", "9.4"),
+}
+LIVE = {
+    "microphone-light.png": ("1280", "800", "light"),
+    "microphone-dark.png": ("1280", "800", "dark"),
+}
+"""The window while it records the demo from a virtual microphone."""
+CALIBRATE = {
+    "calibrate-light.png": ("1280", "800", "light"),
+    "calibrate-large-dark.png": ("1920", "1080", "dark"),
+}
+"""The page of the calibration."""
+TALK = {
+    "talk-light.png": ("1280", "800", "light", "0.99"),
+    "talk-dark.png": ("1920", "1080", "dark", "0.75"),
+}
+"""The page of the head, while it says the demo."""
+HEAD = {"head-visemes.png": "light"}
+"""The head that says a, e, i, o, u and m."""
+
+
+def main() -> None:
+    """Make them all."""
+    for name, (size, theme, at) in PICTURES.items():
+        command = [sys.executable, "-m", "phonemeanalyser", "screenshot", str(DEMO), "-o"]
+        subprocess.run([*command, str(_place(name)), "--size", size, "--theme", theme, "--at", at], check=True)
+    for name, (width, height, theme) in CALIBRATE.items():
+        command = [sys.executable, "-m", "tools.screenshots.calibrate", str(_place(name)), theme, width, height]
+        subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
+    for name, (width, height, theme, at) in TALK.items():
+        command = [sys.executable, "-m", "tools.screenshots.talk", str(_place(name)), theme, width, height, at]
+        subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
+    for name, theme in HEAD.items():
+        subprocess.run(
+            [sys.executable, "-m", "tools.screenshots.head", str(_place(name)), theme], check=True, cwd=ROOT
+        )
+    with tempfile.TemporaryDirectory() as folder, VirtualSound() as sound:
+        wav = Path(folder) / "demo.wav"
+        soundfile.write(wav, *soundfile.read(DEMO))
+        for name, (width, height, theme) in LIVE.items():
+            voice = sound.play_into_microphone(wav)
+            command = [sys.executable, "-m", "tools.screenshots.live", str(_place(name)), theme, width, height, "6.0"]
+            subprocess.run(command, check=True, cwd=ROOT, env=sound.environment | OFFSCREEN)
+            voice.terminate()
+            voice.wait()
+
+
+def _place(name: str) -> Path:
+    print(ROOT / "screenshots" / name)
+    return ROOT / "screenshots" / name
+
+
+if __name__ == "__main__":
+    main()

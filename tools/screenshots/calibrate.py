@@ -1,0 +1,83 @@
+"""Takes a picture of the page of the calibration: run by screenshots.py."""
+
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QSettings
+
+from phonemeanalyser.desktop.app import Desktop, make_application
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY
+from phonemeengine.settings import SAMPLE_RATE
+from tests.sounds import noise, silence, vowel
+from tools.bench.desktop import live_for
+
+CARDS = Path(__file__).parents[2] / "tests" / "data" / "cards.flac"
+FORMANTS = {
+    Phoneme.A: (700, 1200, 2500), Phoneme.E: (450, 1900, 2500), Phoneme.I: (280, 2250, 2900),
+    Phoneme.O: (450, 800, 2500), Phoneme.U: (310, 800, 2300),
+}  # fmt: skip
+
+
+def main(out: Path, theme: str, width: int, height: int) -> None:
+    """Take made-up sounds, load real labelled speech, and save what the page shows of both."""
+    with tempfile.TemporaryDirectory() as folder:
+        settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
+        settings.setValue("theme", theme)
+        microphone = Microphone(journal=Path(folder) / "journal", folder=Path(folder) / "Recordings")
+        desktop = Desktop(
+            make_application(), settings, microphone=microphone, preset=PresetModel(FACTORY / "extended.toml")
+        )
+        desktop.window.resize(width, height)
+        desktop.window.show()
+        desktop.session.open(CARDS)
+        calibration = desktop.calibration
+        calibration.takes.speaker = "Mara"
+        calibration.takes.open(Path(folder) / "My Takes")
+        _record_takes(calibration)
+        calibration.recordings.load([CARDS])
+        desktop.window.show_page(1)
+        _settle(calibration)
+        page = desktop.window.calibration
+        calibration.bench.choose("m_a1")
+        page.takes.speaker.setText(calibration.takes.speaker)
+        page.takes.list.setCurrentCell(1, 0)
+        _settle(calibration)
+        desktop.window.banner.show_error("")
+        live_for(0.2)
+        desktop.window.grab().save(str(out), "PNG")
+        desktop.close()
+
+
+def _record_takes(calibration: CalibrationModel) -> None:
+    generator = np.random.default_rng(1)
+    pause = silence(0.2)
+    puffs = np.concatenate([np.concatenate((noise(0.04, 0.2), silence(0.16))) for _ in range(6)])
+    spoken = {
+        Phoneme.SILENCE: silence(2.0),
+        **{phoneme: vowel(formants, 1.2, f0=190) for phoneme, formants in FORMANTS.items()},
+        Phoneme.SZ: noise(0.9, 0.1),
+        Phoneme.SCH: noise(0.9, 0.9),
+        Phoneme.M: vowel((250, 1000, 2200), 0.9, amplitude=0.1),
+        Phoneme.P: puffs,
+    }
+    for phoneme, sound in spoken.items():
+        take = np.concatenate((pause, sound, pause))
+        take += 0.0005 * generator.standard_normal(len(take), np.float32)
+        calibration.takes.add(take[:, np.newaxis], SAMPLE_RATE, phoneme, "Desk Microphone")
+
+
+def _settle(calibration: CalibrationModel) -> None:
+    live_for(0.3)
+    while calibration.takes.busy or calibration.recordings.busy or calibration.bench.busy:
+        live_for(0.1)
+    live_for(0.3)
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4]))

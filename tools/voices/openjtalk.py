@@ -1,0 +1,68 @@
+"""Speech of Mei, the Japanese voice that pyopenjtalk brings, with phone times read off a marker voice."""
+
+import random
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from tools.voices import marker
+from tools.voices.japanese_phones import JAPANESE, LABIAL
+from tools.voices.labels import Segment
+from tools.voices.texts import utterances
+from tools.voices.voice import Voice
+from tools.voices.writing import Speaker, Utterance
+
+SPEEDS = (0.75, 1.3)
+HALF_TONES = (-7.0, 2.0)  # her own pitch is above 300 Hz
+SHIFT = -0.009  # s, measured: sounds move before the frame that a phone begins with
+GEOMETRY = marker.Geometry(sample_rate=48000, frame=240, period=40, warping=0.55)
+
+
+def voices(cache: Path) -> list[Voice]:
+    """The voice Mei."""
+    speaker = Speaker(
+        "openjtalk",
+        "mei",
+        "ja-JP",
+        "female",
+        "synthetic-hts",
+        "CC-BY-3.0 (NIT, MMDAgent)",
+        "pyopenjtalk-plus",
+        "japanese",
+    )
+    return [Voice(speaker, JAPANESE, lambda: _utterances(cache), SHIFT)]
+
+
+def _utterances(cache: Path) -> Iterator[Utterance]:
+    import pyopenjtalk
+
+    phones = [phone for phone in JAPANESE if phone != "N_m"]
+    voice = Path(pyopenjtalk.DEFAULT_HTS_VOICE.decode())
+    twin = cache / "marker.htsvoice"
+    twin.write_bytes(marker.marker_file(voice.read_bytes(), phones, GEOMETRY))
+    speaker, marking = pyopenjtalk.HTSEngine(str(voice).encode()), pyopenjtalk.HTSEngine(str(twin).encode())
+    chance = random.Random("mei")
+    for text in utterances("ja", "mei", cache):
+        labels = pyopenjtalk.extract_fullcontext(text)
+        speed = chance.uniform(*SPEEDS)
+        sound = _spoken(speaker, labels, speed, chance.uniform(*HALF_TONES))
+        marks = _spoken(marking, labels, speed, 0.0)
+        if len(sound) == len(marks):
+            segments = marker.segments_marked(marks, phones, "sil", GEOMETRY)
+            yield Utterance(sound / 32768.0, GEOMETRY.sample_rate, with_labial_nasals(segments), text)
+
+
+def _spoken(engine, labels: list[str], speed: float, half_tones: float) -> np.ndarray:
+    engine.set_speed(speed)
+    engine.add_half_tone(half_tones)
+    return engine.synthesize(labels)
+
+
+def with_labial_nasals(segments: list[Segment]) -> list[Segment]:
+    """The segments, with N written as N_m before lips close."""
+    following = [segment.phone for segment in segments[1:]] + [""]
+    return [
+        segment._replace(phone="N_m") if segment.phone == "N" and phone in LABIAL else segment
+        for segment, phone in zip(segments, following, strict=True)
+    ]
