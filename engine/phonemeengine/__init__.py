@@ -23,7 +23,7 @@ A face follows what was heard, and may be looked at whenever a picture is drawn:
 
 Movestates (morph targets) move the vertices of a mesh::
 
-    figure = load_figure(path)              # or load_head()
+    figure = load_morph_mesh(path)             # or load_head()
     face = MovestateSet(figure.mesh, figure.states)
     face.set_percentage("smile", 60, Mode.INTERACT)
     positions = face.morphed()              # of all vertices

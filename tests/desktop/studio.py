@@ -49,7 +49,7 @@ class Studio:
         self.told: list[str] = []
         self.failed: list[str] = []
         self.recorded: list[tuple[str, float]] = []
-        self.model.info.connect(self.info.append)
+        self.model.info.connect(self.told.append)
         self.model.error.connect(self.error.append)
         self.gaps: list[str] = []
         self.model.recorded.connect(lambda path, seconds, _gaps: self.recorded.append((path, seconds)))

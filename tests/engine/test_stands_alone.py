@@ -26,11 +26,11 @@ for name in names:
         importlib.import_module(name)
 
 import numpy as np
-from phonemeengine.analyser import analyses_of
+from phonemeengine.analyser import analyse_blocks
 from phonemeengine.presets.preset import Preset
 
 sound = np.sin(2 * np.pi * 1000 * np.arange(44_100) / 44_100).astype(np.float32)
-analyses = list(analyses_of([sound], Preset(), pitch=True))
+analyses = list(analyse_blocks([sound], Preset(), pitch=True))
 assert sum(len(a) for a in analyses) == 100
 assert int(analyses[0].spectra[20].argmax()) == round(1000 * 2048 / 44_100)
 assert not REFUSED & {name.partition(".")[0] for name in sys.modules}

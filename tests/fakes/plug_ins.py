@@ -13,7 +13,7 @@ EXAMPLE = Path(__file__).parents[1] / "plugin_package"
 HEAD = """
 import numpy as np
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.trace import Comparison, Trace
+from phonemeengine.recognition.trace import RuleComparison, Trace
 
 
 class Plain:

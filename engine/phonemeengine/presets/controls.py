@@ -64,12 +64,12 @@ class Moment:
     Attributes
     ----------
     values : the measured variables by name, with the probabilities where the recogniser weighs some.
-    shortfall : by how much the phoneme that is shown falls short of being named; None where nobody knows.
+    deficit : by how much the phoneme that is shown falls short of being named; None where nobody knows.
     lasted : how long the phoneme has been shown, seconds.
     """
 
     values: Mapping[str, float]
-    shortfall: float | None = None
+    deficit: float | None = None
     lasted: float = 0.0
 
 
@@ -134,7 +134,7 @@ def controls_of(preset: Preset, recogniser: Recogniser | None) -> tuple[ControlG
     preset : whose numbers they read and write.
     recogniser : made from the preset; None where it cannot be made, which has the thresholds of the thesis.
     """
-    groups = [*_groups_of(preset, recogniser), _calm(has_hysteresis=_knows_shortfalls(recogniser))]
+    groups = [*_groups_of(preset, recogniser), _calm(has_hysteresis=_knows_deficits(recogniser))]
     return tuple(group for group in groups if group.controls)
 
 
@@ -173,7 +173,7 @@ def _groups_of(preset: Preset, recogniser: Recogniser | None) -> Iterator[Contro
         yield from _limits_in(preset)
 
 
-def _knows_shortfalls(recogniser: Recogniser | None) -> bool:
+def _knows_deficits(recogniser: Recogniser | None) -> bool:
     return isinstance(recogniser, RuleRecogniser) or (recogniser is not None and bool(recogniser.scores))
 
 
@@ -323,7 +323,7 @@ def _calm(*, has_hysteresis: bool) -> ControlGroup:
         "A phoneme stays so long at least. The bar is how long it has been there.",
     )  # fmt: skip
     hysteresis = _setting_control(
-        "hysteresis", "hysteresis", 1.0, "", lambda _preset, moment: moment.shortfall,
+        "hysteresis", "hysteresis", 1.0, "", lambda _preset, moment: moment.deficit,
         "Another phoneme follows only where it is the better one by so much. The bar is by how much it is now.",
     )  # fmt: skip
     return ControlGroup("Calm", "lower follows faster", (hysteresis, hold) if has_hysteresis else (hold,))

@@ -45,7 +45,7 @@ class Recogniser(Protocol):
     """Gives every frame of a sound a phoneme, and can say why.
 
     Blocks come in the order of the sound, cut anywhere, so a recogniser may remember; after a seek a new one is made,
-    which hears a second of the sound unseen. `explain` and `shortfalls` look only at the block that they are given.
+    which hears a second of the sound unseen. `explain` and `deficits` look only at the block that they are given.
     """
 
     look_ahead: int

@@ -96,8 +96,8 @@ def deficits_of_scores(features: Features) -> Float32Array | None:
     scores = scores_in(features)
     if scores is None:
         return None
-    shortfalls: Float32Array = scores.max(axis=1, keepdims=True) - scores
-    return shortfalls
+    deficits: Float32Array = scores.max(axis=1, keepdims=True) - scores
+    return deficits
 
 
 def trace_of_scores(features: Features, k: int) -> Trace:

@@ -60,14 +60,14 @@ class PhonemeSmoother:
         """Say whether hysteresis has anything to decide about the next phonemes: mostly none changes."""
         return self.hysteresis > 0 and bool((phonemes != self._steady).any())
 
-    def smooth(self, phonemes: UInt8Array, shortfalls: Float32Array | None = None) -> UInt8Array:
+    def smooth(self, phonemes: UInt8Array, deficits: Float32Array | None = None) -> UInt8Array:
         """Take the next phonemes, shape (n_frames,), and give the calmed ones.
 
-        `shortfalls` says by how much each phoneme falls short of being named, shape (n_frames, n_phonemes); without
+        `deficits` says by how much each phoneme falls short of being named, shape (n_frames, n_phonemes); without
         them there is no hysteresis, which is all the same where the phonemes do not waver.
         """
-        if shortfalls is not None:
-            phonemes = self._apply_hysteresis(phonemes.tolist(), (shortfalls <= self.hysteresis).tolist())
+        if deficits is not None:
+            phonemes = self._apply_hysteresis(phonemes.tolist(), (deficits <= self.hysteresis).tolist())
         return self._apply_minimum_hold(phonemes)
 
     def _apply_hysteresis(self, phonemes: list[int], may_stay: list[list[bool]]) -> UInt8Array:

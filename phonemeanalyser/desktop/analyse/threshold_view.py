@@ -175,15 +175,15 @@ class ThresholdView(QScrollArea):
             return None
         last = newest.features.part(slice(len(newest) - 1, len(newest)))
         shown = int(newest.phonemes[-1])
-        return Moment(last.frame(0), self._shortfall(last, shown), self._history.phoneme_lasted())
+        return Moment(last.frame(0), self._deficit(last, shown), self._history.phoneme_lasted())
 
-    def _shortfall(self, features: Features, phoneme: int) -> float | None:
+    def _deficit(self, features: Features, phoneme: int) -> float | None:
         """Return by how much the phoneme that is shown falls short; None where the recogniser does not say."""
         try:
-            shortfalls = self._preset.recogniser.deficits(features)
+            deficits = self._preset.recogniser.deficits(features)
         except (EngineError, ValueError):  # the frame was measured for another recogniser
             return None
-        return None if shortfalls is None else float(shortfalls[0, phoneme])
+        return None if deficits is None else float(deficits[0, phoneme])
 
     # -- rows ---------------------------------------------------------------------------------------------
 

@@ -54,9 +54,9 @@ def test_hysteresis_at_once_is_hysteresis_frame_by_frame(sequence, successors, h
     edges, flicker, stays = sequence
     calmer = BatchSmoother(edges)
     found = calmer.minimum_hold(calmer.fill_unidentified(calmer.hysteresis(flicker, stays), successors), hold / 100)
-    shortfalls = np.where(stays, 0.1, 0.3).T.astype(np.float32)
+    deficits = np.where(stays, 0.1, 0.3).T.astype(np.float32)
     expected = [
-        PhonemeSmoother(hold / 100, successors, 0.2).smooth(flicker[first:end], shortfalls[first:end])
+        PhonemeSmoother(hold / 100, successors, 0.2).smooth(flicker[first:end], deficits[first:end])
         for first, end in pairwise(edges)
     ]
     assert found.tolist() == np.concatenate(expected).tolist()

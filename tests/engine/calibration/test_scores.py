@@ -25,9 +25,9 @@ def test_each_phoneme_has_a_score_in_the_order_of_the_phonemes() -> None:
 
 
 def test_a_phoneme_falls_short_by_what_the_likeliest_one_has_more() -> None:
-    shortfalls = deficits_of_scores(scored(p_a=0.5, p_e=0.375, p_o=0.125))
-    assert shortfalls is not None
-    assert shortfalls[0, [Phoneme.A, Phoneme.E, Phoneme.O, Phoneme.M]].tolist() == [0, 0.125, 0.375, 0.5]
+    deficits = deficits_of_scores(scored(p_a=0.5, p_e=0.375, p_o=0.125))
+    assert deficits is not None
+    assert deficits[0, [Phoneme.A, Phoneme.E, Phoneme.O, Phoneme.M]].tolist() == [0, 0.125, 0.375, 0.5]
 
 
 def test_the_decision_compares_the_likeliest_with_the_next_one() -> None:

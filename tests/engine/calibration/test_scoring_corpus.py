@@ -136,7 +136,7 @@ class Hesitant:
         self._held = waiting[n:]
         return Recognition(np.array(waiting[:n], np.uint8))
 
-    def shortfalls(self, features: Features) -> None:
+    def deficits(self, features: Features) -> None:
         return None
 
 

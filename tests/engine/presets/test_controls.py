@@ -130,7 +130,7 @@ def test_the_live_value_of_a_deficit_does_not_depend_on_its_own_sensitivity():
 
 def test_calm_lives_on_how_long_and_by_how_much():
     preset = load_preset("learned")
-    moment = Moment({}, shortfall=0.25, lasted=0.07)
+    moment = Moment({}, deficit=0.25, lasted=0.07)
     assert controls(preset)["hysteresis"].live(preset, moment) == 0.25
     assert controls(preset)["minimum_hold"].live(preset, moment) == 0.07
     off = replace(preset, settings=replace(preset.settings, statistics=False))

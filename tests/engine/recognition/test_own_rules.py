@@ -59,19 +59,19 @@ FRAMES: list[Features] = [frame(0, 0, 0)]
 
 def test_the_share_that_is_missing_is_known():
     # o holds by 3 against 2; for the first a, x lacks 1 of 4; for the second, o must fail, by half of its limit
-    shortfalls = RuleRecogniser(RULES, Thresholds()).deficits(frame(3.0, 0.0, 0.0))[0]
-    assert shortfalls[Phoneme.O] == 0
-    assert shortfalls[Phoneme.A] == 0.25
-    assert shortfalls[Phoneme.UNIDENTIFIED] == 1.0  # the last rule holds by 8 of 8
-    assert np.isinf(shortfalls[Phoneme.E])
+    deficits = RuleRecogniser(RULES, Thresholds()).deficits(frame(3.0, 0.0, 0.0))[0]
+    assert deficits[Phoneme.O] == 0
+    assert deficits[Phoneme.A] == 0.25
+    assert deficits[Phoneme.UNIDENTIFIED] == 1.0  # the last rule holds by 8 of 8
+    assert np.isinf(deficits[Phoneme.E])
 
 
 @given(rules=rule_lists, row=st.tuples(eighths, eighths, eighths))
 def test_the_phoneme_that_is_named_falls_short_by_nothing(rules: list[Rule], row: tuple[float, ...]):
     features = frame(*row)
-    shortfalls = RuleRecogniser(rules, Thresholds()).deficits(features)[0]
-    assert shortfalls[named(rules, features)] == 0
-    assert (shortfalls >= 0).all()
+    deficits = RuleRecogniser(rules, Thresholds()).deficits(features)[0]
+    assert deficits[named(rules, features)] == 0
+    assert (deficits >= 0).all()
 
 
 @given(rules=rule_lists, row=st.tuples(eighths, eighths, eighths))
@@ -79,9 +79,9 @@ def test_a_phoneme_is_named_where_the_limits_give_way_by_more_than_it_falls_shor
     rules: list[Rule], row: tuple[float, ...]
 ):
     FRAMES[0] = frame(*row)
-    shortfalls = RuleRecogniser(rules, Thresholds()).deficits(FRAMES[0])[0]
+    deficits = RuleRecogniser(rules, Thresholds()).deficits(FRAMES[0])[0]
     for phoneme in {rule.phoneme for rule in rules} - {named(rules, FRAMES[0])}:
-        share, little = float(shortfalls[phoneme]), 1e-3 * (1 + float(shortfalls[phoneme]))
+        share, little = float(deficits[phoneme]), 1e-3 * (1 + float(deficits[phoneme]))
         assert phoneme in given_way(rules, phoneme, share + little)
         if share > little:
             assert phoneme not in given_way(rules, phoneme, share - little)

@@ -59,7 +59,7 @@ class RuleCache:
         return codes
 
     def may_stay(self, recogniser: RuleRecogniser, hysteresis: float) -> BoolArray:
-        """Say where `recogniser.shortfalls` are at most `hysteresis`; shape (n_phonemes, n_frames).
+        """Say where `recogniser.deficits` are at most `hysteresis`; shape (n_phonemes, n_frames).
 
         A phoneme may stay where the comparisons of one of its rules fail by no more than that, and no rule before
         that one holds by more.
