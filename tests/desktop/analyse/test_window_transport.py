@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QImage
 
 from phonemeengine.settings import Channel
@@ -176,16 +176,22 @@ def test_without_a_sound_nothing_can_be_played(desktop, qtbot):
     assert window.transport.time.text() == "0:00.0 / 0:00.0"
 
 
+def pictures(window) -> tuple[QImage, QImage]:
+    QCoreApplication.processEvents()
+    return window.analysis.time_view.grab().toImage(), window.analysis.spectrum.grab().toImage()
+
+
 def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(desktop, window, qtbot):
     desktop.session.set_loop(True)  # however long the window takes, the sound goes on
     click(window.transport.play)
     qtbot.waitUntil(lambda: desktop.session.history.n > 20)
     press(window, Qt.Key.Key_F)
-    still = window.analysis.time_view.grab().toImage(), window.analysis.spectrum.grab().toImage()
+    qtbot.waitUntil(lambda: pictures(window) == pictures(window))  # what was begun before the key has been drawn
+    still = pictures(window)
     assert "views frozen" in window.status.right.text()
     n = desktop.session.history.n
     qtbot.waitUntil(lambda: desktop.session.history.n > n + 30)
-    assert (window.analysis.time_view.grab().toImage(), window.analysis.spectrum.grab().toImage()) == still
+    assert pictures(window) == still
     press(window, Qt.Key.Key_F)
     qtbot.waitUntil(lambda: window.analysis.time_view.grab().toImage() != still[0])
     assert "frozen" not in window.status.right.text()
