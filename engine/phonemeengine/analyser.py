@@ -68,7 +68,7 @@ class Analysis:
         return (self.start + np.arange(len(self), dtype=float) + 0.5) * FRAME_PERIOD
 
     def part(self, frames: slice) -> "Analysis":
-        """Give some of the frames of the block, as a block."""
+        """Return some of the frames of the block, as a block."""
         first, last, _ = frames.indices(len(self))
         return replace(
             self,
@@ -104,7 +104,7 @@ class LookAheadBuffer:
         return taken[0] if len(taken) == 1 else concatenate(taken) if taken else block.part(slice(0))
 
     def clear(self) -> FrameBlock | None:
-        """Give up all frames."""
+        """Return up all frames."""
         taken, self._blocks = [*self._blocks], deque()
         return concatenate(taken) if taken else None
 

@@ -39,7 +39,7 @@ class AveragedSpectrum:
     since: str = ""
 
     def at(self, frequencies: Float64Array) -> Float64Array:
-        """Give the amplitudes at other frequencies (Hz), linear between bins, NaN beyond the curve's end."""
+        """Return the amplitudes at other frequencies (Hz), linear between bins, NaN beyond the curve's end."""
         return np.interp(frequencies, self.frequencies, self.amplitudes, right=np.nan)
 
 
@@ -64,7 +64,7 @@ class SpectrumAverage:
         self._sum = np.zeros(0)
 
     def curve(self, name: str, front_end: str, since: str = "") -> AveragedSpectrum:
-        """Give the mean so far; bins lie at multiples of 21.53 Hz."""
+        """Return the mean so far; bins lie at multiples of 21.53 Hz."""
         n_bins = len(self._sum)
         return AveragedSpectrum(
             name,

@@ -20,13 +20,13 @@ JSON_TEXT = rb'"(?:[^"\\]|\\.)*"'
 
 
 def begins_like(pattern: bytes) -> Owns:
-    """Give what takes files for ours that begin as a regular expression says."""
+    """Return what takes files for ours that begin as a regular expression says."""
     form = re.compile(pattern)
     return lambda content: form.match(content) is not None
 
 
 def is_own(path: Path, owns: Owns) -> bool:
-    """Say whether there is a file at `path` that a format wrote; one that cannot be read is not."""
+    """Return whether there is a file at `path` that a format wrote; one that cannot be read is not."""
     try:
         with path.open("rb") as file:
             return owns(file.read(LARGEST))

@@ -11,7 +11,7 @@ FOLDER = "PhonemeAnalyser"
 
 
 def recordings_folder() -> Path:
-    """Give the folder in which recordings are made unless the user chooses one; it need not exist."""
+    """Return the folder in which recordings are made unless the user chooses one; it need not exist."""
     from platformdirs import user_music_path  # noqa: PLC0415 - as below
 
     return user_music_path() / FOLDER
@@ -25,14 +25,14 @@ def presets_folder() -> Path:
 
 
 def journal_folder() -> Path:
-    """Give the folder in which running recordings are noted; it need not exist."""
+    """Return the folder in which running recordings are noted; it need not exist."""
     from platformdirs import user_data_path  # noqa: PLC0415 - takes 15 ms, which only who records should wait for
 
     return user_data_path(FOLDER, appauthor=False) / "unfinished"
 
 
 def new_recording_path(folder: Path, suffix: str) -> Path:
-    """Give a free name for a recording that begins now, and make the folder if need be.
+    """Return a free name for a recording that begins now, and make the folder if need be.
 
     Raises
     ------

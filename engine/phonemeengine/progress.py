@@ -27,5 +27,5 @@ def report_progress(progress: Progress, share: float) -> None:
 
 
 def subrange(progress: Progress, first: float, last: float) -> Progress:
-    """Give what a part of the work heeds, which is the whole from `first` to `last`."""
+    """Return what a part of the work heeds, which is the whole from `first` to `last`."""
     return lambda share: progress(first + share * (last - first))

@@ -205,7 +205,7 @@ class AnalysisSettings:
             raise SettingsError(f"{lower} must not exceed {upper}, got {low:g} above {high:g}")
 
     def has(self, step: Filter) -> bool:
-        """Say whether a filter is on."""
+        """Return whether a filter is on."""
         return step in self.filters
 
     @property

@@ -61,7 +61,7 @@ def _quietened(preset: Preset, room: Float32Array, options: argparse.Namespace) 
 
 
 def _told(outcome: Outcome) -> str:
-    """Say what was gained, and on what that was measured."""
+    """Return what was gained, and on what that was measured."""
     one, other = outcome.before, outcome.after
     on = f"on {'quarters held back in turn' if outcome.in_turn else 'what was held back'}, {outcome.seconds:.0f} s"
     if not outcome.gains:

@@ -71,7 +71,7 @@ def analyse(words: list[str]) -> int:
 
 
 def kind_for(inputs: list[Path], out: Path | None) -> str:
-    """Give the format that the name of a single table asks for; ``csv`` where it asks for none."""
+    """Return the format that the name of a single table asks for; ``csv`` where it asks for none."""
     if out is None or not is_single(inputs, out):
         return "csv"
     return {form.ending.lower(): kind for kind, form in TABLES.items()}.get(out.suffix.lower(), "csv")

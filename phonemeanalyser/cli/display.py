@@ -24,7 +24,7 @@ HINT = "to see it as a picture, use: phonemeanalyser screenshot FILE -o PNG"
 
 
 def why_no_window(environment: Mapping[str, str]) -> str:
-    """Say in a sentence why no window can be opened and what to do; an empty text if one can."""
+    """Return in a sentence why no window can be opened and what to do; an empty text if one can."""
     platform = environment.get("QT_QPA_PLATFORM") or "wayland;xcb"
     wayland, x11 = "wayland" in platform, "xcb" in platform
     if not sys.platform.startswith("linux") or not (wayland or x11):
@@ -42,7 +42,7 @@ def why_no_window(environment: Mapping[str, str]) -> str:
 
 
 def why_no_qt(error: ImportError) -> str:
-    """Say in a sentence what an import of Qt lacks and what to do."""
+    """Return in a sentence what an import of Qt lacks and what to do."""
     text = str(error)
     if ".so" in text:
         library = text.split(":", maxsplit=1)[0]

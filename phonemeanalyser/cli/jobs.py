@@ -51,7 +51,7 @@ def jobs_of(inputs: list[Path], out: Path | None, ending: str) -> list[Job]:
 
 
 def is_single(inputs: list[Path], out: Path) -> bool:
-    """Say whether what is asked for is one file of one sound, not a folder of them."""
+    """Return whether what is asked for is one file of one sound, not a folder of them."""
     return len(inputs) == 1 and out.suffix != "" and not _is_folder(inputs[0]) and not _is_folder(out)
 
 
@@ -90,14 +90,14 @@ def open_sound(job: Job, channel: Channel) -> Iterator[SoundReader]:
 
 
 def say_cut_off(utterances: Iterable[Utterance]) -> None:
-    """Say of which recordings a part is missing."""
+    """Return of which recordings a part is missing."""
     for utterance in utterances:
         if utterance.cut_off:
             say_note(printable_name(utterance.path), utterance.cut_off)
 
 
 def say_note(name: str, note: str) -> None:
-    """Say what is odd about a file that is worked on all the same."""
+    """Return what is odd about a file that is worked on all the same."""
     tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
 
 

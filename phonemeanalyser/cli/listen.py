@@ -177,7 +177,7 @@ def _check(tape: Recorder) -> None:
 
 
 def _names_from(path: Path) -> Callable[[], Path]:
-    """Give the path itself, and numbered ones after it."""
+    """Return the path itself, and numbered ones after it."""
     names: Iterator[Path] = iter([path])
     return lambda: next(names, None) or free_path(path)
 

@@ -177,7 +177,7 @@ def _app() -> ModuleType:
 
 
 def _of(module: str, name: str) -> Callable[[list[str]], int]:
-    """Give a command whose module is imported when it runs, since nobody should wait for the others."""
+    """Return a command whose module is imported when it runs, since nobody should wait for the others."""
     return lambda words: int(getattr(importlib.import_module(f"phonemeanalyser.cli.{module}"), name)(words))
 
 

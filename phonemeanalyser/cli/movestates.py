@@ -38,7 +38,7 @@ def _export(options: argparse.Namespace) -> Iterator[str]:
 
 
 def _states_of(path: Path, base: MorphMesh) -> list[Movestate]:
-    """Give what a target's file holds: its mesh as a movestate of the file's name, and its own morph targets."""
+    """Return what a target's file holds: its mesh as a movestate of the file's name, and its own morph targets."""
     target = _figure_of(path)
     if len(target.mesh) != len(base.mesh):
         raise MeshError(

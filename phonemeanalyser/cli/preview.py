@@ -65,7 +65,7 @@ def _check_target(out: Path, size: tuple[int, int]) -> None:
 
 
 def _figure_of(mesh: Path | None, movestates: Path | None) -> MorphMesh:
-    """Give the head that ships with the program, or a mesh with its movestates."""
+    """Return the head that ships with the program, or a mesh with its movestates."""
     if mesh is None:
         if movestates is not None:
             raise RenderingError(f"{movestates.name}: movestates move a mesh of their own; name it with --mesh")

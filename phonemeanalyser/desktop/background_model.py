@@ -43,6 +43,6 @@ class BackgroundModel(QObject):
             room.close()
 
     def _room(self, refuse: Callable[[str], object] | None = None) -> TaskQueue:
-        """Give another room; what the engine refuses in it is told to the user, unless something else is said."""
+        """Return another room; what the engine refuses in it is told to the user, unless something else is said."""
         self._rooms.append(TaskQueue(refuse or self.error.emit))
         return self._rooms[-1]

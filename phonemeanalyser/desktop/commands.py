@@ -15,7 +15,7 @@ PAGES = ("Analyse", "Calibrate", "Talk")
 
 
 def file_commands(dialogs: Dialogs) -> Commands:
-    """Give what opens and saves files."""
+    """Return what opens and saves files."""
     return (
         Command("Open Sound…", "Ctrl+O", dialogs.ask_sound),
         Command("Save the Phonemes…", "Ctrl+E", dialogs.ask_save_phonemes),
@@ -29,7 +29,7 @@ def file_commands(dialogs: Dialogs) -> Commands:
 
 
 def play_commands(session: Session) -> Commands:
-    """Give what moves the sound in hand."""
+    """Return what moves the sound in hand."""
     return (
         Command("Play or Pause", "Space", session.toggle),
         Command("Stop", "Escape", session.stop),
@@ -43,7 +43,7 @@ def play_commands(session: Session) -> Commands:
 
 
 def record_commands(session: Session, dialogs: Dialogs) -> Commands:
-    """Give what belongs to the microphone."""
+    """Return what belongs to the microphone."""
     return (
         Command("Record", "R", session.toggle_recording),
         Command("Recordings Folder…", "", dialogs.ask_recordings_folder),
@@ -52,7 +52,7 @@ def record_commands(session: Session, dialogs: Dialogs) -> Commands:
 
 
 def analysis_commands(session: Session, preset: PresetModel, dialogs: Dialogs) -> Commands:
-    """Give what belongs to filters and findings."""
+    """Return what belongs to filters and findings."""
     return (
         Command("Bypass All Filters", "B", preset.set_bypassed, checkable=True),
         Command("Clear", "C", session.clear),
@@ -61,7 +61,7 @@ def analysis_commands(session: Session, preset: PresetModel, dialogs: Dialogs) -
 
 
 def view_commands(show_page: Callable[[int], None], analysis: AnalysisPage) -> Commands:
-    """Give what chooses what is seen, and how."""
+    """Return what chooses what is seen, and how."""
     return (
         *(Command(name, f"Ctrl+{k + 1}", partial(show_page, k)) for k, name in enumerate(PAGES)),
         Command("Coarse Display", "Shift+C", analysis.set_coarse, checkable=True),

@@ -94,7 +94,7 @@ class Dialogs(QObject):
         return self.open_sound(Path(name))
 
     def recent_sounds(self) -> list[str]:
-        """Give the paths of the sounds that were opened last, newest first."""
+        """Return the paths of the sounds that were opened last, newest first."""
         return self._kept("recent")
 
     def _kept(self, key: str) -> list[str]:
@@ -105,7 +105,7 @@ class Dialogs(QObject):
         return [str(path) for path in kept] if isinstance(kept, list) else []
 
     def last_sound(self) -> Path | None:
-        """Give the sound that was opened last, if it is still there."""
+        """Return the sound that was opened last, if it is still there."""
         recent = self.recent_sounds()
         return Path(recent[0]) if recent and Path(recent[0]).is_file() else None
 
@@ -224,7 +224,7 @@ class Dialogs(QObject):
         return saved
 
     def _ask_what_becomes_of(self, lost: tuple[str, ...], path: Path) -> QMessageBox.ButtonRole:
-        """Say what a PhonemeData file cannot hold; Yes is a TOML file, Accept the numbers only, Reject neither."""
+        """Return what a PhonemeData file cannot hold; Yes is a TOML file, Accept the numbers only, Reject neither."""
         box = QMessageBox(QMessageBox.Icon.Question, "A PhonemeData file holds 21 numbers", "", parent=self._window)
         box.setText(f"{path.name} cannot hold {_listed(lost)} of this preset. Save all of it as a TOML file?")
         roles = QMessageBox.ButtonRole

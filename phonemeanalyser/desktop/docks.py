@@ -42,11 +42,11 @@ class Docks:
         on.raise_()
 
     def resize(self, widths: Mapping[QDockWidget, int]) -> None:
-        """Give some docks other widths, pixels."""
+        """Return some docks other widths, pixels."""
         self._window.resizeDocks(list(widths), list(widths.values()), Qt.Orientation.Horizontal)
 
     def switches(self, keys: Mapping[str, str]) -> list[QAction]:
-        """Give what shows and hides each dock, with the keys by the docks' titles."""
+        """Return what shows and hides each dock, with the keys by the docks' titles."""
         actions = {title: dock.toggleViewAction() for title, dock in self._docks.items()}
         for title, action in actions.items():
             action.setShortcut(keys.get(title, ""))

@@ -37,7 +37,7 @@ class Heads:
         self._docked.copy_view_from(other._docked)
 
     def release_gl(self) -> None:
-        """Give everything back to the graphics driver."""
+        """Return everything back to the graphics driver."""
         if self._page.made is not None:
             self._page.made.head.release_gl()
         if self._calibrating.made is not None:

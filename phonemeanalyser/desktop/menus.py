@@ -99,7 +99,7 @@ class Menus:
             self.actions[text].setChecked(on)
 
     def keys(self) -> dict[str, list[tuple[str, str]]]:
-        """Give text and key of every entry, by menu."""
+        """Return text and key of every entry, by menu."""
         return {
             title.replace("&", ""): [
                 (a.text().replace("&", ""), a.shortcut().toString()) for a in menu.actions() if a.isVisible()

@@ -34,7 +34,7 @@ def draw_text(
 
 
 def size_that_fills(painter: QPainter, text: str, width: float, smallest: int, largest: int) -> int:
-    """Give the size in which a text is as wide as that, pixels, within limits."""
+    """Return the size in which a text is as wide as that, pixels, within limits."""
     set_size(painter, 100)
     wide = max(1, painter.fontMetrics().horizontalAdvance(text))
     return max(smallest, min(largest, math.floor(100 * width / wide)))

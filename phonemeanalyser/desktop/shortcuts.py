@@ -44,7 +44,7 @@ class ShortcutsDialog(QDialog):
 
 
 def _block(title: str, keys: list[tuple[str, str]]) -> list[str]:
-    """Give the rows of a menu; none where it has no key."""
+    """Return the rows of a menu; none where it has no key."""
     rows = [f"<tr><td>{text}&nbsp;&nbsp;&nbsp;</td><td>{key}</td></tr>" for text, key in keys]
     return [f"<tr><td colspan=2><br><b>{title}</b></td></tr>", *rows] if rows else []
 

@@ -46,7 +46,7 @@ class WindowState:
         self._settings.setValue("layout_width", self._window.width())
 
     def docks_width(self) -> float:
-        """Give the width of the window for which docks were laid out, pixels; without end, where they never were."""
+        """Return the width of the window for which docks were laid out, pixels; infinite where they never were."""
         kept = self._kept_number("layout_width", 0)
         return kept if kept > 0 else math.inf
 
@@ -55,7 +55,7 @@ class WindowState:
         self._settings.setValue("page", number)
 
     def page(self) -> int:
-        """Give the number of the page that was seen last."""
+        """Return the number of the page that was seen last."""
         return round(self._kept_number("page", 0))
 
     def save(self, session: Session, view: ScrollView) -> None:

@@ -11,7 +11,7 @@ __all__ = ["CURVE_COLOURS", "DARK", "LIGHT", "PHONEME_COLOURS", "Theme", "apply_
 
 
 def system_theme() -> Theme:
-    """Give the look that the desktop asks for."""
+    """Return the look that the desktop asks for."""
     return DARK if QGuiApplication.styleHints().colorScheme() is Qt.ColorScheme.Dark else LIGHT
 
 

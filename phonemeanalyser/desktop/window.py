@@ -234,7 +234,7 @@ class MainWindow(QMainWindow):
         self.drawing.stale = True
 
     def _focused_on(self, number: int) -> QWidget:
-        """Give what has the focus when a page is shown; makes the page if it is not there yet."""
+        """Return what has the focus when a page is shown; makes the page if it is not there yet."""
         if number == CALIBRATE:
             return self.calibration.takes.list
         return self.talk.head if number == TALK else self.analysis

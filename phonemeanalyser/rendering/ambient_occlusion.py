@@ -47,7 +47,7 @@ def ambient_occlusion(context: moderngl.Context, array: moderngl.VertexArray, me
 
 
 def _directions() -> Float64Array:
-    """Give directions that are spread evenly (a Fibonacci lattice), shape (N_DIRECTIONS, 3)."""
+    """Return directions that are spread evenly (a Fibonacci lattice), shape (N_DIRECTIONS, 3)."""
     place = np.arange(N_DIRECTIONS) + 0.5
     height = 1 - 2 * place / N_DIRECTIONS
     turn = place * math.pi * (3 - math.sqrt(5))

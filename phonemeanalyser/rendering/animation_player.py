@@ -32,7 +32,7 @@ class AnimationPlayer:
         return len(self._animation.weights)
 
     def scenes(self) -> Iterator[tuple[Float32Array, HeadPose]]:
-        """Give the vertices and the pose of each frame; the vertices hold until the next one."""
+        """Return the vertices and the pose of each frame; the vertices hold until the next one."""
         names = [self._animation.movestates[k] for k in self._columns]
         percentages = self._animation.weights[:, self._columns] * 100.0
         for row, turn in zip(percentages, self._animation.head.tolist(), strict=True):

@@ -47,7 +47,7 @@ class Camera:
 
     @classmethod
     def facing(cls, mesh: Mesh) -> "Camera":
-        """Give the camera that sees the whole of a mesh from the front."""
+        """Return the camera that sees the whole of a mesh from the front."""
         low, high = mesh.positions.min(axis=0).astype(float), mesh.positions.max(axis=0).astype(float)
         centre = (low + high) / 2
         apart = mesh.positions - centre
@@ -60,12 +60,12 @@ class Camera:
         return cls(0.0, 0.0, max(whole, radius), (x, y, z), (x, y, z), radius, max(whole, radius))
 
     def orbit(self, dx: float, dy: float) -> "Camera":
-        """Give the camera after going round what it looks at: to the right and upwards, radians."""
+        """Return the camera after going round what it looks at: to the right and upwards, radians."""
         azimuth = math.remainder(self.azimuth + dx, 2 * math.pi)
         return replace(self, azimuth=azimuth, elevation=min(max(self.elevation + dy, -HIGHEST), HIGHEST))
 
     def pan(self, dx: float, dy: float) -> "Camera":
-        """Give the camera moved sideways, to the right and upwards, in heights of the picture."""
+        """Return the camera moved sideways, to the right and upwards, in heights of the picture."""
         height = 2 * self.distance * math.tan(FIELD_OF_VIEW / 2)
         right, up, _ = self.axes
         moved = np.array(self.centre) + height * (dx * right + dy * up) - np.array(self.home)
@@ -75,7 +75,7 @@ class Camera:
         return replace(self, centre=(x, y, z))
 
     def zoom(self, steps: float) -> "Camera":
-        """Give the camera so many steps nearer; negative ones go away."""
+        """Return the camera so many steps nearer; negative ones go away."""
         distance = self.distance * PER_STEP**steps
         return replace(self, distance=min(max(distance, NEAREST * self.whole), FARTHEST * self.whole))
 
@@ -85,7 +85,7 @@ class Camera:
         return np.array(self.centre) + self.distance * self.axes[2]
 
     def matrix(self, aspect: float) -> Float32Array:
-        """Give what takes points to a picture that is `aspect` times as wide as high.
+        """Return what takes points to a picture that is `aspect` times as wide as high.
 
         Returns
         -------
@@ -106,7 +106,7 @@ class Camera:
 
     @property
     def axes(self) -> tuple[Float64Array, Float64Array, Float64Array]:
-        """Give the directions to the right, upwards, and towards the viewer."""
+        """Return the directions to the right, upwards, and towards the viewer."""
         s, c, u, v = (f(a) for a in (self.azimuth, self.elevation) for f in (math.sin, math.cos))
         back = np.array([s * v, u, c * v])
         right = np.array([c, 0.0, -s])

@@ -20,7 +20,7 @@ class Canvas:
         self._made: moderngl.Framebuffer | None = None
 
     def of(self, size: tuple[int, int]) -> moderngl.Framebuffer:
-        """Give it with a width and a height, pixels.
+        """Return it with a width and a height, pixels.
 
         Raises
         ------
@@ -40,7 +40,7 @@ class Canvas:
         return self._made
 
     def release(self) -> None:
-        """Give it back to the graphics driver."""
+        """Return it back to the graphics driver."""
         if self._made is not None:
             for part in (*self._made.color_attachments, self._made.depth_attachment, self._made):
                 part.release()

@@ -36,7 +36,7 @@ class NeckPivot:
 
 
 def rotation_of(pose: HeadPose) -> Float32Array:
-    """Give what turns a head as a pose says, float32, shape (3, 3): it nods, then turns; rolls first of all."""
+    """Return what turns a head as a pose says, float32, shape (3, 3): it nods, then turns; rolls first of all."""
     (s, c), (u, v), (p, q) = (
         (math.sin(math.radians(angle)), math.cos(math.radians(angle))) for angle in (pose.yaw, pose.pitch, pose.roll)
     )

@@ -32,7 +32,7 @@ LIGHT = Light()
 
 
 def direction_of(camera: Camera, azimuth: float, elevation: float) -> Float64Array:
-    """Give the direction towards a light that the viewer sees there, shape (3,), of length 1."""
+    """Return the direction towards a light that the viewer sees there, shape (3,), of length 1."""
     flat = math.cos(elevation)
     seen = (math.sin(azimuth) * flat, math.sin(elevation), math.cos(azimuth) * flat)
     return np.asarray(seen @ np.stack(camera.axes))
@@ -47,13 +47,13 @@ class BoundingSphere:
 
     @classmethod
     def around(cls, mesh: Mesh) -> "BoundingSphere":
-        """Give the room that a mesh needs."""
+        """Return the room that a mesh needs."""
         low, high = mesh.positions.min(axis=0).astype(float), mesh.positions.max(axis=0).astype(float)
         x, y, z = ((low + high) / 2).tolist()
         return cls((x, y, z), MORE * max(float(np.linalg.norm(high - low)) / 2, 1e-6))
 
     def seen_from(self, towards: Float64Array) -> Float32Array:
-        """Give what takes points to the picture that a light far away in a direction sees, shape (4, 4)."""
+        """Return what takes points to the picture that a light far away in a direction sees, shape (4, 4)."""
         right = np.cross((0.0, 1.0, 0.0), towards)
         right = right / np.linalg.norm(right) if np.any(right) else np.array((1.0, 0.0, 0.0))
         view = np.eye(4)

@@ -83,7 +83,7 @@ class OffscreenRenderer:
         return picture
 
     def release(self) -> None:
-        """Give everything back to the graphics driver."""
+        """Return everything back to the graphics driver."""
         with self._context:
             self._renderer.release()
             _let_go(self._sheet)

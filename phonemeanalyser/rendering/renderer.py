@@ -62,7 +62,7 @@ QUICK, FINE = RenderQuality("quick", 0, 384, 2, 0.0025), RenderQuality("fine", 4
 
 
 def colour_of(text: str) -> Colour:
-    """Give the colour that #rrggbb stands for."""
+    """Return the colour that #rrggbb stands for."""
     red, green, blue = bytes.fromhex(text.removeprefix("#"))
     return red / 255, green / 255, blue / 255
 
@@ -148,7 +148,7 @@ class HeadRenderer:
         target.use()
 
     def release(self) -> None:
-        """Give everything back to the graphics driver; its context must be current."""
+        """Return everything back to the graphics driver; its context must be current."""
         for array, program in zip(self._arrays.values(), self._programs.values(), strict=True):
             array.release()
             program.release()

@@ -36,7 +36,7 @@ def program_of(context: moderngl.Context, vertex: str, fragment: str, known: str
 
 
 def fields_of(buffer: moderngl.Buffer, fields: Mapping[str, str], known: set[str]) -> tuple[Any, ...]:
-    """Say which attributes of a program a buffer's fields are; those that it does not use are skipped."""
+    """Return which attributes of a program a buffer's fields are; those that it does not use are skipped."""
     layout = " ".join(kind if name in known else f"{4 * int(kind[0])}x" for name, kind in fields.items())
     return (buffer, layout, *(name for name in fields if name in known))
 

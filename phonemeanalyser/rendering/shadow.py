@@ -32,13 +32,13 @@ class Shadow:
         self._texture.use(0)
 
     def release(self) -> None:
-        """Give it back to the graphics driver."""
+        """Return it back to the graphics driver."""
         self._dark_room.release()
         self._texture.release()
 
 
 def taps_of(n: int, radius: float) -> str:
-    """Give places that are spread evenly over a disc (Vogel's spiral), as a constant of a shader."""
+    """Return places that are spread evenly over a disc (Vogel's spiral), as a constant of a shader."""
     away = [radius * math.sqrt((k + 0.5) / n) for k in range(n)]
     places = (f"vec2({r * math.cos(k * GOLDEN):.6f}, {r * math.sin(k * GOLDEN):.6f})" for k, r in enumerate(away))
     return f"const vec2 TAPS[{n}] = vec2[]({', '.join(places)});\n"

@@ -23,7 +23,7 @@ SMALLEST = 100
 
 
 def subdivided(figure: MorphMesh) -> MorphMesh:
-    """Give a figure with four times the triangles; a mesh that is fine already stays as it is."""
+    """Return a figure with four times the triangles; a mesh that is fine already stays as it is."""
     mesh = figure.mesh
     if not 0 < len(mesh.triangles) <= MOST_TRIANGLES:
         return figure

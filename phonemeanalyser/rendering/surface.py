@@ -36,7 +36,7 @@ class Surface:
         self._sum = csr_array(coo_array((ones, (corners, faces)), shape=(n_points, n_triangles)))
 
     def normals(self, positions: Float32Array) -> Float32Array:
-        """Give the normals of a moved mesh, float32, shape (n_vertices, 3), of length 1."""
+        """Return the normals of a moved mesh, float32, shape (n_vertices, 3), of length 1."""
         a, b, c = (positions.take(corner, axis=0) for corner in self._triangles)
         b -= a
         c -= a
@@ -53,7 +53,7 @@ class Surface:
 
 
 def specular_mask(mesh: Mesh) -> Float32Array:
-    """Say where a mesh is wet: eyes by their form, lips, tongue and teeth by their colour.
+    """Return where a mesh is wet: eyes by their form, lips, tongue and teeth by their colour.
 
     Returns
     -------
@@ -70,13 +70,13 @@ def specular_mask(mesh: Mesh) -> Float32Array:
 
 
 def places_of(mesh: Mesh) -> IndexArray:
-    """Number the places where vertices are, and give the number for each vertex."""
+    """Return the places where vertices are, numbered, and the number for each vertex."""
     _, numbers = np.unique(mesh.positions, axis=0, return_inverse=True)
     return np.asarray(numbers, np.intp).reshape(-1)
 
 
 def points_of(mesh: Mesh) -> IndexArray:
-    """Number the vertices so that those at one place which face nearly alike have one number."""
+    """Return numbers of the vertices; those at one place which face nearly alike have one number."""
     places = places_of(mesh)
     point_of = np.arange(len(mesh))
     shared = np.flatnonzero(np.bincount(places)[places] > 1)

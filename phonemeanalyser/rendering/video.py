@@ -44,7 +44,7 @@ class SoundTrack:
 
 
 def why_no_film(size: tuple[int, int]) -> str:
-    """Say in a sentence why no .mp4 of this size can be written; empty if it can."""
+    """Return in a sentence why no .mp4 of this size can be written; empty if it can."""
     if size[0] % 2 or size[1] % 2:
         return f"an .mp4 has an even width and height, got {size[0]}x{size[1]}; choose another size"
     try:
@@ -58,7 +58,7 @@ def why_no_film(size: tuple[int, int]) -> str:
 
 
 def why_no_gif(n_frames: int, rate: float) -> str:
-    """Say in a sentence why no .gif of so many frames can be written; empty if it can."""
+    """Return in a sentence why no .gif of so many frames can be written; empty if it can."""
     if rate > FASTEST_GIF:
         return f"a .gif shows at most {FASTEST_GIF:g} frames per second, got {rate:g}; choose fewer, or an .mp4"
     if n_frames > LONGEST_GIF:

@@ -27,7 +27,7 @@ MOST_DIFFERENT = 0.4
 
 
 def short(phoneme: Phoneme) -> str:
-    """Give a name that fits over a narrow column."""
+    """Return a name that fits over a narrow column."""
     return "other" if phoneme is Phoneme.UNIDENTIFIED else phoneme.label
 
 

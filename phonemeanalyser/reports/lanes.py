@@ -38,7 +38,7 @@ def time_lines(heard: Sequence[Predictions], names: Sequence[str]) -> str:
 
 
 def drawn_seconds() -> float:
-    """Give how much of a long recording is drawn."""
+    """Return how much of a long recording is drawn."""
     return MOST_ROWS * ROW_SECONDS
 
 
@@ -106,7 +106,7 @@ def _ticks(first: int, last: int, y: float) -> list[str]:
 
 
 def _runs(codes: UInt8Array) -> list[tuple[int, int, int]]:
-    """Give start, end and value of each run of equal values."""
+    """Return start, end and value of each run of equal values."""
     borders = [0, *(np.flatnonzero(np.diff(codes)) + 1).tolist(), len(codes)]
     return [(a, b, int(codes[a])) for a, b in pairwise(borders)]
 

@@ -4,12 +4,12 @@ import html
 
 
 def text(value: object) -> str:
-    """Give words as markup."""
+    """Return words as markup."""
     return html.escape("".join(c if c.isprintable() else "?" for c in str(value)))
 
 
 def element(name: str, /, *content: str, **attributes: object) -> str:
-    """Give an element; content is markup, numbers are rounded to a tenth, underscores in names become hyphens.
+    """Return an element; content is markup, numbers are rounded to a tenth, underscores in names become hyphens.
 
     An underscore at the end of an attribute's name is dropped (``class_``), and None leaves the attribute out.
     """

@@ -65,7 +65,7 @@ class Report:
         return ", ".join(words)
 
     def name_of(self, utterance: Utterance) -> str:
-        """Give the place of a recording in the corpus."""
+        """Return the place of a recording in the corpus."""
         path = utterance.path
         return printable(path.relative_to(self.folder).as_posix() if path.is_relative_to(self.folder) else path.name)
 
@@ -92,17 +92,17 @@ FIGURES = (
 
 
 def flicker_of(group: GroupScores) -> float:
-    """Give how often the answer changes for each change of the labels; NaN where these never change."""
+    """Return how often the answer changes for each change of the labels; NaN where these never change."""
     return group.changes / group.label_changes if group.label_changes else math.nan
 
 
 def look_ahead_of(scores: CorpusScores) -> str:
-    """Give how long the recogniser waits, in words."""
+    """Return how long the recogniser waits, in words."""
     return f"{1000 * scores.look_ahead * FRAME_PERIOD:g} ms"
 
 
 def counted(n: int, noun: str) -> str:
-    """Give a number of things in words."""
+    """Return a number of things in words."""
     return f"{n} {noun}" if n == 1 else f"{n} {noun}s"
 
 
@@ -123,5 +123,5 @@ def clock(seconds: float) -> str:
 
 
 def printable(name: str) -> str:
-    """Give a name without characters that would break the line it stands in."""
+    """Return a name without characters that would break the line it stands in."""
     return "".join(c if c.isprintable() else "?" for c in name)

@@ -7,7 +7,7 @@ ORANGE = {"light": "#b4560c", "dark": "#f2a65a"}
 
 
 def style() -> str:
-    """Give the style sheet."""
+    """Return the style sheet."""
     return (
         f":root{{color-scheme:light dark;{_colours(LIGHT)}}}\n"
         f"@media (prefers-color-scheme:dark){{:root{{{_colours(DARK)}}}}}\n"

@@ -30,7 +30,7 @@ class Cell:
     better: int = 1
 
     def markup(self) -> str:
-        """Give the cell; the worse one of two figures is paler."""
+        """Return the cell; the worse one of two figures is paler."""
         if len(self.values) == 1:
             return element("td", text(written(self.values[0], self.digits)))
         best = max(value * self.better for value in self.values)
@@ -46,7 +46,7 @@ class Cell:
 
 
 def group_table(report: Report) -> str:
-    """Give the figures of all recordings, each kind and each speaker; those of two presets one over the other."""
+    """Return the figures of all recordings, each kind and each speaker; those of two presets one over the other."""
     presets = [preset.scores for preset in report.presets]
     bodies = [element("tbody", _group_row("all", [scores.overall for scores in presets], "sum"))]
     for parts in ([scores.by_kind for scores in presets], [scores.by_speaker for scores in presets]):
@@ -69,7 +69,7 @@ def _group_row(name: str, groups: Sequence[GroupScores], kind: str | None = None
 
 
 def phoneme_table(groups: Sequence[GroupScores]) -> str:
-    """Give what becomes of each class: frames, F1, precision, recall, and what it is taken for most often."""
+    """Return what becomes of each class: frames, F1, precision, recall, and what it is taken for most often."""
     rows = []
     for phoneme in SCORED_PHONEMES:
         confusions = [group.confusion for group in groups]
@@ -127,7 +127,7 @@ def _named(phoneme: Phoneme) -> Iterator[str]:
 
 
 def gains_table(comparison: PresetComparison) -> str:
-    """Give for each class how many frames both presets get right, one alone, and none."""
+    """Return for each class how many frames both presets get right, one alone, and none."""
     rows = []
     for phoneme in CLASSES:
         counts = [
@@ -176,17 +176,17 @@ def stretches_table(report: Report, stretches: Iterable[DifferingSegment], wrong
 
 
 def _place(path: str) -> str:
-    """Give the place of a recording, which may be broken after a folder and between the words of its name."""
+    """Return the place of a recording, which may be broken after a folder and between the words of its name."""
     return element("td", re.sub(r"(?<=[/_ -])(?=.)", element("wbr"), text(path)), class_="path")
 
 
 def dot(phoneme: Phoneme) -> str:
-    """Give a dot in a phoneme's colour."""
+    """Return a dot in a phoneme's colour."""
     return element("i", class_="dot", style=f"background:{PHONEME_COLOURS[phoneme]}")
 
 
 def _table(headings: Iterable[str], *bodies: str, n_words: int = 1) -> str:
-    """Give a table whose first columns hold words, and the others numbers."""
+    """Return a table whose first columns hold words, and the others numbers."""
     heads = [element("th", text(h), class_="words" if k < n_words else None) for k, h in enumerate(headings)]
     return element("div", element("table", element("thead", element("tr", *heads)), *bodies), class_="wide")
 

@@ -19,12 +19,12 @@ TAGS, PADDING, LAST = 4, 1, 0x80
 
 
 def is_tags(block: bytes) -> bool:
-    """Say whether bytes are a metadata block of tags."""
+    """Return whether bytes are a metadata block of tags."""
     return len(block) >= 8 and block[0] & ~LAST == TAGS
 
 
 def with_chapters(tags: bytes, gaps: Sequence[Gap], rate: int) -> bytes:
-    """Give a last metadata block of tags without comments anew, with chapters and filled up to `ROOM` bytes."""
+    """Return a last metadata block of tags without comments anew, with chapters and filled up to `ROOM` bytes."""
     (n_vendor,) = struct.unpack_from("<I", tags, 4)
     comments = [comment for k, gap in enumerate(gaps[:MOST_MARKED]) for comment in _comments(k + 1, gap, rate)]
     content = tags[4 : 8 + n_vendor] + struct.pack("<I", len(comments))

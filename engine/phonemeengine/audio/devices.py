@@ -80,7 +80,7 @@ class InputChoice:
 
 
 def inputs_of(devices: Sequence[Device]) -> list[Device]:
-    """Give the devices that record, the default one first."""
+    """Return the devices that record, the default one first."""
     return sorted((d for d in devices if d.n_inputs), key=lambda d: not d.is_default)
 
 
@@ -107,7 +107,7 @@ def chosen_input(choice: InputChoice, devices: Sequence[Device]) -> Device:
 
 
 def _named(label: str, inputs: Sequence[Device]) -> list[Device]:
-    """Give the device that is called so, the first of equals, else those whose label contains the words."""
+    """Return the device that is called so, the first of equals, else those whose label contains the words."""
     exact = [d for d in inputs if d.label == label] or [d for d in inputs if d.name == label]
     found = [d for d in inputs if label.casefold() in d.label.casefold()]
     usual = [d for d in found if d.host_api == inputs[0].host_api]  # Windows offers each under several systems

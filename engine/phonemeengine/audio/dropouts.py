@@ -57,7 +57,7 @@ class DropoutMeter:
             self._promptest, self._ends = float("inf"), time + WATCHED
 
     def time_of(self, sample: float) -> float:
-        """Say when a sample was captured, counted from the first with the lost ones, by the clock."""
+        """Return when a sample was captured, counted from the first with the lost ones, by the clock."""
         return self.begun + sample / self._rate
 
     def _judge(self, behind: float) -> None:

@@ -48,15 +48,15 @@ class FileSlice(io.RawIOBase):
         self._at = 0
 
     def readable(self) -> bool:
-        """Say that it can be read."""
+        """Return that it can be read."""
         return True
 
     def seekable(self) -> bool:
-        """Say that it has places to go to."""
+        """Return that it has places to go to."""
         return True
 
     def tell(self) -> int:
-        """Give the place, bytes."""
+        """Return the place, bytes."""
         return self._at
 
     def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:

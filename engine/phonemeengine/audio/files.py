@@ -125,7 +125,7 @@ class SoundReader:
         self.channel = channel
 
     def read(self, n: int) -> Float32Array:
-        """Give the next samples, fewer than `n` only at the end of the sound and none after it.
+        """Return the next samples, fewer than `n` only at the end of the sound and none after it.
 
         Returns
         -------
@@ -164,7 +164,7 @@ class SoundReader:
             self.read(min(sample - self.position, SAMPLE_RATE // 4))
 
     def blocks(self, n: int) -> Iterator[Float32Array]:
-        """Give what is analysed, from the position to the end: float32 blocks of shape (m,), m <= n."""
+        """Return what is analysed, from the position to the end: float32 blocks of shape (m,), m <= n."""
         while len(block := self.read(n)):
             yield mono_of(block, self.channel)
 
@@ -292,7 +292,7 @@ def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder:
 
 
 def _checked_length(file: Decoder, raw: BinaryIO, extent: Extent, name: str) -> int:
-    """Give the number of frames, after the refusals that concern the file as a whole."""
+    """Return the number of frames, after the refusals that concern the file as a whole."""
     rate, n_frames = int(file.samplerate), int(file.frames)
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
         fault = "low to hold speech" if rate < LOWEST_RATE else "high"

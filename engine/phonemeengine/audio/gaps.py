@@ -29,7 +29,7 @@ class Gap:
 
 
 def gaps_in_words(gaps: Sequence[Gap], seconds: float, rate: int) -> str:
-    """Say how long the gaps of a recording of some seconds were, and what stands for them; nothing without any."""
+    """Return how long the gaps of a recording of some seconds were, and what stands for them; nothing without any."""
     if not gaps:
         return ""
     lasted = f"{sum(gap.seconds for gap in gaps):.2f} s"

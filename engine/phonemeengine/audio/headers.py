@@ -146,7 +146,7 @@ def extent_of(file: BinaryIO, name: str) -> Extent:
 
 
 def mp3_states_its_length(file: BinaryIO) -> bool:
-    """Say whether an MP3 file begins with a frame that counts the others; without it a length is a guess."""
+    """Return whether an MP3 file begins with a frame that counts the others; without it a length is a guess."""
     head = _bytes_at(file, _after_id3(file), 4096)
     return any(tag in head for tag in (b"Xing", b"Info", b"VBRI"))
 
@@ -191,7 +191,7 @@ def _check_samples(chunk: Chunk, end: int, length: int) -> None:
 
 
 def _block_in(file: BinaryIO, family: ChunkFormat, chunk: Chunk) -> int:
-    """Give the bytes of samples that cannot be parted, where a chunk tells the format; else 0."""
+    """Return the bytes of samples that cannot be parted, where a chunk tells the format; else 0."""
     return _number_at(file, chunk.begin + 12, family.order + "H") if chunk.name.startswith(b"fmt ") else 0
 
 
@@ -218,7 +218,7 @@ def _cut_off(family: ChunkFormat, start: int, samples: Chunk, end: int, block: i
 
 
 def _outer_size(file: BinaryIO, family: ChunkFormat, start: int, length: int, sizes: tuple[int, int] | None) -> int:
-    """Give the bytes that the whole claims to have."""
+    """Return the bytes that the whole claims to have."""
     if not family.outer_at:
         return length - start
     if sizes:
@@ -228,7 +228,7 @@ def _outer_size(file: BinaryIO, family: ChunkFormat, start: int, length: int, si
 
 
 def _sizes_of_ds64(file: BinaryIO, start: int) -> tuple[int, int]:
-    """Give the sizes of the whole and of the samples, which RF64 keeps apart because 32 bits are too few."""
+    """Return the sizes of the whole and of the samples, which RF64 keeps apart because 32 bits are too few."""
     if _bytes_at(file, start + 12, 4) != b"ds64":
         raise HeaderSizeError("its ds64 chunk is missing")
     return _number_at(file, start + 20, "<Q"), _number_at(file, start + 28, "<Q")
@@ -288,7 +288,7 @@ def _check_ogg(file: BinaryIO, length: int) -> None:
 
 
 def _after_id3(file: BinaryIO) -> int:
-    """Say where the file begins after an ID3v2 tag, which may precede anything; its size has 7 bits a byte."""
+    """Return where the file begins after an ID3v2 tag, which may precede anything; its size has 7 bits a byte."""
     head = _bytes_at(file, 0, 10)
     if len(head) < 10 or head[:3] != b"ID3":
         return 0

@@ -45,11 +45,11 @@ class Input(Protocol):
         ...
 
     def read(self, timeout: float) -> Float32Array:
-        """Give what came since the last call, shape (n, n_channels); wait for it at most `timeout` seconds."""
+        """Return what came since the last call, shape (n, n_channels); wait for it at most `timeout` seconds."""
         ...
 
     def time_of(self, sample: float) -> float:
-        """Say when a sample was captured, counted with the lost ones, on the clock of `time.monotonic`."""
+        """Return when a sample was captured, counted with the lost ones, on the clock of `time.monotonic`."""
         ...
 
     def close(self) -> None:
@@ -102,7 +102,7 @@ class CardInput:
         return self._loss.n_lost
 
     def read(self, timeout: float) -> Float32Array:
-        """Give what came since the last call, shape (n, n_channels); wait for it at most `timeout` seconds."""
+        """Return what came since the last call, shape (n, n_channels); wait for it at most `timeout` seconds."""
         blocks: list[Float32Array] = []
         try:
             blocks.append(self._note(*self._arrived.get(timeout=timeout)))
@@ -115,7 +115,7 @@ class CardInput:
         return np.concatenate(blocks) if blocks else np.zeros((0, self.n_channels), np.float32)
 
     def time_of(self, sample: float) -> float:
-        """Say when a sample was captured: what the card keeps back is taken off its arrival."""
+        """Return when a sample was captured: what the card keeps back is taken off its arrival."""
         return self._loss.time_of(sample) - (self.delay - self._length)
 
     def close(self) -> None:

@@ -71,7 +71,7 @@ class InterruptedRecording:
 
 
 def interrupted_recordings(journal: Path) -> list[InterruptedRecording]:
-    """Give the recordings that dead processes left, the oldest first; what has gone or is empty is forgotten."""
+    """Return the recordings that dead processes left, the oldest first; what has gone or is empty is forgotten."""
     try:
         notes = sorted(journal.glob("*.json"))
     except OSError:

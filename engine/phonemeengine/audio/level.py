@@ -44,7 +44,7 @@ class PeakMeter:
         self._unread.append((now, block))
 
     def read(self, now: float) -> Level:
-        """Give the reading at a time in seconds."""
+        """Return the reading at a time in seconds."""
         while self._unread:
             self._follow(*self._unread.popleft())
         peak = self._fallen(now)

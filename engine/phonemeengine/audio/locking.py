@@ -5,7 +5,7 @@ from typing import Any
 
 
 def lock_at(path: Path) -> Any:
-    """Give a lock on a file of its own, not yet acquired.
+    """Return a lock on a file of its own, not yet acquired.
 
     ``acquire(blocking=False)`` raises TimeoutError while another holds it, another OSError where it cannot be made,
     and NotImplementedError where the disk knows no locks.

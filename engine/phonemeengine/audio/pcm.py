@@ -12,7 +12,7 @@ FULL_SCALE = 1 << 23
 
 
 def to_integers(block: Float32Array) -> NDArray[np.int32]:
-    """Give samples of 24 bits, so that k / 2**23 becomes exactly k; beyond ±1 is ±1, and NaN is silence.
+    """Return samples of 24 bits, so that k / 2**23 becomes exactly k; beyond ±1 is ±1, and NaN is silence.
 
     libsndfile's own conversion multiplies by 2**23 - 1 and would change every sample of a 16-bit sound card.
     """
@@ -21,7 +21,7 @@ def to_integers(block: Float32Array) -> NDArray[np.int32]:
 
 
 def to_int24_bytes(numbers: NDArray[np.int32]) -> bytes:
-    """Give whole numbers as three bytes each, the smallest first."""
+    """Return whole numbers as three bytes each, the smallest first."""
     return numbers.astype("<i4").view(np.uint8).reshape(-1, 4)[:, :3].tobytes()
 
 

@@ -43,7 +43,7 @@ class RecordingFile:
         self.raw: BinaryIO = _made(path)
 
     def is_there(self) -> bool:
-        """Say whether the path still leads to this file."""
+        """Return whether the path still leads to this file."""
         try:
             return os.path.samestat(os.fstat(self.raw.fileno()), self.path.stat())
         except PermissionError:
@@ -84,13 +84,13 @@ class RecordingFile:
 
 
 def describe_os_error(error: OSError) -> tuple[str, str]:
-    """Say what a refusal of the disk means, and what to do."""
+    """Return what a refusal of the disk means, and what to do."""
     unknown = (f"the disk refuses to take more ({reason_of(error)})", "check it or record to another disk")
     return TROUBLES.get(error.errno or 0, unknown)
 
 
 def shown_folder(path: Path) -> str:
-    """Give the folder of a file, without characters that would break the sentence it stands in."""
+    """Return the folder of a file, without characters that would break the sentence it stands in."""
     return "".join(c if c.isprintable() else "?" for c in str(path.absolute().parent))
 
 

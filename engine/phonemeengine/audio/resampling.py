@@ -68,5 +68,5 @@ def _shift(from_rate: int) -> float:
 
 
 def change_speed(samples: Float32Array, factor: float) -> Float32Array:
-    """Give a sound, shape (n,), that is so many times faster and higher at the same sample rate."""
+    """Return a sound, shape (n,), that is so many times faster and higher at the same sample rate."""
     return np.asarray(soxr.resample(samples, SAMPLE_RATE * factor, SAMPLE_RATE, quality="MQ"), np.float32)

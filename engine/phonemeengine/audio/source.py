@@ -19,7 +19,7 @@ class Reader(Protocol):
         ...
 
     def read(self, n: int) -> Float32Array:
-        """Give the next samples, shape (m, n_channels), fewer than `n` only at the end."""
+        """Return the next samples, shape (m, n_channels), fewer than `n` only at the end."""
         ...
 
     def seek(self, sample: int) -> None:

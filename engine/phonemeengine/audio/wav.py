@@ -95,7 +95,7 @@ class WavEncoder:
 
 
 def wav_header(rate: int, n_channels: int, n_samples: int, gaps: Sequence[Gap] = ()) -> bytes:
-    """Give the bytes before the samples, RIFF if its size field can hold the length, else RF64; with cue points."""
+    """Return the bytes before the samples, RIFF if its size field can hold the length, else RF64; with cue points."""
     frame = WIDTH * n_channels
     n_bytes = n_samples * frame
     whole = HEADER - 8 + n_bytes + n_bytes % 2
@@ -115,7 +115,7 @@ def wav_header(rate: int, n_channels: int, n_samples: int, gaps: Sequence[Gap] =
 
 
 def _cue_points(gaps: Sequence[Gap]) -> bytes:
-    """Give the chunks that mark gaps and label them; nothing where there are none."""
+    """Return the chunks that mark gaps and label them; nothing where there are none."""
     if not gaps:
         return b""
     points = [struct.pack("<II4sIII", k + 1, x.sample, b"data", 0, 0, x.sample) for k, x in enumerate(gaps)]
@@ -125,5 +125,5 @@ def _cue_points(gaps: Sequence[Gap]) -> bytes:
 
 
 def _chunk(name: bytes, content: bytes) -> bytes:
-    """Give a chunk, filled up to an even number of bytes."""
+    """Return a chunk, filled up to an even number of bytes."""
     return struct.pack("<4sI", name, len(content)) + content + bytes(len(content) % 2)

@@ -95,7 +95,7 @@ def adapt(model: Model, lessons: Sequence[TrainingExample]) -> tuple[Model, ...]
 def _fine_tuned(
     model: Model, heard: Sequence[_Encoded], said: _LabelStats, anchors: Sequence[TrainingSegment]
 ) -> Model:
-    """Give the model that has learned from the recordings."""
+    """Return the model that has learned from the recordings."""
     generator = np.random.default_rng(1)
     stretches = _stretches_of(heard, said, len(model.heads))
     n_frames = sum(len(stretch.heard) for stretch in stretches)
@@ -108,7 +108,7 @@ def _fine_tuned(
 
 
 def _interpolated(model: Model, moved: Model, way: float) -> Model:
-    """Give the model that lies a share of the way from one to another."""
+    """Return the model that lies a share of the way from one to another."""
 
     def between(a: Float32Array, b: Float32Array) -> Float32Array:
         return np.asarray(a + np.float32(way) * (b - a), np.float32)
@@ -159,7 +159,7 @@ def _stretches_of(heard: Sequence[_Encoded], said: _LabelStats, n_heads: int) ->
 
 
 def _anchor_of(model: Model, log_powers: Float32Array) -> TrainingSegment:
-    """Give a stretch of other voices, to be named as the model names it now."""
+    """Return a stretch of other voices, to be named as the model names it now."""
     hidden = _first_layers(model).forward(log_powers)
     found = _through_last_layers(model, hidden)
     everything = np.ones(len(Phoneme), bool)

@@ -67,7 +67,7 @@ def labels_of(likely: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
 
 
 def _labels_at(stretches: Sequence[tuple[float, float, SpokenPhone]], k: int) -> Iterable[Label]:
-    """Give the labels of a sound: its middle, and what does not count where it meets another class."""
+    """Return the labels of a sound: its middle, and what does not count where it meets another class."""
     start, end, sound = stretches[k]
     before, after = (_around(sound, stretches[n][2]) if 0 <= n < len(stretches) else 0.0 for n in (k - 1, k + 1))
     first = min(start + before, (start + end) / 2)
@@ -90,7 +90,7 @@ def _judge() -> Preset:
 
 
 def _places_of(likely: Float32Array, sounds: Sequence[SpokenPhone]) -> IndexArray:
-    """Give the number of the sound in each frame, by the likeliest way through all that are not optional."""
+    """Return the number of the sound in each frame, by the likeliest way through all that are not optional."""
     owners = np.repeat(np.arange(len(sounds)), LEAST_FRAMES)
     if len(likely) < LEAST_FRAMES * sum(not sound.optional for sound in sounds):
         raise TakeError("what was heard is too short for this sentence; read all of it, without haste")
@@ -115,7 +115,7 @@ def _places_of(likely: Float32Array, sounds: Sequence[SpokenPhone]) -> IndexArra
 
 
 def _ways_into(sounds: Sequence[SpokenPhone]) -> IndexArray:
-    """Give from where each state can be reached, shape (3, n_states), -1 for nowhere.
+    """Return from where each state can be reached, shape (3, n_states), -1 for nowhere.
 
     Each sound has `LEAST_FRAMES` states; it stays in the last of them, and goes on to the next sound, or past an
     optional one.
@@ -132,14 +132,14 @@ def _ways_into(sounds: Sequence[SpokenPhone]) -> IndexArray:
 
 
 def _fits(likely: Float32Array, sounds: Sequence[SpokenPhone]) -> Float64Array:
-    """Give how well each sound fits each frame, a logarithm, shape (n_frames, n_sounds)."""
+    """Return how well each sound fits each frame, a logarithm, shape (n_frames, n_sounds)."""
     codes = [sound.sense.phoneme for sound in sounds]
     least = [LEAST_LIKELY if _is_clear(sound) else LEAST_LIKELY_LOOSE for sound in sounds]
     return np.log(np.maximum(likely[:, codes], least), dtype=np.float64)
 
 
 def _fitting(likely: Float32Array, sounds: Sequence[SpokenPhone], places: IndexArray) -> float:
-    """Give how likely the clear sounds are where they were found, 0..1, the mean of all of them."""
+    """Return how likely the clear sounds are where they were found, 0..1, the mean of all of them."""
     shares = likely[np.arange(len(places)), [sounds[place].sense.phoneme for place in places]]
     clear = [k for k, s in enumerate(sounds) if _is_clear(s) and not s.optional]
     return float(np.mean([shares[places == k].mean() for k in clear]))

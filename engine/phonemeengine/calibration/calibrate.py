@@ -165,7 +165,7 @@ class _Course:
 
 
 def _quietened(preset: Preset, takes: Takes, room: Float32Array | None) -> Preset:
-    """Give the preset that takes the room for silence; where the room was not quiet, the same preset."""
+    """Return the preset that takes the room for silence; where the room was not quiet, the same preset."""
     room = room_in(takes) if room is None else room
     measured = None if room is None else measure_room(room, preset)
     if measured is None or measured.notes:

@@ -40,7 +40,7 @@ class TrainingSegment:
 
 
 def first_tuned(model: Model) -> int:
-    """Give the number of the first layer that moves."""
+    """Return the number of the first layer that moves."""
     return max(1, len(model.layers) - N_TUNED)
 
 
@@ -76,7 +76,7 @@ class TunedLayers:
         self._optimiser.step(slopes)
 
     def model(self) -> Model:
-        """Give the model as it is now."""
+        """Return the model as it is now."""
         n_heads = len(self._model.heads)
         heads = zip(np.split(self._weights, n_heads, axis=1), np.split(self._bias, n_heads), strict=True)
         layers = (*self._model.layers[: first_tuned(self._model)], *(layer.finished() for layer in self._layers))
@@ -108,7 +108,7 @@ class _TunableLayer:
         self._reach = layer.reach
 
     def forward(self, block: Float32Array) -> Float32Array:
-        """Give what the layer makes of a stretch, and remember what `back` needs."""
+        """Return what the layer makes of a stretch, and remember what `back` needs."""
         n = len(block)
         padded = np.concatenate((np.zeros((self._reach, block.shape[1]), np.float32), block))
         starts = range(0, self._reach + 1, self._dilation)
@@ -132,7 +132,7 @@ class _TunableLayer:
 
 
 def _shares_of(scores: Float32Array, competing: BoolArray) -> Float32Array:
-    """Give the probabilities of the competing phonemes; those of the others are 0."""
+    """Return the probabilities of the competing phonemes; those of the others are 0."""
     shares = np.where(competing, scores, -np.inf)
     shares -= shares.max(axis=2, keepdims=True)
     np.exp(shares, out=shares)

@@ -10,7 +10,7 @@ GUARDED = (("mouth shapes right", "viseme_accuracy", 1), ("silence found", "sile
 
 
 def loss_of(before: Scores, after: Scores) -> str:
-    """Say what gets worse by more than `MOST_LOSS`, such as "silence found falls from 99.9 % to 39.7 %".
+    """Return what gets worse by more than `MOST_LOSS`, such as "silence found falls from 99.9 % to 39.7 %".
 
     Empty where nothing does; what the labels do not hold is not asked.
     """

@@ -23,7 +23,7 @@ Utterances = tuple[Utterance, ...]
 
 
 def parts_of(utterances: Sequence[Utterance]) -> Iterator[tuple[Utterances, Utterances]]:
-    """Give what is learned from, and what is held back meanwhile, for each quarter of all recordings.
+    """Return what is learned from, and what is held back meanwhile, for each quarter of all recordings.
 
     Both are the whole recordings. What is held back is unidentified in the first; in both, what does not count is
     ``trimmed``.
@@ -49,7 +49,7 @@ def scores_on(cases: Iterable[tuple[Preset, Sequence[Utterance]]]) -> Scores:
 
 
 def counts(labels: Sequence[Label]) -> bool:
-    """Say whether anything of these labels counts."""
+    """Return whether anything of these labels counts."""
     return any(label.certainty != TRIMMED for label in labels)
 
 
@@ -64,7 +64,7 @@ def _counted(heard: Predictions) -> tuple[FrameLabels, UInt8Array]:
 
 
 def _parted(utterance: Utterance, part: int) -> tuple[Utterance, Utterance]:
-    """Give a recording without a part of what counts in it, and with that part alone."""
+    """Return a recording without a part of what counts in it, and with that part alone."""
     first, last = _borders_of(utterance.labels, part)
     pieces = [piece for label in utterance.labels for piece in _cut(label, first, last)]
     inside = [first <= piece.start < last for piece in pieces]
@@ -77,7 +77,7 @@ def _parted(utterance: Utterance, part: int) -> tuple[Utterance, Utterance]:
 
 
 def _borders_of(labels: tuple[Label, ...], part: int) -> tuple[float, float]:
-    """Give between which times a part lies, so that of what counts each has as much."""
+    """Return between which times a part lies, so that of what counts each has as much."""
     times = [np.arange(x.start, x.end, FRAME_PERIOD) for x in labels if x.certainty != TRIMMED]
     split = np.array_split(np.concatenate([np.zeros(0), *times]), N_PARTS)
     firsts = [float(piece[0]) if len(piece) else labels[-1].end for piece in split]

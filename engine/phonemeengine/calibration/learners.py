@@ -31,7 +31,7 @@ Learner = Callable[[Preset, Takes, Quiet, Progress], tuple[Preset, ...]]
 
 
 def learner_of(preset: Preset) -> Learner:
-    """Give how a preset's recogniser learns voices.
+    """Return how a preset's recogniser learns voices.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def _model(preset: Preset, takes: Takes, quiet: Quiet, progress: Progress) -> tu
 
 
 def _with_more_silence(preset: Preset) -> Preset:
-    """Give back to silence what it loses where all phonemes count alike in learning."""
+    """Return back to silence what it loses where all phonemes count alike in learning."""
     now = preset.sensitivities.get(Phoneme.SILENCE, 0.0)
     given = min(now + GIVEN_TO_SILENCE, MOST_LOG_ODDS)
     return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: given})

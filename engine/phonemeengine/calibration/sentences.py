@@ -62,7 +62,7 @@ class Sentence:
 
 
 def _sounds_of(phone: str) -> Iterator[SpokenPhone]:
-    """Give a phone's sounds: an affricate is a closure and friction."""
+    """Return a phone's sounds: an affricate is a closure and friction."""
     if phone == PAUSE:
         yield SpokenPhone("", PhoneClass(Phoneme.SILENCE), optional=True)
         return

@@ -12,7 +12,7 @@ N_CEPSTRA = 12
 
 
 def cepstra_of(log_mels: Float32Array) -> Float32Array:
-    """Give the cosine transform of logarithms of mel powers, without its zeroth coefficient.
+    """Return the cosine transform of logarithms of mel powers, without its zeroth coefficient.
 
     A louder sound has the same cepstra (S. Davis and P. Mermelstein, IEEE Trans. ASSP 28(4), 1980).
 
@@ -30,7 +30,7 @@ def cepstra_of(log_mels: Float32Array) -> Float32Array:
 
 @lru_cache(maxsize=1)
 def _cosines() -> Float32Array:
-    """Give the orthonormal cosines of the transform (DCT-II), shape (n_bands, n_cepstra)."""
+    """Return the orthonormal cosines of the transform (DCT-II), shape (n_bands, n_cepstra)."""
     bands = np.arange(N_BANDS)[:, np.newaxis] + 0.5
     return np.asarray(
         np.sqrt(2 / N_BANDS) * np.cos(np.pi / N_BANDS * bands * np.arange(1, N_CEPSTRA + 1)), np.float32

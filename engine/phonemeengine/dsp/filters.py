@@ -47,7 +47,7 @@ class FrequencyShaper:
         self._blurs = strength > 0
 
     def shape(self, spectra: Float32Array, out: Float32Array | None = None) -> Float32Array:
-        """Give the shaped spectra, written to `out` where it is given; the input stays as it is."""
+        """Return the shaped spectra, written to `out` where it is given; the input stays as it is."""
         shaped: Float32Array = np.multiply(spectra, self._centre, out=out)
         if self._blurs:
             shaped[:, 1:] += self._below * spectra[:, :-1]
@@ -88,12 +88,12 @@ def _ramp(n_bins: int, bin_width: float, start: float, end: float) -> Float32Arr
 
 
 def high_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Float32Array:
-    """Give a gain per bin, shape (n_bins,), that rises from 0 at `start` to 1 at `end` (Hz)."""
+    """Return a gain per bin, shape (n_bins,), that rises from 0 at `start` to 1 at `end` (Hz)."""
     return _ramp(n_bins, bin_width, start, end)
 
 
 def low_pass_gains(n_bins: int, bin_width: float, start: float, end: float) -> Float32Array:
-    """Give a gain per bin, shape (n_bins,), that falls from 1 at `start` to 0 at `end` (Hz)."""
+    """Return a gain per bin, shape (n_bins,), that falls from 1 at `start` to 0 at `end` (Hz)."""
     return 1 - _ramp(n_bins, bin_width, start, end)
 
 

@@ -50,7 +50,7 @@ class Framer:
         return self._frames_of(samples)
 
     def finish(self) -> Float32Array:
-        """Give the frames that reach beyond the end of the sound, as if silence followed."""
+        """Return the frames that reach beyond the end of the sound, as if silence followed."""
         n_missing = frame_count(self.n_received) - self.n_framed
         n_silent = max(0, (n_missing - 1) * HOP + WINDOW - (self._last - self._first))
         return self._frames_of(np.zeros(n_silent if n_missing > 0 else 0, np.float32))

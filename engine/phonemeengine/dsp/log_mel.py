@@ -22,7 +22,7 @@ _MIDDLE = slice((WINDOW - SHORT) // 2, (WINDOW + SHORT) // 2)
 
 
 def log_mels(windows: Float32Array, warps: tuple[float, ...] = (1.0,)) -> Float32Array:
-    """Give the base-10 logarithms of the powers in 40 mel bands, about -11 to 0; see `mel_powers`.
+    """Return the base-10 logarithms of the powers in 40 mel bands, about -11 to 0; see `mel_powers`.
 
     With several `warps` (see `warped_mel_bank`) the bands of each lie beside those of the one before: shape
     (n_frames, n_warps x 40).
@@ -34,12 +34,12 @@ def log_mels(windows: Float32Array, warps: tuple[float, ...] = (1.0,)) -> Float3
 
 
 def silent_log_mels(*shape: int) -> Float32Array:
-    """Give what digital silence reads in all 40 bands, shape (*shape, 40)."""
+    """Return what digital silence reads in all 40 bands, shape (*shape, 40)."""
     return np.full((*shape, N_BANDS), np.log10(FLOOR), np.float32)
 
 
 def mel_powers(windows: Float32Array, bank: Float32Array) -> Float32Array:
-    """Give the powers in mel bands.
+    """Return the powers in mel bands.
 
     Parameters
     ----------
@@ -61,13 +61,13 @@ def mel_powers(windows: Float32Array, bank: Float32Array) -> Float32Array:
 
 @lru_cache(maxsize=1)
 def _hann() -> Float32Array:
-    """Give the Hann window, scaled so that a full-scale sine on a bin reads 1."""
+    """Return the Hann window, scaled so that a full-scale sine on a bin reads 1."""
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(SHORT) / SHORT)
     return np.asarray(window * 2 / window.sum(), np.float32)
 
 
 def warped_mel_bank(warp: float = 1.0) -> Float32Array:
-    """Give the weights of the mel filters, shape (n_bins, 40); each column sums to 1.
+    """Return the weights of the mel filters, shape (n_bins, 40); each column sums to 1.
 
     With a `warp`, what lies at a frequency f is looked for at f x warp, as if the speaker's vocal tract were shorter
     (above 1) or longer; the upper end stays (piecewise linear, as in L. Lee and R. Rose, "A frequency warping

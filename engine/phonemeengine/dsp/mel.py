@@ -23,13 +23,13 @@ def frequency_of(mel: ArrayLike) -> Float64Array:
 
 
 def mel_edges(n_bands: int, highest: float) -> Float64Array:
-    """Give the corners of the triangles in Hz, shape (n_bands + 2,): band b spans edges b..b+2, peak b+1."""
+    """Return the corners of the triangles in Hz, shape (n_bands + 2,): band b spans edges b..b+2, peak b+1."""
     return frequency_of(np.linspace(0, float(mel_of(highest)), n_bands + 2))
 
 
 @lru_cache(maxsize=32)
 def mel_bank(n_bands: int, n_bins: int, bin_width: float) -> Float32Array:
-    """Give the weights of all filters, shape (n_bins, n_bands); each column sums to 1.
+    """Return the weights of all filters, shape (n_bins, n_bands); each column sums to 1.
 
     A band narrower than a bin takes the bin nearest to its peak.
     """

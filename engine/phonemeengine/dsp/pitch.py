@@ -45,7 +45,7 @@ def _window() -> Float32Array:
 
 @lru_cache(maxsize=1)
 def _inverse_transform() -> Float32Array:
-    """Give the cosines that turn power into the autocorrelation at lag 0 and at `_LAGS`, as a matrix.
+    """Return the cosines that turn power into the autocorrelation at lag 0 and at `_LAGS`, as a matrix.
 
     Lags finer than a sample interpolate exactly, since the power is band-limited. All but lag 0 are already
     divided by the autocorrelation of the window; power above `PASSED` fades out.
@@ -90,7 +90,7 @@ def fundamental_of(frames: Float32Array) -> Float32Array:
 
 
 def _decimated(frames: Float32Array) -> Float32Array:
-    """Give the sound of consecutive frames at an eighth of the rate, shape (n_frames, 254).
+    """Return the sound of consecutive frames at an eighth of the rate, shape (n_frames, 254).
 
     Three times the rate is halved behind the low-pass 1 3 3 1, whose threefold zero lies where the folds would hurt.
     Filtering goes before framing, since most of a frame lies in its neighbours too.

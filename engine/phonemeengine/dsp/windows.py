@@ -28,7 +28,7 @@ _SHAPES: dict[WindowFunction, Callable[[int], Float64Array]] = {
 
 @lru_cache(maxsize=32)
 def window_of(function: WindowFunction, n: int) -> Float32Array:
-    """Give the weights of a window function over `n` samples, shape (n,), 0..1; shared, so read-only."""
+    """Return the weights of a window function over `n` samples, shape (n,), 0..1; shared, so read-only."""
     weights = np.asarray(_SHAPES[function](n), np.float32)
     weights.flags.writeable = False
     return weights

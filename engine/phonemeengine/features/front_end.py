@@ -51,7 +51,7 @@ class FrameBlock:
     features: Features
 
     def part(self, frames: slice) -> "FrameBlock":
-        """Give some of the frames of the block, as a block."""
+        """Return some of the frames of the block, as a block."""
         mel = None if self.mel is None else self.mel[frames]
         return FrameBlock(self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames))
 
@@ -95,7 +95,7 @@ class FrontEnd:
         self._divided = np.array(divided, np.intp).reshape(-1, 2).T
 
     def nothing(self) -> FrameBlock:
-        """Give a block without frames."""
+        """Return a block without frames."""
         last = self.smoother.last
         measured = self.measure(np.zeros((1, WINDOW), np.float32)).part(slice(0))
         self.smoother.last = last
@@ -153,7 +153,7 @@ class LevelFrontEnd:
         self.smoother = TimeSmoother(0)
 
     def nothing(self) -> FrameBlock:
-        """Give a block without frames."""
+        """Return a block without frames."""
         return self.measure(np.zeros((0, WINDOW), np.float32))
 
     def measure(self, frames: Float32Array) -> FrameBlock:
@@ -172,7 +172,7 @@ def _gains_of(settings: AnalysisSettings) -> Float32Array:
 
 
 def concatenate(blocks: list[FrameBlock]) -> FrameBlock:
-    """Give consecutive blocks as one; there must be at least one."""
+    """Return consecutive blocks as one; there must be at least one."""
     mels = [b.mel for b in blocks if b.mel is not None]
     return FrameBlock(
         spectra=np.concatenate([b.spectra for b in blocks]),

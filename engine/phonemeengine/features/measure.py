@@ -33,22 +33,22 @@ class Features:
     windows: Float32Array = field(default_factory=lambda: NO_WINDOWS)
 
     def __getitem__(self, name: str) -> Float32Array:
-        """Give one variable's values, shape (n_frames,); KeyError for an unknown name."""
+        """Return one variable's values, shape (n_frames,); KeyError for an unknown name."""
         try:
             return self.values[:, self.names.index(name)]
         except ValueError:
             raise KeyError(name) from None
 
     def part(self, frames: slice) -> "Features":
-        """Give some of the frames of the block, as a block."""
+        """Return some of the frames of the block, as a block."""
         return Features(self.names, self.values[frames], self.windows[frames])
 
     def with_columns(self, names: tuple[str, ...], values: Float32Array) -> "Features":
-        """Give the same with more columns, shape (n_frames, n_more)."""
+        """Return the same with more columns, shape (n_frames, n_more)."""
         return Features(_longer(self.names, names), np.concatenate((self.values, values), axis=1), self.windows)
 
     def frame(self, k: int) -> dict[str, float]:
-        """Give the values of frame `k` by name."""
+        """Return the values of frame `k` by name."""
         return dict(zip(self.names, self.values[k].tolist(), strict=True))
 
 
@@ -60,7 +60,7 @@ def zero_crossings_of(frames: Float32Array) -> Float32Array:
 
 
 def peak_levels_of(frames: Float32Array) -> Float32Array:
-    """Give the largest absolute sample of each frame, shape (n_frames,)."""
+    """Return the largest absolute sample of each frame, shape (n_frames,)."""
     levels: Float32Array = np.maximum.reduce(np.abs(frames), axis=1)
     return levels
 
@@ -96,7 +96,7 @@ class BandFeatures:
             self._weights[v.source][bins, names.index(v.name)] = weight
 
     def allocate(self, n_frames: int) -> Float32Array:
-        """Give room for spectra and their maxima: zeros, float32, shape (n_frames, n_bins + n_maxima)."""
+        """Return room for spectra and their maxima: zeros, float32, shape (n_frames, n_bins + n_maxima)."""
         return np.zeros((n_frames, self._n_wide), FLOAT)
 
     def fill_maxima(self, wide: Float32Array) -> None:
@@ -104,14 +104,14 @@ class BandFeatures:
         wide[:, self._n_bins :] = np.maximum.reduceat(wide, self._edges, axis=1)[:, ::2]
 
     def append_maxima(self, spectra: Float32Array) -> Float32Array:
-        """Give spectra with their maxima beside the bins; float32, shape (n_frames, n_bins + n_maxima)."""
+        """Return spectra with their maxima beside the bins; float32, shape (n_frames, n_bins + n_maxima)."""
         wide = self.allocate(len(spectra))
         wide[:, : self._n_bins] = spectra
         self.fill_maxima(wide)
         return wide
 
     def weights(self, source: Spectrum) -> Float32Array:
-        """Give what widened spectra are multiplied with to measure the variables of a source.
+        """Return what widened spectra are multiplied with to measure the variables of a source.
 
         Returns
         -------

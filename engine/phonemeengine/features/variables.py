@@ -76,7 +76,7 @@ class Variable:
             )
 
     def bins(self, n_bins: int) -> slice:
-        """Give the bins whose centre lies in the range, cut to those that a spectrum has."""
+        """Return the bins whose centre lies in the range, cut to those that a spectrum has."""
         return slice(math.ceil(self.low / BIN_WIDTH), min(math.floor(self.high / BIN_WIDTH) + 1, n_bins))
 
 
@@ -120,7 +120,7 @@ UNITS = {"zero_crossings": "per window", "f0": "Hz", **dict.fromkeys(DEFICITS, "
 
 
 def unit_of(name: str, mine: Iterable[Variable] = ()) -> str:
-    """Give the unit of a variable, built in or one of the user's own; a quotient of two is a ratio."""
+    """Return the unit of a variable, built in or one of the user's own; a quotient of two is a ratio."""
     quotients = {variable.name for variable in mine if variable.per}
     return "ratio" if name in quotients else UNITS.get(name, "amplitude")
 

@@ -106,7 +106,7 @@ def write_labels(
 
 
 def _chosen(tiers: tuple[Tier, ...], mapping: PhonemeMap, wanted: str | None, file: str) -> Tier:
-    """Give the tier of a name, or the one of whose names the most are known."""
+    """Return the tier of a name, or the one of whose names the most are known."""
     names = ", ".join(repr(tier.name[:40]) for tier in tiers) or "none"
     if wanted is not None:
         found = [tier for tier in tiers if tier.name == wanted]

@@ -63,7 +63,7 @@ class RawLabel:
 
 
 def in_order(marks: Iterable[RawLabel], file: str, duration: float | None = None) -> tuple[RawLabel, ...]:
-    """Give marks in order of time, mended where a file's rounding made them overlap or outlast the sound.
+    """Return marks in order of time, mended where a file's rounding made them overlap or outlast the sound.
 
     Parameters
     ----------

@@ -119,13 +119,13 @@ _OWN = {phoneme.label: PhoneClass(phoneme) for phoneme in Phoneme}
 
 
 def own_phone_class(name: str) -> PhoneClass | None:
-    """Give what one of our own names means, or one that stands for silence in every alphabet; None for another."""
+    """Return what one of our own names means, or one that stands for silence in every alphabet; None for another."""
     small = name.lower()
     return _OWN.get(small) or _SILENCES.get(small)
 
 
 def phone_classes_in(name: str) -> tuple[PhoneClass | None, PhoneClass | None, PhoneClass | None]:
-    """Give what a name means in ARPAbet, IPA and SAMPA, without marks of stress and length; None where it is none."""
+    """Return what a name means in ARPAbet, IPA and SAMPA, without marks of stress and length; None for others."""
     spelt = name.upper() if name.islower() and name.isascii() else name
     return (
         _ARPABET.get(_STRESS.sub("", spelt)),

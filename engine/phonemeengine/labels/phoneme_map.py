@@ -41,11 +41,11 @@ class PhonemeMap:
     phonemes: abc.Mapping[str, Phoneme] = field(default_factory=dict)
 
     def knows(self, name: str) -> bool:
-        """Say whether a name may stand for a phoneme."""
+        """Return whether a name may stand for a phoneme."""
         return name in self.phonemes or own_phone_class(name) is not None or any(phone_classes_in(name))
 
     def senses_of(self, names: abc.Mapping[str, int], file: str) -> dict[str, PhoneClass]:
-        """Say what the names in some label files mean.
+        """Return what the names in some label files mean.
 
         Parameters
         ----------
@@ -66,7 +66,7 @@ class PhonemeMap:
 
 
 def labels_named(marks: Iterable[RawLabel], senses: abc.Mapping[str, PhoneClass]) -> tuple[Label, ...]:
-    """Give marks as labels; affricates become a closure, which is unidentified, and friction."""
+    """Return marks as labels; affricates become a closure, which is unidentified, and friction."""
     return tuple(label for mark in marks for label in _labels_of(mark, senses[mark.name]))
 
 
@@ -107,7 +107,7 @@ def _phoneme_of(name: str, phoneme: object, file: str) -> Phoneme:
 
 
 def _senses_in_the_same_alphabet(names: list[str]) -> dict[str, PhoneClass]:
-    """Give what names mean in the alphabets that know the most of them; what these do not agree on is left out."""
+    """Return what names mean in the alphabets that know the most of them; what these do not agree on is left out."""
     found = {name: phone_classes_in(name) for name in names}
     n_known = [sum(sense is not None for sense in column) for column in zip(*found.values(), strict=True)]
     likely = [k for k, n in enumerate(n_known) if n == max(n_known)]

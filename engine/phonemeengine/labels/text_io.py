@@ -21,7 +21,7 @@ WITHIN = 4
 
 
 def read_text(path: Path) -> str:
-    """Give the text of a file in UTF-8 or UTF-16, with or without a byte order mark; line ends become ``\\n``.
+    """Return the text of a file in UTF-8 or UTF-16, with or without a byte order mark; line ends become ``\\n``.
 
     Raises
     ------

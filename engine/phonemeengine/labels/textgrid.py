@@ -120,7 +120,7 @@ class _Words:
             self._refuse("the end of the file", "nothing more", value)
 
     def _next(self) -> tuple[str, str]:
-        """Give the kind and the value of the next word that counts; empty ones at the end of the file."""
+        """Return the kind and the value of the next word that counts; empty ones at the end of the file."""
         for match in self._found:
             kind, value = str(match.lastgroup), match.group(match.lastgroup or 0)
             self._at = match.start()
@@ -161,7 +161,7 @@ def _next_mark(words: _Words, kind: str, place: str) -> RawLabel:
 
 
 def _lines(tiers: dict[str, list[Interval]], end: float) -> Iterator[tuple[str, str | None]]:
-    """Give what stands in front of each value in the long format, and the value; None where there is none."""
+    """Return what stands in front of each value in the long format, and the value; None where there is none."""
     yield "xmin = ", "0"
     yield "xmax = ", _seconds(end)
     yield "tiers? ", "<exists>"
@@ -183,7 +183,7 @@ def _lines(tiers: dict[str, list[Interval]], end: float) -> Iterator[tuple[str, 
 
 
 def _filled(stretches: list[Interval], end: float) -> Iterator[tuple[str, str, str]]:
-    """Give stretches that follow each other from 0 to the end, with empty ones in between."""
+    """Return stretches that follow each other from 0 to the end, with empty ones in between."""
     at = "0"
     for first, last, text in [*((_seconds(a), _seconds(b), text) for a, b, text in stretches)]:
         if float(first) > float(at):

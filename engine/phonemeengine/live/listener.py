@@ -92,7 +92,7 @@ class Listener:
     # -- what is heard ------------------------------------------------------------------------------------
 
     def poll(self) -> Reading:
-        """Give the newest phoneme and intensity; silence while nothing comes."""
+        """Return the newest phoneme and intensity; silence while nothing comes."""
         return latest_reading(self._newest if time.monotonic() - self._heard_at < QUIET else None)
 
     @property
@@ -101,7 +101,7 @@ class Listener:
         return self._meter.read(time.monotonic())
 
     def take_analyses(self) -> list[Analysis]:
-        """Give what has been found since the last call, oldest first; raises what ended the listening.
+        """Return what has been found since the last call, oldest first; raises what ended the listening.
 
         Frames are numbered from the first that was heard; while nothing could be heard, the numbers go on.
         """
@@ -163,12 +163,12 @@ class Listener:
         return time.monotonic() - self._known_at
 
     def time_of(self, frame: int) -> float:
-        """Say when a frame that is not long past began, counted from the first sound, gaps included, seconds."""
+        """Return when a frame that is not long past began, counted from the first sound, gaps included, seconds."""
         ear = self._ear
         return frame * FRAME_PERIOD + (ear.lost_seconds if ear else 0.0)
 
     def age_of(self, frame: int) -> float:
-        """Say how long ago the middle of a frame sounded, seconds."""
+        """Return how long ago the middle of a frame sounded, seconds."""
         ear = self._ear
         return time.monotonic() - ear.time_of(frame) if ear else 0.0
 

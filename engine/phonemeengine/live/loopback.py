@@ -70,7 +70,7 @@ def measure_loopback(choice: InputChoice) -> Loopback:
 
 
 def _click(speaker: CardOutput, microphone: CardInput) -> tuple[float, float] | None:
-    """Give the seconds from playing and from leaving the card to being heard; None where it was not heard."""
+    """Return the seconds from playing and from leaving the card to being heard; None where it was not heard."""
     microphone.read(0)
     first = speaker.n_written
     click = _burst(SAMPLE_RATE)
@@ -91,7 +91,7 @@ def _click(speaker: CardOutput, microphone: CardInput) -> tuple[float, float] | 
 
 
 def _burst(rate: int) -> Float32Array:
-    """Give the click at a rate: the same sound at each."""
+    """Return the click at a rate: the same sound at each."""
     n, seconds = round(CLICK * rate), np.arange(round(CLICK * rate)) / rate
     tones = np.random.default_rng(5).uniform(500, 6000, 40)
     phases = np.random.default_rng(6).uniform(0, 2 * np.pi, 40)

@@ -43,7 +43,7 @@ class Latency:
 
 
 def for_live_use(preset: Preset) -> Preset:
-    """Give the preset that looks ahead only as far as it may where somebody waits for the answer."""
+    """Return the preset that looks ahead only as far as it may where somebody waits for the answer."""
     settings = preset.settings
     return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, settings.live_look_ahead)))
 
@@ -97,7 +97,7 @@ class MicrophoneAnalyser:
         return self.source.n_lost / self.source.rate
 
     def pick_channels(self, block: Float32Array) -> Float32Array:
-        """Give the channels that are heard, shape (n, n_channels), of what the microphone gave."""
+        """Return the channels that are heard, shape (n, n_channels), of what the microphone gave."""
         return block[:, self._columns]
 
     def set_preset(self, preset: Preset) -> None:
@@ -117,6 +117,6 @@ class MicrophoneAnalyser:
         return analysis
 
     def time_of(self, frame: int) -> float:
-        """Say when the middle of a frame sounded, on the clock of `time.monotonic`."""
+        """Return when the middle of a frame sounded, on the clock of `time.monotonic`."""
         sample = (frame - self.start) * HOP + HOP // 2
         return self.source.time_of(sample / SAMPLE_RATE * self.source.rate + self.source.n_lost)

@@ -40,7 +40,7 @@ class PlaybackQueue:
                 self.n_dropped += len(self._blocks.popleft()[1])
 
     def pop_due(self, heard: float) -> list[Analysis]:
-        """Give what is due when so many samples are heard, oldest first."""
+        """Return what is due when so many samples are heard, oldest first."""
         taken = []
         with self.lock:
             while self._blocks and self._blocks[0][0] <= heard:
@@ -48,7 +48,7 @@ class PlaybackQueue:
         return taken
 
     def upcoming(self, heard: float) -> list[tuple[float, Analysis]]:
-        """Give all blocks, each with the seconds until it is due."""
+        """Return all blocks, each with the seconds until it is due."""
         with self.lock:
             return [((due - heard) / SAMPLE_RATE, analysis) for due, analysis in self._blocks]
 

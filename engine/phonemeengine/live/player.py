@@ -133,7 +133,7 @@ class Player:
         self._output.gain = gain
 
     def take_analyses(self) -> list[Analysis]:
-        """Give what has been heard since the last call; raises whatever ended the analysis.
+        """Return what has been heard since the last call; raises whatever ended the analysis.
 
         The frames of each block are numbered from the beginning of the file.
         """
@@ -145,7 +145,7 @@ class Player:
         return self._waiting.pop_due(self._output.heard)
 
     def upcoming(self) -> list[tuple[float, Analysis]]:
-        """Give what is analysed and not heard yet: `take` gives it later.
+        """Return what is analysed and not heard yet: `take` gives it later.
 
         Returns
         -------
@@ -292,5 +292,5 @@ class Player:
 
 
 def _frame_at(seconds: float) -> int:
-    """Give the frame in which a time lies; a frame's own beginning belongs to it, however it is rounded."""
+    """Return the frame in which a time lies; a frame's own beginning belongs to it, however it is rounded."""
     return int(seconds / FRAME_PERIOD + 1e-6)

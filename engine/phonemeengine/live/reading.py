@@ -14,7 +14,7 @@ class Reading(NamedTuple):
 
 
 def latest_reading(newest: Analysis | None) -> Reading:
-    """Give the last frame of a block; silence where there is none yet."""
+    """Return the last frame of a block; silence where there is none yet."""
     if newest is None or len(newest) == 0:
         return Reading()
     return Reading(Phoneme(int(newest.phonemes[-1])), float(newest.intensities[-1]))

@@ -118,7 +118,7 @@ class Recorder:
         self._finish(self._recording, self._phonemes)
 
     def _fitting(self, n: int, rate: int) -> int:
-        """Say how many of `n` samples are still to be recorded."""
+        """Return how many of `n` samples are still to be recorded."""
         return round(min(n, self._most * rate - self._n_given))
 
     def _skip(self, recording: Recording, seconds: float, began: float) -> None:

@@ -45,7 +45,7 @@ class RecentSamples:
         return block
 
     def around(self, sample: int) -> Float32Array:
-        """Give the window around a sample, shape (2048, n_channels); silence where nothing was read."""
+        """Return the window around a sample, shape (2048, n_channels); silence where nothing was read."""
         first = sample - WINDOW // 2
         window = np.zeros((WINDOW, self.n_channels), np.float32)
         for start, block in tuple(self._read):
@@ -139,7 +139,7 @@ class Sound:
         self._player.set_preset(preset)
 
     def poll(self) -> Reading:
-        """Give the phoneme and the intensity of what is heard now; AudioError where the file is damaged there.
+        """Return the phoneme and the intensity of what is heard now; AudioError where the file is damaged there.
 
         In a pause they stay as they were; after the end, and after `stop`, there is silence.
         """
@@ -149,13 +149,13 @@ class Sound:
         return latest_reading(None if self._stopped or self._player.finished else self._newest)
 
     def spectrum(self, channel: Channel = Channel.LEFT) -> Float32Array:
-        """Give the amplitudes of what is heard now, 0..1, shape (512,): bin k lies at k x 21.53 Hz."""
+        """Return the amplitudes of what is heard now, 0..1, shape (512,): bin k lies at k x 21.53 Hz."""
         frames = mono_of(self._tap.around(self._at()), channel)[np.newaxis]
         amplitudes: Float32Array = (self._transform.magnitudes_of(frames) * self._transform.scale)[0, :N_BINS]
         return amplitudes
 
     def analysis_buffer(self, channel: Channel = Channel.LEFT) -> Float32Array:
-        """Give the 2048 samples around what is heard now, ±1, silence beyond the sound's ends."""
+        """Return the 2048 samples around what is heard now, ±1, silence beyond the sound's ends."""
         return mono_of(self._tap.around(self._at()), channel)
 
     def close(self) -> None:

@@ -20,7 +20,7 @@ NOT_LISTENING = Status(listening=False, words="not listening")
 
 
 def status_of(source: Input, *, heard: bool, silent: float) -> Status:
-    """Say how it goes with an open microphone, of which something was heard or nothing yet, `silent` seconds ago."""
+    """Return the status of an open microphone, which was heard `silent` seconds ago, or never yet."""
     if not heard:
         return Status(listening=False, words=f"waiting for the first sound from {source.name}")
     if silent < QUIET:

@@ -27,5 +27,5 @@ EYELIDS = ("eyeBlinkLeft", "eyeBlinkRight")
 
 
 def both_sides(name: str) -> tuple[str, str]:
-    """Give the two movestates for which a name without a side stands, such as ``mouthSmile``."""
+    """Return the two movestates for which a name without a side stands, such as ``mouthSmile``."""
     return f"{name}Left", f"{name}Right"

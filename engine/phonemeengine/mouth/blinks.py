@@ -28,7 +28,7 @@ class Blinker:
         self._blinks = deque([self._random.uniform(0.5, INTERVAL)])
 
     def closure(self, time: float) -> float:
-        """Say how far the lids are closed at a time, 0..1; times never go back."""
+        """Return how far the lids are closed at a time, 0..1; times never go back."""
         while self._blinks[-1] <= time:
             self._blinks.append(self._blinks[-1] + self._pause())
         while len(self._blinks) > 1 and self._blinks[1] <= time:
@@ -42,7 +42,7 @@ class Blinker:
 
 
 def _lids(since: float) -> float:
-    """Say how far the lids are closed so long after a blink began."""
+    """Return how far the lids are closed so long after a blink began."""
     if 0.0 < since < CLOSING:
         return 0.5 - 0.5 * math.cos(math.pi * since / CLOSING)
     if CLOSING <= since < CLOSING + OPENING:

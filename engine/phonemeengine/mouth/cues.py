@@ -77,7 +77,7 @@ def cues_of(
 
 
 def leads_of(table: MouthTable, anticipation: float) -> dict[Phoneme, float]:
-    """Say how early the movement to a phoneme begins, seconds; phonemes that are left out begin on time."""
+    """Return how early the movement to a phoneme begins, seconds; phonemes that are left out begin on time."""
     closing = {
         phoneme: min(anticipation, table.times[phoneme].to_shape) for phoneme in table.firm - {Phoneme.SILENCE}
     }
@@ -174,7 +174,7 @@ class _Chain:
         return True
 
     def _dissolve(self, k: int, cue: Cue) -> None:
-        """Give the time of a cue to a neighbour that is too short as well, else half of it to each."""
+        """Return the time of a cue to a neighbour that is too short as well, else half of it to each."""
         b, a = self._before[k], self._after[k]
         before, after = self._at(b), self._at(a)
         if before is None and after is None:

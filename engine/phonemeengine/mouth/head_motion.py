@@ -36,7 +36,7 @@ class HeadPose:
 
 
 def quaternions_of(poses: Float32Array) -> Float64Array:
-    """Give poses, shape (n, 3): yaw, pitch and roll in degrees, as quaternions x, y, z, w, shape (n, 4).
+    """Return poses, shape (n, 3): yaw, pitch and roll in degrees, as quaternions x, y, z, w, shape (n, 4).
 
     The head looks along z, and its left is x. It rolls first, then nods, then turns.
     """
@@ -71,7 +71,7 @@ class HeadMotion:
             self._rise.set_target(time, 0.0)
 
     def pose(self, time: float) -> HeadPose:
-        """Give the pose at a time; times never go back."""
+        """Return the pose at a time; times never go back."""
         still = 0.5 + 0.5 * self._speaking.at(time)
         yaw, pitch, roll = (
             width

@@ -22,7 +22,7 @@ class LowPass:
         self._time, self._goal = time, goal
 
     def at(self, time: float) -> float:
-        """Give the value at a time."""
+        """Return the value at a time."""
         if self._time_constant <= 0.0 or self._value == self._goal:
             return self._goal
         passed = max(time - self._time, 0.0)

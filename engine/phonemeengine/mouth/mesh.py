@@ -56,7 +56,7 @@ class Mesh:
         return len(self.positions)
 
     def vertices(self, numbers: ArrayLike) -> Float32Array:
-        """Give where some vertices are, float32, shape (n, 3); shape (3,) for a single number.
+        """Return where some vertices are, float32, shape (n, 3); shape (3,) for a single number.
 
         Raises
         ------
@@ -66,7 +66,7 @@ class Mesh:
         return found
 
     def with_vertices(self, numbers: ArrayLike, positions: ArrayLike) -> "Mesh":
-        """Give a mesh with some vertices elsewhere, shape (n, 3); this one stays as it is.
+        """Return a mesh with some vertices elsewhere, shape (n, 3); this one stays as it is.
 
         Where triangles changed, the normals are computed anew.
 
@@ -89,11 +89,11 @@ class Mesh:
         return replace(self, positions=points, normals=normals)
 
     def moved(self, numbers: ArrayLike, offsets: ArrayLike) -> "Mesh":
-        """Give a mesh with some vertices moved by one offset, shape (3,), or by one each, shape (n, 3)."""
+        """Return a mesh with some vertices moved by one offset, shape (3,), or by one each, shape (n, 3)."""
         return self.with_vertices(numbers, self.vertices(numbers) + np.asarray(offsets, np.float32))
 
     def within(self, centre: ArrayLike, radius: float) -> UInt32Array:
-        """Give the numbers of all vertices within a sphere, uint32, ascending; those on its surface are in it."""
+        """Return the numbers of all vertices within a sphere, uint32, ascending; those on its surface are in it."""
         apart = np.linalg.norm(self.positions.astype(np.float64) - np.asarray(centre, np.float64), axis=1)
         return np.flatnonzero(apart <= radius).astype(np.uint32)
 

@@ -42,7 +42,7 @@ class MorphTargets:
 
 
 def morph_targets_of(mesh: Mesh, states: Sequence[Movestate]) -> MorphTargets:
-    """Give what a .3dm file holds of a mesh and its movestates.
+    """Return what a .3dm file holds of a mesh and its movestates.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def morph_targets_of(mesh: Mesh, states: Sequence[Movestate]) -> MorphTargets:
 
 
 def checked(face: MorphTargets) -> MorphTargets:
-    """Give a face after looking at whether its parts fit together.
+    """Return a face after looking at whether its parts fit together.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def checked(face: MorphTargets) -> MorphTargets:
 
 
 def matched(face: MorphTargets, mesh: Mesh, tolerance: float = TOLERANCE) -> MorphTargets:
-    """Give a face the numbers of a mesh: as it is where its vertices are in their places, else reorganised.
+    """Return a face the numbers of a mesh: as it is where its vertices are in their places, else reorganised.
 
     Raises
     ------
@@ -123,7 +123,7 @@ def remap_vertices(face: MorphTargets, mesh: Mesh, tolerance: float = TOLERANCE)
 
 
 def _near(face: MorphTargets, mesh: Mesh, tolerance: float) -> list[list[int]]:
-    """Give the vertices of the mesh that are where each vertex of the face was."""
+    """Return the vertices of the mesh that are where each vertex of the face was."""
     from scipy.spatial import cKDTree  # noqa: PLC0415 - takes 200 ms, which only who reorganises should wait for
 
     if not len(face.numbers):

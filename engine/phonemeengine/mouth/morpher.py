@@ -98,7 +98,7 @@ class Morpher:
         self._loudness.set_target(time, min(max(intensity, 0.0), 1.0))
 
     def weights(self, time: float) -> Float32Array:
-        """Give the weights at a time, float32, shape (n_movestates,), 1 for the whole movement.
+        """Return the weights at a time, float32, shape (n_movestates,), 1 for the whole movement.
 
         Movements that have ended by this time are forgotten: times may be looked at in order only.
         """
@@ -136,7 +136,7 @@ class Morpher:
 
 
 def _followed(phoneme: int, detail: Detail, firm: set[Phoneme]) -> int:
-    """Give the phoneme that the mouth shows."""
+    """Return the phoneme that the mouth shows."""
     closed = phoneme == Phoneme.SILENCE or (detail is Detail.TWO_STATES and phoneme in firm)
     if detail is Detail.PHONEMES:
         return int(phoneme)
@@ -144,7 +144,7 @@ def _followed(phoneme: int, detail: Detail, firm: set[Phoneme]) -> int:
 
 
 def _rows_of(table: MouthTable, detail: Detail, chance: random.Random) -> Float32Array:
-    """Give the weights of every phoneme with the habits of one mouth; lips that meet do so in every mouth."""
+    """Return the weights of every phoneme with the habits of one mouth; lips that meet do so in every mouth."""
     rows, spread = table.weights(), table.manner.randomness
     habits = np.array([chance.uniform(-spread, 0.0) for _ in table.movestates], np.float32)
     loose = [p for p in Phoneme if p not in {*table.firm, Phoneme.SILENCE}]

@@ -51,7 +51,7 @@ class TransitionTimes:
         return self.release / PART
 
     def scaled(self, attack: float, release: float) -> "TransitionTimes":
-        """Give both times multiplied by factors above 0, as far as their limits allow."""
+        """Return both times multiplied by factors above 0, as far as their limits allow."""
         return TransitionTimes(_limited("attack", attack * self.attack), _limited("release", release * self.release))
 
 

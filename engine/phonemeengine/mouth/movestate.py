@@ -90,7 +90,7 @@ def check_name(name: str) -> None:
 
 
 def _sorted(name: str, numbers: NDArray[np.generic], offsets: Float32Array) -> tuple[UInt32Array, Float32Array]:
-    """Give the numbers ascending, after looking whether each is a vertex and comes once."""
+    """Return the numbers ascending, after looking whether each is a vertex and comes once."""
     if len(numbers) and not 0 <= int(numbers.min()) <= int(numbers.max()) < MOST_VERTICES:
         raise MeshError(
             f"movestate {name!r} names vertex {int(numbers.max())}, and a mesh has at most {MOST_VERTICES}; "

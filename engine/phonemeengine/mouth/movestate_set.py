@@ -40,7 +40,7 @@ class MovestateSet(Percentages[str]):
         return self.states[self._place(name)]
 
     def morphed(self) -> Float32Array:
-        """Give the mesh's positions, each moved by its share of every state.
+        """Return the mesh's positions, each moved by its share of every state.
 
         Returns
         -------

@@ -76,7 +76,7 @@ class Percentages(Generic[Name]):
         return bool(self._interactable[self._place(name)])
 
     def set_interactable(self, name: Name, interactable: bool) -> None:
-        """Say whether setting others may push a state back."""
+        """Return whether setting others may push a state back."""
         self._interactable[self._place(name)] = interactable
 
     def set_percentage(self, name: Name, percent: float, mode: Mode = Mode.NONE) -> None:

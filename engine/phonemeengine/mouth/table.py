@@ -69,7 +69,7 @@ class MouthTable:
     notes: str = ""
 
     def weights(self) -> Float32Array:
-        """Give the weights of every phoneme's shape, shape (11, n_movestates), 1 for the whole movement."""
+        """Return the weights of every phoneme's shape, shape (11, n_movestates), 1 for the whole movement."""
         columns = {name: k for k, name in enumerate(self.movestates)}
         rows = np.zeros((len(Phoneme), len(columns)), np.float32)
         for phoneme, shape in self.phonemes.items():
@@ -78,7 +78,7 @@ class MouthTable:
         return rows
 
     def moved_as(self, attack: float, release: float, *, random: bool) -> "MouthTable":
-        """Give the table with all its times multiplied by factors above 0, and with its randomness or without."""
+        """Return the table with all its times multiplied by factors above 0, and with its randomness or without."""
         times = {phoneme: times.scaled(attack, release) for phoneme, times in self.times.items()}
         manner = self.manner if random else replace(self.manner, randomness=0.0)
         return replace(self, times=times, manner=manner)
@@ -226,7 +226,7 @@ def _phoneme(name: Any, place: str) -> Phoneme:
 def _times_of(
     entry: dict[str, Any], general: Mapping[str, float], firm: Collection[Phoneme]
 ) -> dict[Phoneme, TransitionTimes]:
-    """Give the times of every phoneme: its own, else those of [manner] for all, else the usual ones."""
+    """Return the times of every phoneme: its own, else those of [manner] for all, else the usual ones."""
     own = {_phoneme(name, "[times]"): _own_times(name, times) for name, times in entry.items()}
     if Phoneme.SILENCE in own:
         raise MouthError(
@@ -254,7 +254,7 @@ def _own_times(phoneme: str, entry: Any) -> dict[str, float]:
 
 
 def _manner_of(entry: dict[str, Any]) -> tuple[dict[str, float], MotionSettings]:
-    """Give the times for all phonemes that [times] leaves out, and the manner."""
+    """Return the times for all phonemes that [times] leaves out, and the manner."""
     known = [*USUAL_TIMES, *(f.name for f in fields(MotionSettings))]
     for name in entry:
         if name not in known:

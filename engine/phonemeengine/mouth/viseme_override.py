@@ -114,7 +114,7 @@ class VisemeOverride:
         self._percentages.set_percentages(LEFT_TO_SPEECH)
 
     def mixed(self, spoken: Float32Array, now: float) -> Float32Array:
-        """Give the weights of the mouth, shape (n_movestates,): what is asked for, and the speech's share of its own.
+        """Return the weights of the mouth, shape (n_movestates,): what is asked for, and speech's share of its own.
 
         They get there smoothly; times never go back.
         """

@@ -145,7 +145,7 @@ def _table(
 
 
 def _checked(table: dict[str, Any]) -> dict[str, Any]:
-    """Give a copy of a table, after refusing values of the wrong type and numbers that no float32 holds."""
+    """Return a copy of a table, after refusing values of the wrong type and numbers that no float32 holds."""
     for key, value in table.items():
         expected = _TYPES.get(key, float)
         fits = isinstance(value, int | float if expected is float else expected)

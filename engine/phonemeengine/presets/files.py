@@ -111,7 +111,7 @@ def factory_preset(recogniser: str) -> Preset | None:
 
 
 def is_phoneme_data(path: Path) -> bool:
-    """Say whether a file of this name holds the 21 numbers of PhonemeData, and nothing else."""
+    """Return whether a file of this name holds the 21 numbers of PhonemeData, and nothing else."""
     return path.suffix.lower() in PHONEME_DATA_SUFFIXES
 
 

@@ -64,7 +64,7 @@ class LearnedRecogniser:
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
 
     def _shares_of(self, found: Float32Array) -> Float32Array:
-        """Give how likely each phoneme is with each vocal tract, shape (n, n_warps, n_phonemes)."""
+        """Return how likely each phoneme is with each vocal tract, shape (n, n_warps, n_phonemes)."""
         scores: Float32Array = found.reshape(-1, found.shape[2]).dot(self._head.weights)
         scores += self._head.bias
         scores -= np.maximum.reduce(scores, axis=1, keepdims=True)
@@ -73,9 +73,9 @@ class LearnedRecogniser:
         return scores.reshape(len(found), len(self._warps), -1)
 
     def deficits(self, features: Features) -> Float32Array | None:
-        """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
+        """Return by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
         return deficits_of_scores(features)
 
     def explain(self, features: Features, k: int) -> Trace:
-        """Say how likely the likeliest phonemes of frame `k` are."""
+        """Return how likely the likeliest phonemes of frame `k` are."""
         return trace_of_scores(features, k)

@@ -71,7 +71,7 @@ class Model:
         return hashed.hexdigest()
 
     def rounded(self) -> "Model":
-        """Give the model with the precision of its file, so that saving it changes nothing."""
+        """Return the model with the precision of its file, so that saving it changes nothing."""
         layers = tuple(Layer(_halved(layer.weights), layer.bias, layer.dilation) for layer in self.layers)
         heads = tuple(OutputHead(_halved(h.weights), h.bias) for h in self.heads)
         return replace(self, layers=layers, heads=heads, anchors=_halved(self.anchors))
@@ -186,7 +186,7 @@ def _halved(array: Float32Array) -> Float32Array:
 
 
 def _checked(array: NDArray[Any], shape: tuple[int | None, ...]) -> Float32Array:
-    """Give an array as float32, after looking at its shape and its numbers."""
+    """Return an array as float32, after looking at its shape and its numbers."""
     fits = array.ndim == len(shape) and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True))
     if not fits or array.dtype.kind != "f" or array.size > MOST_CHANNELS**2 * TAPS or not np.all(np.isfinite(array)):
         raise ModelError("its arrays do not fit together; get it anew, or train it again")

@@ -86,7 +86,7 @@ class StreamingLayer:
 
 
 def _taps_of(seen: Float32Array, step: int) -> Float32Array:
-    """Give a view of frames in which those that an answer looks at lie beside each other, shape (n, ..., 3, n_in)."""
+    """Return a view of frames with those side by side that an answer looks at, shape (n, ..., 3, n_in)."""
     n_answers, (frame, *lanes, value) = len(seen) - (TAPS - 1) * step, seen.strides
     shape = (n_answers, *seen.shape[1:-1], TAPS, seen.shape[-1])
     return as_strided(seen, shape, (frame, *lanes, step * frame, value), writeable=False)

@@ -82,7 +82,7 @@ class PlugIn:
         """Tell nothing: only its codes are known."""
 
     def explain(self, features: Features, k: int) -> Trace:
-        """Say why frame `k` of a block is recognised as it is.
+        """Return why frame `k` of a block is recognised as it is.
 
         Raises
         ------
@@ -111,12 +111,12 @@ class PlugIn:
 
 
 def plug_ins() -> dict[str, tuple[EntryPoint, ...]]:
-    """Give all recognisers that installed packages offer, by name, sorted; none of them is imported."""
+    """Return all recognisers that installed packages offer, by name, sorted; none of them is imported."""
     return _found(tuple(sys.path))
 
 
 def package_of(entry: EntryPoint) -> str:
-    """Give the name of the package that offers a recogniser."""
+    """Return the name of the package that offers a recogniser."""
     return entry.dist.name if entry.dist is not None else entry.module
 
 
@@ -130,7 +130,7 @@ def _found(_path: tuple[str, ...]) -> dict[str, tuple[EntryPoint, ...]]:
 
 
 def _read_only(features: Features) -> Features:
-    """Give the same features, but not to be written to: they are shown and saved, too."""
+    """Return the same features, but not to be written to: they are shown and saved, too."""
     values = features.values.view()
     values.flags.writeable = False
     windows = features.windows.view()
@@ -145,7 +145,7 @@ def _described(codes: object) -> str:
 
 
 def _checked(trace: Any) -> Trace:
-    """Give a trace that can be shown, whatever stands in its fields for numbers and text."""
+    """Return a trace that can be shown, whatever stands in its fields for numbers and text."""
     return Trace(Phoneme(trace.phoneme), str(trace.rule), tuple(_comparisons(trace.comparisons)))
 
 

@@ -67,11 +67,11 @@ class Recogniser(Protocol):
         ...
 
     def deficits(self, features: Features) -> Float32Array | None:
-        """Say by how much each phoneme falls short of being named, shape (n_frames, n_phonemes), or None."""
+        """Return by how much each phoneme falls short of being named, shape (n_frames, n_phonemes), or None."""
         ...
 
     def explain(self, features: Features, k: int) -> Trace:
-        """Say why frame `k` of a block is recognised as it is."""
+        """Return why frame `k` of a block is recognised as it is."""
         ...
 
 
@@ -87,7 +87,7 @@ NEED_WAVEFORM = frozenset({"learned", "templates"})
 
 
 def takes_own_variables(name: str) -> bool:
-    """Say whether a user's own variables can act on what a recogniser says.
+    """Return whether a user's own variables can act on what a recogniser says.
 
     The rules of a preset may name them, and recognisers of other packages see them; the other ones of the program
     measure what they need themselves.
@@ -113,7 +113,7 @@ def _templates_of(tuning: RecogniserConfig) -> Templates:
 
 
 def recogniser_names() -> tuple[str, ...]:
-    """Give the names of all recognisers, the program's own first; those of other packages are not imported."""
+    """Return the names of all recognisers, the program's own first; those of other packages are not imported."""
     return (*RECOGNISERS, *(name for name in plug_ins() if name not in RECOGNISERS))
 
 
@@ -139,7 +139,7 @@ def check_recogniser(name: str) -> None:
 
 
 def recogniser_of(name: str, tuning: RecogniserConfig) -> Recogniser:
-    """Give the recogniser that a preset names; one of another package is made when it is first asked.
+    """Return the recogniser that a preset names; one of another package is made when it is first asked.
 
     Raises
     ------

@@ -124,7 +124,7 @@ class RuleRecogniser:
         return self._rules
 
     def limit_of(self, condition: Condition) -> float:
-        """Give what one of its conditions compares with."""
+        """Return what one of its conditions compares with."""
         return self._limits_of[condition]
 
     def recognise(self, features: Features) -> Recognition:
@@ -133,7 +133,7 @@ class RuleRecogniser:
         return Recognition(self._phonemes[failures.argmin(axis=1)])
 
     def deficits(self, features: Features) -> Float32Array:
-        """Say how much the limits would have to give way until each phoneme is named, as a share of them.
+        """Return how much the limits would have to give way until each phoneme is named, as a share of them.
 
         For a rule to fire, its own comparisons must hold, and of each rule before it one must fail; the phoneme that
         is named falls short by 0. Returns float32, shape (n_frames, n_phonemes).
@@ -149,7 +149,7 @@ class RuleRecogniser:
         return least
 
     def explain(self, features: Features, k: int) -> Trace:
-        """Say why frame `k` of a block is recognised as it is: all comparisons down to the rule that fired.
+        """Return why frame `k` of a block is recognised as it is: all comparisons down to the rule that fired.
 
         A frame on which a variable of the rules was not measured yet is unidentified without comparisons.
         """
@@ -175,7 +175,7 @@ class RuleRecogniser:
         return Trace(self._rules[fired].phoneme, self._labels[fired], comparisons)
 
     def _columns_of_rules(self) -> IndexArray:
-        """Give the conditions of each rule by number, shape (n_rules, n_asked); the last number always holds."""
+        """Return the conditions of each rule by number, shape (n_rules, n_asked); the last number always holds."""
         numbers = {c: k for k, c in enumerate(self._conditions)}
         columns = np.full((len(self._rules), max(1, *(len(r.conditions) for r in self._rules))), len(numbers))
         for k, rule in enumerate(self._rules):
@@ -183,13 +183,13 @@ class RuleRecogniser:
         return columns
 
     def _label_of(self, number: int) -> str:
-        """Give the phoneme's name, with a number where several rules have the same."""
+        """Return the phoneme's name, with a number where several rules have the same."""
         phoneme = self._rules[number].phoneme
         same = [k for k, rule in enumerate(self._rules) if rule.phoneme is phoneme]
         return phoneme.label if len(same) == 1 else f"{phoneme.label} {same.index(number) + 1}"
 
     def _compared(self, features: Features) -> Float32Array:
-        """What must exceed the limits for a comparison to hold: values, those of `<` with their sign turned.
+        """Return what must exceed the limits for a comparison to hold: values, those of `<` with their sign turned.
 
         Shape (n_frames, n_conditions).
         """

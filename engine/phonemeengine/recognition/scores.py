@@ -84,7 +84,7 @@ def deficits_of(scores: Float32Array, phoneme: Phoneme) -> Float32Array:
 
 
 def scores_in(features: Features) -> Float32Array | None:
-    """Give the columns of the scores, shape (n_frames, n_phonemes), or None where nobody has measured them yet."""
+    """Return the columns of the scores, shape (n_frames, n_phonemes), or None where nobody has measured them yet."""
     if SCORES[0] not in features.names:
         return None
     first = features.names.index(SCORES[0])
@@ -92,7 +92,7 @@ def scores_in(features: Features) -> Float32Array | None:
 
 
 def deficits_of_scores(features: Features) -> Float32Array | None:
-    """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
+    """Return by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
     scores = scores_in(features)
     if scores is None:
         return None
@@ -101,7 +101,7 @@ def deficits_of_scores(features: Features) -> Float32Array | None:
 
 
 def trace_of_scores(features: Features, k: int) -> Trace:
-    """Say why frame `k` of a block is recognised as it is: the likeliest phonemes, the best one first.
+    """Return why frame `k` of a block is recognised as it is: the likeliest phonemes, the best one first.
 
     The best is compared with the second, all others with the best. Frames that nobody has scored are unidentified.
     """

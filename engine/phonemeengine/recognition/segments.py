@@ -23,7 +23,7 @@ class Segment:
     intensity: float
 
     def row(self) -> dict[str, Any]:
-        """Give it as a row of a table, in seconds to the microsecond."""
+        """Return it as a row of a table, in seconds to the microsecond."""
         values = (round(self.start, 6), round(self.end, 6), self.phoneme.label, round(self.intensity, 3))
         return dict(zip(SEGMENT_COLUMNS, values, strict=True))
 
@@ -47,7 +47,7 @@ class SegmentBuilder:
         return runs
 
     def finish(self, duration: float) -> list[Segment]:
-        """Give the run that is still open, which ends where the sound does, at `duration` seconds."""
+        """Return the run that is still open, which ends where the sound does, at `duration` seconds."""
         return [self._run(duration)] if self._frame > self._first else []
 
     def _run(self, end: float) -> Segment:
@@ -70,5 +70,5 @@ def segments_of(blocks: Iterable[tuple[UInt8Array, Float32Array]], duration: flo
 
 
 def labels_of_segments(segments: Iterable[Segment]) -> tuple[Label, ...]:
-    """Give stretches of recognised phonemes, in order of time, as labels."""
+    """Return stretches of recognised phonemes, in order of time, as labels."""
     return tuple(Label(s.start, s.end, s.phoneme.label, s.phoneme) for s in segments)

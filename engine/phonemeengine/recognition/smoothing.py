@@ -57,7 +57,7 @@ class PhonemeSmoother:
         self._held = self._least
 
     def has_change(self, phonemes: UInt8Array) -> bool:
-        """Say whether hysteresis has anything to decide about the next phonemes: mostly none changes."""
+        """Return whether hysteresis has anything to decide about the next phonemes: mostly none changes."""
         return self.hysteresis > 0 and bool((phonemes != self._steady).any())
 
     def smooth(self, phonemes: UInt8Array, deficits: Float32Array | None = None) -> UInt8Array:

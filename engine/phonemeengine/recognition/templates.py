@@ -97,11 +97,11 @@ class TemplateRecogniser:
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
 
     def deficits(self, features: Features) -> Float32Array | None:
-        """Say by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
+        """Return by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
         return deficits_of_scores(features)
 
     def explain(self, features: Features, k: int) -> Trace:
-        """Say how likely the nearest phonemes of frame `k` are."""
+        """Return how likely the nearest phonemes of frame `k` are."""
         return trace_of_scores(features, k)
 
     def _likenesses(self, cepstra: Float32Array) -> Float32Array:
@@ -122,7 +122,7 @@ def _check_row(name: str, row: tuple[float, ...]) -> None:
 
 
 def levels_of(log_mels: Float32Array) -> Float32Array:
-    """Give the level of frames from the logarithms of their mel powers, dB, shape (n_frames,).
+    """Return the level of frames from the logarithms of their mel powers, dB, shape (n_frames,).
 
     A full-scale sine has about 0 dB; digital silence some -94 dB.
     """
@@ -131,7 +131,7 @@ def levels_of(log_mels: Float32Array) -> Float32Array:
 
 
 def rounded_templates(means: Mapping[Phoneme, Float32Array], spread: Float32Array, silence_below: float) -> Templates:
-    """Give templates with few digits, as a file shows them."""
+    """Return templates with few digits, as a file shows them."""
     rows = {phoneme: _rounded(mean) for phoneme, mean in means.items()}
     return Templates(rows, _rounded(np.maximum(spread, 1e-3)), float(math.floor(10 * silence_below) / 10))
 

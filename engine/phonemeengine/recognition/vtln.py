@@ -44,7 +44,7 @@ class VtlnMixer:
         return mixed[:, 0]
 
     def _weigh(self, sure: list[float], silent: list[float]) -> list[float]:
-        """Give how much each tract counts in a frame; silence tells nothing about them."""
+        """Return how much each tract counts in a frame; silence tells nothing about them."""
         speaks = sum(silent) < len(silent) / 2
         self._evidence = [
             _KEPT * before + (math.log(now) if speaks else 0.0)

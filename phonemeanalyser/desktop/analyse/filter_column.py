@@ -256,7 +256,7 @@ class FilterColumn(QScrollArea):
         self.bypass.blockSignals(False)
 
     def _show_unused(self) -> None:
-        """Say which steps do nothing to what is recognised, where they are; they shape what is seen all the same."""
+        """Return which steps do nothing to what is recognised; they still shape what is seen."""
         name = self._preset.preset.recogniser
         unused = unused_settings(self._preset.preset)
         titles = {step.value: title for step, title in TITLES.items()}

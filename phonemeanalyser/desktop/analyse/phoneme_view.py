@@ -131,7 +131,7 @@ class PhonemeView(QWidget):
 
 
 def rows_of(trace: Trace) -> list[tuple[RuleComparison, str, bool]]:
-    """Give a line for each rule that failed (its first failed comparison) and all of the one that fired.
+    """Return a line for each rule that failed (its first failed comparison) and all of the one that fired.
 
     Where these are more than there is room for, only those rules are told that failed by the least share of a limit,
     each with the comparison that failed by the most.
@@ -155,7 +155,7 @@ def _share(comparison: RuleComparison) -> float:
 
 
 def _words(comparison: RuleComparison) -> str:
-    """Say what was compared; a variable that ends with its rule's name, such as `p_silence`, need not repeat it."""
+    """Return what was compared; a variable that ends with its rule's name, such as `p_silence`, does not repeat it."""
     variable = comparison.variable.removesuffix(f"_{comparison.rule}")
     return f"{variable} {_short(comparison.value)} {comparison.sign} {_short(comparison.limit)}"
 

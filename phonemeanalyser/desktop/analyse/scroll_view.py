@@ -70,7 +70,7 @@ class ScrollView(QWidget):
         self._choose_colours()
 
     def invite(self, text: str) -> None:
-        """Say what the user may do, where nothing has been analysed yet."""
+        """Return what the user may do, where nothing has been analysed yet."""
         self._hint.setText(text)
 
     def refresh(self) -> None:
@@ -280,14 +280,14 @@ class ScrollView(QWidget):
         self._refresh_read_out()
 
     def _refresh_read_out(self) -> None:
-        """Say what lies under the mouse now: it may stand still while the picture moves."""
+        """Return what lies under the mouse now: it may stand still while the picture moves."""
         plot = self._plot_at(self._mouse) if self._mouse is not None else None
         self._cursor_label.show_reading(
             "" if plot is None else self._describe(plot, plot.vb.mapSceneToView(self._mouse))
         )
 
     def _plot_at(self, point: QPointF) -> Any:
-        """Give the plot at a point of the scene, or None."""
+        """Return the plot at a point of the scene, or None."""
         return next((plot for plot in self._plots if plot.vb.sceneBoundingRect().contains(point)), None)
 
     def _describe(self, plot: Any, point: QPointF) -> str:
@@ -307,7 +307,7 @@ class ScrollView(QWidget):
         return f"{text}   {name} {values[name][0]:.4g}" if name in values.names else text
 
     def _values_at(self, at: QPoint) -> str:
-        """Give what is seen as a table: on the sonagram its amplitudes, else the chosen variable."""
+        """Return what is seen as a table: on the sonagram its amplitudes, else the chosen variable."""
         left, right = self._plots[0].vb.viewRange()[0]
         n, history = self.sonagram.n_drawn, self._history
         seen = history.indices(n + floor(left / FRAME_PERIOD), n + ceil(right / FRAME_PERIOD))
@@ -329,7 +329,7 @@ class ScrollView(QWidget):
 
 
 def _round_up(value: float) -> float:
-    """Give the next of 1, 1.5, 2, 3, 5, 7, 10 times a power of ten, so that an axis seldom changes."""
+    """Return the next of 1, 1.5, 2, 3, 5, 7, 10 times a power of ten, so that an axis seldom changes."""
     if value <= 0:
         return 1.0
     power = 10.0 ** np.floor(np.log10(value))

@@ -25,7 +25,7 @@ LETTER = 8
 
 
 def colours_of(name: str) -> UInt32Array:
-    """Give a colour map as 256 pixels of a QImage, 0xffRRGGBB."""
+    """Return a colour map as 256 pixels of a QImage, 0xffRRGGBB."""
     if name == "grey":
         rgb = np.repeat(np.arange(256, dtype=np.uint32)[:, None], 3, axis=1)
     else:

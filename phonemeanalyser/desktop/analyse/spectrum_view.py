@@ -57,7 +57,7 @@ class SpectrumView(Plot):
         self.draw(np.zeros(0, np.float32))
 
     def heights_of(self, amplitudes: Float64Array | Float32Array) -> Float64Array:
-        """Give amplitudes as they are drawn: as they are, or in dB."""
+        """Return amplitudes as they are drawn: as they are, or in dB."""
         if not self.in_decibels:
             return np.asarray(amplitudes, float)
         return 20 * np.log10(np.maximum(amplitudes, 10 ** (FLOOR_DB / 20)))
@@ -93,7 +93,7 @@ class SpectrumView(Plot):
         self.item.setLabel("left", "level (dB)" if self.in_decibels else "amplitude")
 
     def _columns(self) -> dict[str, Float64Array]:
-        """Give what is drawn as columns, each under its name and unit."""
+        """Return what is drawn as columns, each under its name and unit."""
         amplitudes = self._amplitudes.astype(float)
         with np.errstate(divide="ignore"):
             levels = 20 * np.log10(amplitudes)

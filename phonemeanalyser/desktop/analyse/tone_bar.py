@@ -181,7 +181,7 @@ def _value_of(tone: Tone, name: str) -> float:
 
 
 def _with(tone: Tone, name: str, value: float) -> Tone:
-    """Give the tone with another number; the other end of a sweep gives way to it."""
+    """Return the tone with another number; the other end of a sweep gives way to it."""
     if name in FORMANTS:
         k = FORMANTS.index(name)
         formant = replace(tone.formants[k], frequency=value)
@@ -197,7 +197,7 @@ def _with(tone: Tone, name: str, value: float) -> Tone:
 
 
 def _frequency_at(step: int) -> float:
-    """Give the frequency at a place of the slider, Hz, in three figures."""
+    """Return the frequency at a place of the slider, Hz, in three figures."""
     low, high, _ = TONE_LIMITS["frequency"]
     return float(f"{low * (high / low) ** (step / SLIDER_STEPS):.3g}")
 

@@ -131,7 +131,7 @@ class Transport(QWidget):
         return QSize(width, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Give what belongs to the source a row of its own where one row has no room for all."""
+        """Return what belongs to the source a row of its own where one row has no room for all."""
         super().resizeEvent(event)
         self._wrap()
 
@@ -220,7 +220,7 @@ class Transport(QWidget):
 
 
 def tinted_icon(style: QStyle, icon: QStyle.StandardPixmap, theme: Theme) -> QIcon:
-    """Give a standard icon in the theme's text colour."""
+    """Return a standard icon in the theme's text colour."""
     pixmap = style.standardIcon(icon).pixmap(20, 20)
     painter = QPainter(pixmap)
     painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)

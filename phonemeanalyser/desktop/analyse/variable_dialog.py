@@ -48,7 +48,7 @@ class VariableDialog(QDialog):
         form.addRow(buttons)
 
     def variable(self) -> Variable:
-        """Give what was asked for; SettingsError where it is impossible."""
+        """Return what was asked for; SettingsError where it is impossible."""
         kind, source = Kind(self.kind.currentData()), Spectrum(self.source.currentData())
         return Variable(self.name.text().strip().lower(), self.low.value(), self.high.value(), kind, source)
 

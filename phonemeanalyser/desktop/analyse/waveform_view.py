@@ -64,7 +64,7 @@ class WaveformView(Plot):
         self.item.setYRange(-half, half, padding=0)
 
     def _columns(self) -> dict[str, NDArray[np.floating]]:
-        """Give what is drawn as columns, each under its name and unit."""
+        """Return what is drawn as columns, each under its name and unit."""
         times = np.linspace(0, LENGTH_MS, len(self._wave), endpoint=False)
         return {"time in the window (ms)": times, "amplitude (full scale 1)": self._wave}
 

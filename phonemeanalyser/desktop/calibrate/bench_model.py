@@ -128,7 +128,7 @@ class BenchModel(BackgroundModel):
         self._preset.end_edit()
 
     def passages(self, truth: Phoneme, answer: Phoneme) -> list[ConfusedSegment]:
-        """Give the stretches of a cell of the confusion matrix, the longest first."""
+        """Return the stretches of a cell of the confusion matrix, the longest first."""
         found = self.confusion.frames_in(truth, answer) if self.confusion else ()
         return sorted(found, key=lambda p: p.start - p.end)
 

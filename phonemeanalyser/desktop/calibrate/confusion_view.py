@@ -50,12 +50,12 @@ class ConfusionView(QWidget):
         self.update()
 
     def share(self, row: int, column: int) -> float:
-        """Give what a cell shows: percent of its row, or how many more than those it is compared with."""
+        """Return what a cell shows: percent of its row, or how many more than those it is compared with."""
         other = _share(self.difference, row, column) if self.difference is not None else 0.0
         return _share(self.counts, row, column) - other
 
     def cell_rect(self, row: int, column: int) -> QRectF:
-        """Give where a cell lies."""
+        """Return where a cell lies."""
         width, height = (self.width() - LEFT - 2) / len(TAKEN), (self.height() - TOP - 2) / len(SAID)
         return QRectF(LEFT + column * width, TOP + row * height, width, height)
 
@@ -82,7 +82,7 @@ class ConfusionView(QWidget):
             painter.drawRect(self.cell_rect(*self.cell).adjusted(1, 1, -1, -1))
 
     def _columns(self) -> dict[str, Sequence[object]]:
-        """Give the frames by what was said (row) and what they were taken for (column)."""
+        """Return the frames by what was said (row) and what they were taken for (column)."""
         if self.counts is None:
             return {}
         counts = self.counts
@@ -146,11 +146,11 @@ class ConfusionView(QWidget):
         return super().event(event)
 
     def phonemes_of(self, cell: tuple[int, int]) -> tuple[Phoneme, Phoneme]:
-        """Give what was said and what it was taken for."""
+        """Return what was said and what it was taken for."""
         return SAID[cell[0]], TAKEN[cell[1]]
 
     def words_of(self, row: int, column: int) -> str:
-        """Say what a cell holds."""
+        """Return what a cell holds."""
         count = int(self.counts[SAID[row], TAKEN[column]]) if self.counts is not None else 0
         share = _share(self.counts, row, column)
         taken = TAKEN[column].label
@@ -184,6 +184,6 @@ def _blend(one: str, other: str, share: float) -> QColor:
 
 
 def _light(colour: QColor) -> float:
-    """Give the relative luminance, 0..1, on which it depends whether black or white is read better."""
+    """Return the relative luminance, 0..1, on which it depends whether black or white is read better."""
     weights = ((0.2126, colour.redF()), (0.7152, colour.greenF()), (0.0722, colour.blueF()))
     return float(sum(weight * amount**2.2 for weight, amount in weights))

@@ -54,7 +54,7 @@ class DistributionView(QWidget):
         self.update()
 
     def x_of(self, value: float) -> float:
-        """Give where a value lies, pixels."""
+        """Return where a value lies, pixels."""
         distribution = self._bench.shown
         if distribution is None:
             return float(LEFT)
@@ -66,7 +66,7 @@ class DistributionView(QWidget):
         return LEFT + min(max(share, 0.0), 1.0) * (self.width() - LEFT - RIGHT)
 
     def value_at(self, x: float) -> float:
-        """Give the value that lies at a pixel."""
+        """Return the value that lies at a pixel."""
         distribution = self._bench.shown
         if distribution is None:
             return 0.0
@@ -178,7 +178,7 @@ class DistributionView(QWidget):
         return unit_of(distribution.variable, self._bench.own_variables)
 
     def _columns(self) -> dict[str, Sequence[object]]:
-        """Give what is drawn as columns, each under its name and unit."""
+        """Return what is drawn as columns, each under its name and unit."""
         distribution = self._bench.shown
         if distribution is None:
             return {}

@@ -109,7 +109,7 @@ class ComparisonModel(BackgroundModel):
         bench.confusion_changed.connect(self._compare)
 
     def shipped(self) -> tuple[Path, ...]:
-        """Give the presets that come with the program."""
+        """Return the presets that come with the program."""
         return tuple(sorted(FACTORY.glob("*.toml")))
 
     def choose(self, path: Path | None) -> None:
@@ -165,7 +165,7 @@ def _fitted(
 
 
 def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance, ...]) -> CorpusScores:
-    """Give what a workbench answered as what a score of the files gives."""
+    """Return what a workbench answered as what a score of the files gives."""
     answers = []
     for k, utterance in enumerate(utterances):
         span = slice(int(confusion.edges[k]), int(confusion.edges[k + 1]))

@@ -282,7 +282,7 @@ class GuideView(QWidget):
         return guide.step.hint
 
     def _found(self) -> str:
-        """Say what the figures are measured on, and how sure the room is told from speech."""
+        """Return what the figures are measured on, and how sure the room is told from speech."""
         guide = self._calibration.guide
         if guide.outcome is None:
             return ""

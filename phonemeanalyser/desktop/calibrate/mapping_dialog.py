@@ -52,5 +52,5 @@ class MappingDialog(QDialog):
         self.resize(380, 420)
 
     def mapping(self) -> dict[str, Phoneme]:
-        """Give what each name stands for."""
+        """Return what each name stands for."""
         return {name: Phoneme(box.currentData()) for name, box in self.boxes.items()}

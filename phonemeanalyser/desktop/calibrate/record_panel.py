@@ -70,7 +70,7 @@ class RecordPanel(QWidget):
         self.show_state()
 
     def show_state(self) -> None:
-        """Say what holding a button does now."""
+        """Return what holding a button does now."""
         session, stretch = self._calibration.session, self._calibration.stretch
         held = self._calibration.phoneme
         of_file = session.source is SoundSource.FILE and session.path is not None

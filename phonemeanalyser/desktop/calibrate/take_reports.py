@@ -31,6 +31,6 @@ def report_of(project: TakeProject, take: Take, noise: float) -> TakeReport:
 
 
 def noise_in(takes: tuple[Take, ...], reports: Mapping[int, TakeReport]) -> float:
-    """Give the level of the room as the newest silence tells it, as an amplitude; 0 where there is none."""
+    """Return the level of the room as the newest silence tells it, as an amplitude; 0 where there is none."""
     silences = [t for t in takes if t.phoneme is Phoneme.SILENCE and not t.excluded and t.number in reports]
     return float(10 ** (reports[silences[-1].number].level / 20)) if silences else 0.0

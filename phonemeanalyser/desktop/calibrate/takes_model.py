@@ -92,15 +92,15 @@ class TakesModel(QObject):
         return self._disk.busy
 
     def take(self, number: int) -> Take | None:
-        """Give a take by its number; None where there is none."""
+        """Return a take by its number; None where there is none."""
         return next((take for take in self.now.takes if take.number == number), None)
 
     def path_of(self, take: Take) -> Path:
-        """Give the sound file of a take."""
+        """Return the sound file of a take."""
         return (self.folder or Path()) / take.sound
 
     def utterances(self) -> tuple[Utterance, ...]:
-        """Give those takes that count, as labelled recordings."""
+        """Return those takes that count, as labelled recordings."""
         return tuple(
             Utterance(self.path_of(take), take.to_labels(), take.speaker, "takes")
             for take in self.now.takes
@@ -108,7 +108,7 @@ class TakesModel(QObject):
         )
 
     def noise(self) -> float:
-        """Give the level of the room as the newest silence tells it, as an amplitude; 0 where there is none."""
+        """Return the level of the room as the newest silence tells it, as an amplitude; 0 where there is none."""
         return noise_in(self.now.takes, self._reports)
 
     # -- the project --------------------------------------------------------------------------------------
@@ -188,7 +188,7 @@ class TakesModel(QObject):
         self._change_take(number, lambda project, take: project.trim(take, start, min(end, take.duration)))
 
     def relabel(self, number: int, phoneme: Phoneme) -> None:
-        """Say that a take is another phoneme."""
+        """Return that a take is another phoneme."""
         self._change_take(
             number, lambda project, take: self._checked(project, project.relabel(take, phoneme)) or take
         )

@@ -51,7 +51,7 @@ class Timeline(QWidget):
         return max(1.0, (self.width() - LEFT) / self.scale)
 
     def frame_at(self, x: float) -> int:
-        """Give the frame at a pixel."""
+        """Return the frame at a pixel."""
         return int(self.first + (x - LEFT) / self.scale)
 
     def paintEvent(self, _event: Any) -> None:
@@ -183,7 +183,7 @@ class TimelineView(QWidget):
         self._fit()
 
     def _columns(self) -> dict[str, Sequence[object]]:
-        """Give what is seen as columns, each under its name and unit."""
+        """Return what is seen as columns, each under its name and unit."""
         confusion = self.lanes.confusion
         if confusion is None:
             return {}

@@ -173,7 +173,7 @@ class VariablesPanel(QWidget):
             self.add_asked.emit(suggestion.variable)
 
     def _suggested(self) -> Suggestion | None:
-        """Give the suggestion that is chosen; None where it is a variable that there is."""
+        """Return the suggestion that is chosen; None where it is a variable that there is."""
         item = self.table.item(self.table.currentRow(), 0)
         name = item.data(NAME) if item is not None else ""
         have = {r.variable for r in self._bench.ranking}
@@ -184,7 +184,7 @@ class VariablesPanel(QWidget):
         self._tell()
 
     def _tell(self) -> None:
-        """Say what the suggestion that is chosen measures, and whether it can act."""
+        """Return what the suggestion that is chosen measures, and whether it can act."""
         suggestion, name = self._suggested(), self._bench.recogniser
         self.words.setVisible(suggestion is not None)
         if suggestion is not None:

@@ -64,7 +64,7 @@ class AveragesModel(QObject):
         self._average.add(shown_spectra(analysis))
 
     def current(self, name: str = "now") -> AveragedSpectrum:
-        """Give the running mean."""
+        """Return the running mean."""
         front_end = self.settings.front_end() if self.settings is not None else ""
         return self._average.curve(name, front_end, self.since)
 
@@ -86,7 +86,7 @@ class AveragesModel(QObject):
         self.curves_changed.emit()
 
     def distances(self) -> list[float]:
-        """Give the difference in shape of each loaded curve from the running mean, dB; NaN while that is empty."""
+        """Return the difference in shape of each loaded curve from the running mean, dB; NaN while that is empty."""
         current = self.current()
         if not self.n_frames:
             return [float("nan")] * len(self.curves)

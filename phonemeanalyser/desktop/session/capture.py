@@ -67,7 +67,7 @@ class SampleCapture:
         return caught, rate
 
     def heard(self) -> tuple[Float32Array, int]:
-        """Give what was caught so far as one channel, shape (n,), and its rate in Hz."""
+        """Return what was caught so far as one channel, shape (n,), and its rate in Hz."""
         with self._lock:
             if len(self._mono) > 1:
                 self._mono = [np.concatenate(self._mono)]
@@ -78,7 +78,7 @@ class SampleCapture:
 
 
 def to_mono_44k(samples: Float32Array, rate: int) -> Float32Array:
-    """Give a sound, shape (n, n_channels), as one channel at 44.1 kHz, shape (m,)."""
+    """Return a sound, shape (n, n_channels), as one channel at 44.1 kHz, shape (m,)."""
     if rate != SAMPLE_RATE and len(samples):
         samples = Resampler(rate, samples.shape[1]).resample(samples, last=True)
     return mono_of(samples, Channel.MIX)

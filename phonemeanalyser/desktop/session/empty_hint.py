@@ -11,5 +11,5 @@ HINTS = {
 
 
 def empty_hint(session: Session) -> str:
-    """Say what the user may do with the source in use."""
+    """Return what the user may do with the source in use."""
     return NOTHING if session.source is SoundSource.FILE and not session.path else HINTS[session.source]

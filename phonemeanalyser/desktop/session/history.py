@@ -72,7 +72,7 @@ class History:
         return self.n
 
     def newest_run(self, most: int) -> tuple[int, int]:
-        """Give the frames first..last-1 of the file that the newest columns hold in a row, `most` at the most."""
+        """Return the frames first..last-1 of the file that the newest columns hold in a row, `most` at the most."""
         if self.n == 0:
             return 0, 0
         frames = self.frames[self.indices(self.n - most, self.n)]
@@ -100,23 +100,23 @@ class History:
         return self._names
 
     def indices(self, first: int, last: int) -> IndexArray:
-        """Give the indices of columns first..last-1, as far as they are still remembered."""
+        """Return the indices of columns first..last-1, as far as they are still remembered."""
         first = max(first, self._oldest)
         return np.arange(first, max(first, min(last, self.n))) % CAPACITY
 
     def features(self, indices: IndexArray) -> Features:
-        """Give the variables at these indices; NaN where one was not measured."""
+        """Return the variables at these indices; NaN where one was not measured."""
         return Features(self._names, self._values[indices])
 
     def extremes(self, name: str) -> tuple[float, float, float] | None:
-        """Give maximum, mean and minimum of a variable since Clear, or None before the first frame was heard."""
+        """Return maximum, mean and minimum of a variable since Clear, or None before the first frame was heard."""
         if not self.n_measured(name):
             return None
         n, total, highest, lowest = self._extremes_of(self._names.index(name))
         return highest, total / n, lowest
 
     def n_measured(self, name: str) -> int:
-        """Give over how many frames the extremes of a variable are taken."""
+        """Return over how many frames the extremes of a variable are taken."""
         return self._extremes_of(self._names.index(name))[0] if name in self._names else 0
 
     def phoneme_lasted(self) -> float:
@@ -126,7 +126,7 @@ class History:
         return (len(codes) - 1 - int(others[-1]) if len(others) else len(codes)) * FRAME_PERIOD
 
     def changes_per_s(self, seconds: float) -> float | None:
-        """Give how often the phoneme changed in a second, over the newest seconds; None before there are any."""
+        """Return how often the phoneme changed in a second, over the newest seconds; None before there are any."""
         codes = self.phonemes[self.indices(self.n - round(seconds / FRAME_PERIOD), self.n)]
         codes = codes[codes != NO_PHONEME]
         if len(codes) < 2:
@@ -197,7 +197,7 @@ class History:
             np.fmin(self._lowest_out, np.fmin.reduce(values), out=self._lowest_out)
 
     def _extremes_of(self, k: int) -> tuple[int, float, float, float]:
-        """Give number, sum, maximum and minimum of the values of a variable, those that are forgotten included."""
+        """Return number, sum, maximum and minimum of the values of a variable, those that are forgotten included."""
         values = self._values[:, k][self._heard]
         values = values[~np.isnan(values)]
         return (
@@ -209,7 +209,7 @@ class History:
 
 
 def shown_spectra(analysis: Analysis) -> Float32Array:
-    """Give the spectra as they are drawn: through the mel bank while it is on, on the linear axis."""
+    """Return the spectra as they are drawn: through the mel bank while it is on, on the linear axis."""
     if analysis.mel is None:
         return analysis.spectra
     return spread_mel(analysis.mel, analysis.spectra.shape[1], BIN_WIDTH)

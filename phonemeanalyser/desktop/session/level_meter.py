@@ -77,7 +77,7 @@ class LevelMeterView(QWidget):
 
 
 def words_of(ago: float | None) -> str:
-    """Say how long ago a sample was clipped."""
+    """Return how long ago a sample was clipped."""
     if ago is None or ago >= FORGOTTEN:
         return "no clipping"
     return "CLIPPED" if ago < 1 else f"clipped {ago:.0f} s ago"

@@ -234,11 +234,11 @@ class Microphone(QObject):
             self.changed.emit()
 
     def interrupted_recordings(self) -> list[InterruptedRecording]:
-        """Give the recordings that were cut off when the program ended."""
+        """Return the recordings that were cut off when the program ended."""
         return interrupted_recordings(self._journal)
 
     def take_analyses(self) -> list[Analysis]:
-        """Give what was found since the last call, and see to recordings; raises what ended the listening."""
+        """Return what was found since the last call, and see to recordings; raises what ended the listening."""
         self._leaving = [thread for thread in self._leaving if thread.is_alive()]
         self.inputs.see()
         if self.clicks.see():
@@ -294,7 +294,7 @@ class Microphone(QObject):
 
 
 def _remarks(tape: Recorder) -> list[str]:
-    """Say what else there is to know of a recording that went well."""
+    """Return what else there is to know of a recording that went well."""
     earlier = [path.name for path in tape.paths[:-1]]
     if not earlier:
         return list(tape.notes)

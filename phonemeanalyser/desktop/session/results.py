@@ -76,7 +76,7 @@ class AnalysisResults(QObject):
         self.rewritten.emit(column)
 
     def explain(self) -> Trace | None:
-        """Say why the newest frame was recognised as it was."""
+        """Return why the newest frame was recognised as it was."""
         newest = self.history.newest
         if newest is None:
             return None

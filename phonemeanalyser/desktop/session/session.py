@@ -374,11 +374,11 @@ class Session(QObject):
         self.sought.emit()
 
     def upcoming(self) -> list[tuple[float, Analysis]]:
-        """Give what is known of the file before it is heard, each block with the seconds until then."""
+        """Return what is known of the file before it is heard, each block with the seconds until then."""
         return self._player.upcoming() if self._player is not None and self.source is SoundSource.FILE else []
 
     def explain(self) -> Trace | None:
-        """Say why the newest frame was recognised as it was."""
+        """Return why the newest frame was recognised as it was."""
         return self.findings.explain()
 
     def _forget(self, cause: str) -> None:

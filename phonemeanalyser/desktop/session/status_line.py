@@ -67,7 +67,7 @@ class StatusLine:
         return [lost, f"{late} ({shares})"]
 
     def judged(self, seconds: float) -> tuple[str, str]:
-        """Say how people take a picture that is late by so much, and in which colour to say it."""
+        """Return how people take a picture that is late by so much, and in which colour to say it."""
         if seconds <= UNNOTICED:
             return "nobody notices", self._theme.good
         if seconds <= ACCEPTED:

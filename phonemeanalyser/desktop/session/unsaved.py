@@ -80,7 +80,7 @@ class UnsavedChanges(QObject):
 
 
 def _first_free(folder: Path) -> tuple[Path, Any]:
-    """Give the first copy that belongs to no program that lives, and the lock that says so."""
+    """Return the first copy that belongs to no program that lives, and the lock that says so."""
     for number in count(1):
         lock = lock_at(folder / f"unsaved-{number}.lock")
         try:

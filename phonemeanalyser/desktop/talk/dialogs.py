@@ -27,7 +27,7 @@ class TalkDialogs(QObject):
 
     @staticmethod
     def opens(path: Path) -> bool:
-        """Say whether a file is a mesh or movestates, by the ending of its name."""
+        """Return whether a file is a mesh or movestates, by the ending of its name."""
         return path.suffix.lower() in (*FIGURES, *FACES)
 
     def ask_mesh(self) -> None:

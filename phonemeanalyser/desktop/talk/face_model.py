@@ -119,7 +119,7 @@ class FaceModel(QObject):
                 self.states.set_percentage(lid, max(100 * closure, self._spoken.get(lid, 0.0)))
 
     def positions(self) -> Float32Array:
-        """Give where the vertices are now, shape (n_vertices, 3); the array is used again by the next call."""
+        """Return where the vertices are now, shape (n_vertices, 3); the array is used again by the next call."""
         assert self.states is not None
         return self.states.morphed()
 
@@ -129,7 +129,7 @@ class FaceModel(QObject):
         self._work.close()
 
     def _pairs(self, table: MouthTable) -> list[tuple[int, str]]:
-        """Give the places of the movestates that the table moves and the face has, under its own names for them."""
+        """Return the places of the movestates that the table moves and the face has, under its own names for them."""
         if self.states is None:
             return []
         moved = {name for shape in table.shapes.values() for name, percent in shape.items() if percent}
@@ -165,5 +165,5 @@ def _loaded(files: FaceFiles) -> MorphMesh:
 
 
 def _plain(name: str) -> str:
-    """Give a name as it is whoever wrote it: jawOpen, JawOpen and jaw_open are one."""
+    """Return a name as it is whoever wrote it: jawOpen, JawOpen and jaw_open are one."""
     return "".join(filter(str.isalnum, name)).casefold()

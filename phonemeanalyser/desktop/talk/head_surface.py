@@ -45,7 +45,7 @@ class Scene:
 
 
 def rendering() -> ModuleType:
-    """Give what draws heads: 200 ms that only who sees one waits for."""
+    """Return what draws heads: 200 ms that only who sees one waits for."""
     import phonemeanalyser.rendering.offscreen  # noqa: PLC0415
     import phonemeanalyser.rendering.renderer  # noqa: PLC0415
 
@@ -53,7 +53,7 @@ def rendering() -> ModuleType:
 
 
 def has_graphics_card() -> bool:
-    """Say whether the windows' OpenGL is one that a graphics card draws."""
+    """Return whether the windows' OpenGL is one that a graphics card draws."""
     if QGuiApplication.platformName() in WITHOUT_GL:
         return False
     context, surface = QOpenGLContext(), QOffscreenSurface()
@@ -115,7 +115,7 @@ class GlSurface(QOpenGLWidget):
         self.update()
 
     def release_gl(self) -> None:
-        """Give everything back to the graphics driver."""
+        """Return everything back to the graphics driver."""
         if self._renderer is not None:
             self.makeCurrent()
             self._leave()
@@ -197,7 +197,7 @@ class PictureSurface(QWidget):
         self.update()
 
     def release_gl(self) -> None:
-        """Give everything back to the graphics driver."""
+        """Return everything back to the graphics driver."""
         self._rest.stop()
         if self._photographer is not None:
             self._photographer.release()

@@ -101,7 +101,7 @@ class HeadView(QWidget):
             self.look(camera=Camera.facing(self._figure.mesh), light=LIGHT)
 
     def release_gl(self) -> None:
-        """Give everything back to the graphics driver."""
+        """Return everything back to the graphics driver."""
         if self.surface is not None:
             self.surface.release_gl()
 

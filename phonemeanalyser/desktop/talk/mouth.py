@@ -28,7 +28,7 @@ class Frames:
 
     @classmethod
     def of(cls, analysis: Analysis) -> "Frames":
-        """Give what a mouth wants to know of an analysis."""
+        """Return what a mouth wants to know of an analysis."""
         pitches = analysis.features.values[:, F0].tolist()
         return cls(analysis.phonemes.tolist(), analysis.intensities.tolist(), pitches)
 
@@ -98,13 +98,13 @@ class TalkMouth:
             self._hear(frame)
 
     def weights(self, now: float) -> Float32Array:
-        """Give the weights of the table's movestates, float32, shape (n_movestates,); times never go back."""
+        """Return the weights of the table's movestates, float32, shape (n_movestates,); times never go back."""
         self._let_sound(now)
         self._now = max(now, self._now)
         return self._morpher.weights(self._now)
 
     def pose(self, now: float) -> HeadPose:
-        """Give the pose of the head; times never go back."""
+        """Return the pose of the head; times never go back."""
         self._let_sound(now)
         self._posed = max(now, self._posed)
         return self._motion.pose(self._posed)

@@ -133,7 +133,7 @@ class OscModel(QObject):
         )
 
     def _table_of_receiver(self) -> MouthTable:
-        """Give the table of the head, or another one that moves as the head does."""
+        """Return the table of the head, or another one that moves as the head does."""
         if self.table == AS_THE_HEAD:
             return self._head
         return replace(load_table(self.table), times=self._head.times, manner=self._head.manner)

@@ -48,7 +48,7 @@ class TransitionTimesView(QWidget):
                 self._write(painter, row, left, width, text, self._theme.text)
 
     def milliseconds(self, phoneme: Phoneme) -> tuple[str, str]:
-        """Give the attack and the release of a phoneme as they are painted."""
+        """Return the attack and the release of a phoneme as they are painted."""
         times = self._talking.table.times[phoneme]
         return f"{1000 * times.attack:.0f}", f"{1000 * times.release:.0f}"
 

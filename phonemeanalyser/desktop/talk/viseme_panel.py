@@ -170,7 +170,7 @@ class VisemePanel(QWidget):
 
 
 def keys_of(table: MouthTable) -> Mapping[str, str]:
-    """Give the letters of the phonemes for which a table has each shape."""
+    """Return the letters of the phonemes for which a table has each shape."""
     keys: dict[str, str] = {}
     for phoneme, key in KEYS.items():
         shape = table.phonemes[phoneme]

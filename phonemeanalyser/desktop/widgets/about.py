@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 
 
 def show_about(window: QWidget, figures: str) -> None:
-    """Say what this is; `figures` are the notes of the preset with which it begins, measured figures among them."""
+    """Show what this is; `figures` are the notes of the preset with which it begins, measured figures among them."""
     QMessageBox.about(
         window, "PhonemeAnalyser",
         "<b>PhonemeAnalyser</b><p>Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme "

@@ -48,7 +48,7 @@ class LazyPage(Generic[Page]):
         stack.addWidget(self._place)
 
     def get(self) -> Page:
-        """Give the page."""
+        """Return the page."""
         if self.made is None:
             self.made = self._make()
             self._stack.insertWidget(self._stack.indexOf(self._place), self.made)

@@ -92,6 +92,7 @@ def test_a_recording_that_begins_in_the_midst_of_listening_has_its_own_beginning
     hearing.listener.record(tape)
     microphone.give(SPEECH[first:])
     hearing.wait(frames_in(len(SPEECH)))
+    wait_for(lambda: hearing.listener.seconds >= len(SPEECH) / SAMPLE_RATE, "the samples that complete no frame")
     hearing.listener.record(None)
     tape.close()
     assert len(samples_in(tape.paths[0])) == len(SPEECH) - first

@@ -169,7 +169,7 @@ WRONG_TRACES = {
     "None": "AttributeError",
     "Trace(Phoneme.A, 'rule', 5)": "TypeError",
     "Trace(77, 'rule', ())": "ValueError: 77 is not a valid Phoneme",
-    "Trace(Phoneme.A, 'rule', (RuleComparison('rule', 'x', 'much', '<', 'y', 1, 1),))": "ValueError: could not convert",
+    "Trace(Phoneme.A, 'r', (RuleComparison('r', 'x', 'much', '<', 'y', 1, 1),))": "ValueError: could not convert",
     "1 / 0": "ZeroDivisionError",
 }
 

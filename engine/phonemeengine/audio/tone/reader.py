@@ -29,7 +29,7 @@ class _Voice:
     phase: float = 0.0
 
     def cycles(self, samples: Int64Array) -> Float64Array:
-        """Say how many rounds have passed at samples, but for whole ones.
+        """Return how many rounds have passed at samples, but for whole ones.
 
         Whole seconds are reduced before they are multiplied, so that days later the phase is as exact as at first.
         """
@@ -38,11 +38,11 @@ class _Voice:
         return self.phase + whole + self.wave.rate * rest / SAMPLE_RATE
 
     def at(self, samples: Int64Array) -> Float64Array:
-        """Give the sound at samples."""
+        """Return the sound at samples."""
         return self.gain * self.wave.at(self.cycles(samples))
 
     def begun(self, sample: int, phase: float) -> "_Voice":
-        """Give the same with a given phase at a sample."""
+        """Return the same with a given phase at a sample."""
         return _Voice(self.kind, self.wave, self.gain, sample, phase % 1.0)
 
 
@@ -60,7 +60,7 @@ class _Change:
         self.new = new.begun(self.end, end_phase) if self._glides else new.begun(start, 0.0)
 
     def at(self, samples: Int64Array) -> Float64Array:
-        """Give the sound at samples from the start to the end."""
+        """Return the sound at samples from the start to the end."""
         steps = (samples - self._start).astype(float)
         share = 0.5 - 0.5 * np.cos(np.pi * steps / FADE)
         if not self._glides:
@@ -113,7 +113,7 @@ class ToneReader:
         self._asked, self.tone = _voice_of(tone), tone
 
     def read(self, n: int) -> Float32Array:
-        """Give the next samples, fewer than `n` only at the end.
+        """Return the next samples, fewer than `n` only at the end.
 
         Returns
         -------

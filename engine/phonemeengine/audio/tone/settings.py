@@ -63,7 +63,7 @@ class Formant:
 
 
 def _spoken(*frequencies: float) -> tuple[Formant, ...]:
-    """Give three measured formants their bandwidths, and add the two that speech sounds share."""
+    """Return three measured formants their bandwidths, and add the two that speech sounds share."""
     measured = (Formant(f, width) for f, width in zip(frequencies, (50.0, 70.0, 110.0), strict=True))
     return (*measured, Formant(3300.0, 250.0), Formant(3750.0, 200.0))
 
@@ -124,5 +124,5 @@ class Tone:
 
 
 def vowel_of(formants: tuple[Formant, ...]) -> str | None:
-    """Give the name under which formants stand in `VOWELS`, or None."""
+    """Return the name under which formants stand in `VOWELS`, or None."""
     return next((name for name, known in VOWELS.items() if known == formants), None)

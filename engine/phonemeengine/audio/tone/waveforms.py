@@ -43,12 +43,12 @@ class Waveform(Protocol):
         ...
 
     def at(self, cycles: Float64Array) -> Float64Array:
-        """Give the values, ±1, after a number of rounds, of which only the fraction counts."""
+        """Return the values, ±1, after a number of rounds, of which only the fraction counts."""
         ...
 
 
 def waveform_of(tone: Tone) -> Waveform:
-    """Give the waveform of a tone, without its level."""
+    """Return the waveform of a tone, without its level."""
     match tone.kind:
         case ToneKind.SINE:
             return Sine(tone.frequency)
@@ -67,7 +67,7 @@ class Sine:
         self.rate = frequency
 
     def at(self, cycles: Float64Array) -> Float64Array:
-        """Give the values after a number of rounds."""
+        """Return the values after a number of rounds."""
         return np.asarray(np.sin(2 * np.pi * (cycles % 1.0)))
 
 
@@ -85,7 +85,7 @@ class Sweep:
         self._ramp = RAMP / seconds
 
     def at(self, cycles: Float64Array) -> Float64Array:
-        """Give the values after a number of rounds; it fades out before the end, and in again."""
+        """Return the values after a number of rounds; it fades out before the end, and in again."""
         share = cycles % 1.0
         phase = self._cycles * np.expm1(self._ratio * share)
         edge = np.minimum(np.minimum(share, 1 - share) / self._ramp, 1.0)
@@ -101,7 +101,7 @@ class WhiteNoise:
         self._samples = _noise(pink)
 
     def at(self, cycles: Float64Array) -> Float64Array:
-        """Give the values after a number of rounds."""
+        """Return the values after a number of rounds."""
         nearest = np.rint(cycles % 1.0 * NOISE_SAMPLES).astype(np.int64)
         return self._samples[nearest % NOISE_SAMPLES].astype(float)
 
@@ -114,7 +114,7 @@ class Vowel:
         self._table = _vowel_period(f0, formants)
 
     def at(self, cycles: Float64Array) -> Float64Array:
-        """Give the values after a number of rounds, between those of the table on a straight line."""
+        """Return the values after a number of rounds, between those of the table on a straight line."""
         place = cycles % 1.0 * TABLE
         before = np.minimum(place.astype(np.int64), TABLE - 1)
         low = self._table[before]
@@ -122,7 +122,7 @@ class Vowel:
 
 
 def partials_of(f0: float, formants: tuple[Formant, ...]) -> NDArray[np.complex128]:
-    """Give amplitude and phase of the partials of a vowel, from f0 to 10 kHz.
+    """Return amplitude and phase of the partials of a vowel, from f0 to 10 kHz.
 
     The glottis falls by 12 dB per octave and the lips raise by 6, so the source falls by 6, as ``1 / s``. Each
     formant is a pole pair ``p p* / ((s - p)(s - p*))``, ``p = -pi B + 2 pi i F``, with the gain 1 at 0 Hz, and they

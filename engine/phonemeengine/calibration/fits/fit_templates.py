@@ -111,7 +111,7 @@ def _log_mels_of(path: Path) -> Float32Array:
 
 
 def _middles(labels: Iterable[Label]) -> Iterator[tuple[Label, slice]]:
-    """Give each certain label with the frames in its middle third, at least one."""
+    """Return each certain label with the frames in its middle third, at least one."""
     for label in labels:
         if label.certainty == CORE and label.phoneme is not Phoneme.UNIDENTIFIED:
             third = (label.end - label.start) / 3
@@ -130,7 +130,7 @@ def _silence_below(voices: Mapping[str, LogMelsByPhoneme], otherwise: float) -> 
 
 
 def preset_of(templates: Templates, notes: str = "") -> Preset:
-    """Give a preset that recognises by templates."""
+    """Return a preset that recognises by templates."""
     settings = AnalysisSettings(minimum_hold=MINIMUM_HOLD, hysteresis=HYSTERESIS)
     return Preset(NAME, settings, recogniser="templates", templates=templates, notes=notes)
 

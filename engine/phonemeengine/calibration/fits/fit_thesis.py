@@ -135,7 +135,7 @@ class PresetFitter:
         return candidates[int(gains.argmax())] if gains.max() >= LEAST_GAIN else base
 
     def _generalisation(self, settings: AnalysisSettings) -> float:
-        """Give the macro F1 on held-out groups of speakers, the mean of the sounds and their copies."""
+        """Return the macro F1 on held-out groups of speakers, the mean of the sounds and their copies."""
         measured = self._measure(settings)
         unseen = self._held_out(measured, groups_of(self._speakers, N_GROUPS), N_QUICK_STARTS)
         both = [self._scores(settings, heard, unseen).macro_f1 for heard in (measured.clean, measured.noisy)]

@@ -137,7 +137,7 @@ class _Fitter:
         return self._better(_with_rules(best, moved), best, recordings)
 
     def _better(self, found: Preset, before: Preset, recordings: tuple[int, ...]) -> Preset:
-        """Give what was found, if it answers better in these recordings."""
+        """Return what was found, if it answers better in these recordings."""
         new, old = (self._workbench.confusion(p).scores(recordings).macro_f1 for p in (found, before))
         return found if new > old else before
 
@@ -153,7 +153,7 @@ class _Fitter:
         return self._workbench.answers(self.fit(chosen, N_FOLD_STARTS, progress))
 
     def _frames_of(self, chosen: BoolArray) -> tuple[Features, UInt8Array, BoolArray]:
-        """Give the features, the labels, and where recordings begin, of the chosen recordings."""
+        """Return the features, the labels, and where recordings begin, of the chosen recordings."""
         edges = self._workbench.edges
         first = np.zeros(edges[-1] + 1, bool)
         first[edges[:-1]] = True
@@ -167,7 +167,7 @@ class _Fitter:
 
 
 def _left_out(workbench: LabelledFeatures) -> tuple[str, list[str]]:
-    """Say what is left out in turn, and to what of that kind each recording belongs."""
+    """Return what is left out in turn, and to what of that kind each recording belongs."""
     speakers = [u.speaker for u in workbench.utterances]
     if len(set(speakers)) > 1:
         return "speaker", speakers
@@ -189,7 +189,7 @@ def _with_numbers(preset: Preset) -> tuple[Rule, ...]:
 
 
 def _with_rules(preset: Preset, rules: tuple[Rule, ...]) -> Preset:
-    """Give the preset with these rules: its own, or the thesis rules with other numbers for thresholds."""
+    """Return the preset with these rules: its own, or the thesis rules with other numbers for thresholds."""
     if preset.recogniser != "thesis":
         return replace(preset, rules=rules)
     numbers = {

@@ -66,7 +66,7 @@ class LimitSearch:
         self._table = np.array([successors.get(p, p) for p in Phoneme], np.uint8)
 
     def improve(self, rules: Sequence[Rule], progress: Progress = no_progress) -> tuple[Rule, ...]:
-        """Give the rules with better limits, or as they are; `progress` is told how far it is.
+        """Return the rules with better limits, or as they are; `progress` is told how far it is.
 
         Raises
         ------
@@ -89,7 +89,7 @@ class LimitSearch:
         return rules
 
     def _best(self, limit: Limit, rules: tuple[Rule, ...], fillers: UInt8Array) -> float:
-        """Give the best candidate for one limit, all others as they are."""
+        """Return the best candidate for one limit, all others as they are."""
         values = self._values[limit[0]]
         taken = [number for variable, number in _limits_of(rules) if variable == limit[0]]
         candidates = np.setdiff1d(_candidates_of(values[self._known]), np.array(taken, np.float32))
@@ -116,7 +116,7 @@ class LimitSearch:
         return np.where(answers == Phoneme.UNIDENTIFIED, fillers, answers)
 
     def _fillers(self, rules: tuple[Rule, ...]) -> UInt8Array:
-        """Give what fills in where the rules say nothing."""
+        """Return what fills in where the rules say nothing."""
         return self._table[last_identified(self._recognised(rules), self._first)]
 
     def _score(self, rules: tuple[Rule, ...]) -> float:
@@ -135,7 +135,7 @@ def _limits_of(rules: Sequence[Rule]) -> list[Limit]:
 
 
 def _limit_of(condition: Condition) -> Limit | None:
-    """Give what a comparison may have moved; None where it names a threshold."""
+    """Return what a comparison may have moved; None where it names a threshold."""
     return None if condition.threshold else (condition.variable, condition.limit)
 
 

@@ -88,7 +88,7 @@ class RuleFeatures:
 
 
 def candidates() -> tuple[Variable, ...]:
-    """Give the variables to choose from: bands of several widths, and bands divided by one another."""
+    """Return the variables to choose from: bands of several widths, and bands divided by one another."""
     marks = np.linspace(mel_of(LOWEST), mel_of(HIGHEST), N_BANDS + 1)
     edges = [10.0 * round(float(frequency_of(mark)) / 10) for mark in marks]
     bands = {
@@ -107,7 +107,7 @@ def candidates() -> tuple[Variable, ...]:
 
 
 def voice_of(utterance: Utterance) -> str:
-    """Give the name of the voice: formant synthesizers speak all languages with the same ones."""
+    """Return the name of the voice: formant synthesizers speak all languages with the same ones."""
     if not utterance.corpus.startswith("espeak"):
         return utterance.speaker
     voice = utterance.speaker.rsplit("_", 1)[-1]
@@ -115,7 +115,7 @@ def voice_of(utterance: Utterance) -> str:
 
 
 def importance_of(utterance: Utterance) -> float:
-    """Say how much a speaker counts, however much there is of that voice."""
+    """Return how much a speaker counts, however much there is of that voice."""
     return next((value for kind, value in IMPORTANCE if utterance.corpus.startswith(kind)), 1.0)
 
 

@@ -169,7 +169,7 @@ class RuleSearch:
         return np.array([1 if k in self._used else NOVELTY for k in range(len(self._names))])
 
     def _askable(self, asked: dict[tuple[int, str], int]) -> BoolArray:
-        """Say which variables both children may be asked about."""
+        """Return which variables both children may be asked about."""
         room = MOST_CONDITIONS - len(asked)
         new = [((k, "<") not in asked, (k, ">") not in asked) for k in range(len(self._names))]
         return np.array([max(pair) <= room for pair in new])
@@ -194,12 +194,12 @@ def ranks_of(features: Features, names: Sequence[str], limits: list[Float32Array
 
 
 def leaves_of(node: Node) -> list[Node]:
-    """Give the leaves of a tree from left to right."""
+    """Return the leaves of a tree from left to right."""
     return [leaf for child in node.children for leaf in leaves_of(child)] if node.children else [node]
 
 
 def merged_leaves_of(node: Node) -> list[Node]:
-    """Give the leaves of a tree; a part whose leaves all say the same is one."""
+    """Return the leaves of a tree; a part whose leaves all say the same is one."""
     leaves = leaves_of(node)
     if len({leaf.phoneme for leaf in leaves}) == 1:
         node.phoneme = leaves[0].phoneme
@@ -236,6 +236,6 @@ def _macro_f1(counts: Float64Array, answers: Sequence[Phoneme], present: Sequenc
 
 
 def _purity(counts: Float64Array) -> Float64Array:
-    """Give the weight of frames times the chance that two of them are the same phoneme."""
+    """Return the weight of frames times the chance that two of them are the same phoneme."""
     purity: Float64Array = (counts**2).sum(axis=-1) / np.maximum(counts.sum(axis=-1), 1e-12)
     return purity

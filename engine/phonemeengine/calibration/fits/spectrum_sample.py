@@ -36,7 +36,7 @@ class SpectrumSample:
     spectra: dict[Spectrum, Float32Array]
 
     def of(self, source: Spectrum, phonemes: Sequence[Phoneme]) -> Float32Array:
-        """Give the spectra of one kind of the frames of some phonemes."""
+        """Return the spectra of one kind of the frames of some phonemes."""
         return self.spectra[source][np.isin(self.phonemes, phonemes)]
 
 
@@ -84,7 +84,7 @@ def _wanted(labels: Sequence[FrameLabels]) -> list[IndexArray]:
 def _spectra_at(
     utterance: Utterance, wanted: IndexArray, settings: AnalysisSettings, progress: Progress
 ) -> Float32Array:
-    """Give the filtered spectra of those of the wanted frames that the sound has."""
+    """Return the filtered spectra of those of the wanted frames that the sound has."""
     found = []
     with utterance.opened() as reader:
         for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), Preset(settings=settings)):

@@ -135,7 +135,7 @@ def _rank_of(tried: _Range) -> tuple[float, int]:
 def _sides_of(
     sample: SpectrumSample, one: Phoneme, other: Phoneme | None
 ) -> dict[Spectrum, tuple[Float32Array, Float32Array]]:
-    """Give the frames of both sides, by spectrum."""
+    """Return the frames of both sides, by spectrum."""
     spoken = [p for p in Phoneme if p not in {one, Phoneme.UNIDENTIFIED}]
     others = spoken if other is None else [other]
     sides = {source: (_some(sample.of(source, [one])), _some(sample.of(source, others))) for source in sample.spectra}
@@ -155,7 +155,7 @@ def _some(spectra: Float32Array) -> Float32Array:
 
 
 def _edges_of(preset: Preset) -> list[int]:
-    """Give the bins at which ranges begin and end."""
+    """Return the bins at which ranges begin and end."""
     n_bins = preset.settings.n_bins
     mels = np.linspace(0, mel_of(n_bins * BIN_WIDTH), N_EDGES + 1)
     bins = np.unique(np.clip(np.round(frequency_of(mels) / BIN_WIDTH), 1, n_bins))
@@ -197,7 +197,7 @@ def _apart_first(ranges: Sequence[_Range]) -> list[_Range]:
 
 
 def _hertz(found: _Range) -> tuple[float, float]:
-    """Give a range in whole Hz, half a bin beyond its outermost bins."""
+    """Return a range in whole Hz, half a bin beyond its outermost bins."""
     low, high = (found.first - 0.5) * BIN_WIDTH, (found.end - 0.5) * BIN_WIDTH
     return float(round(low)), float(round(high))
 

@@ -181,7 +181,7 @@ class ThresholdSearch:
         return (marks & ~_BITS[c]) | _mark_of(c, self._values[c], limits[c])
 
     def _allowed(self, c: Condition, limits: Limits) -> BoolArray:
-        """Say which candidates keep the order of the thresholds that share a variable."""
+        """Return which candidates keep the order of the thresholds that share a variable."""
         if c.threshold not in DESCENDING:
             return np.ones(len(self._candidates[c]), bool)
         k = DESCENDING.index(c.threshold)
@@ -191,7 +191,7 @@ class ThresholdSearch:
         return np.asarray((candidates < min(above, default=np.inf)) & (candidates > max(below, default=-np.inf)))
 
     def _scores_of_candidates(self, c: Condition, marks: UInt32Array, fillers: UInt8Array) -> Float64Array:
-        """Give the score with each candidate for one condition, all others as they are."""
+        """Return the score with each candidate for one condition, all others as they are."""
         when_true, when_false = _ANSWERS[marks | _BITS[c]], _ANSWERS[marks & ~_BITS[c]]
         open_ = np.flatnonzero(when_true != when_false)
         when_true, when_false = _filled(when_true, fillers), _filled(when_false, fillers)
@@ -216,7 +216,7 @@ class ThresholdSearch:
         return counts.reshape(N_CODES, N_ANSWERS)
 
     def _scores(self, confusion: Int64Array) -> Float64Array:
-        """Give the macro F1 less the price, for counts of shape (..., N_CODES, N_ANSWERS)."""
+        """Return the macro F1 less the price, for counts of shape (..., N_CODES, N_ANSWERS)."""
         by_rule = confusion[..., :N_CODES]
         both = by_rule + confusion[..., N_CODES:]
         present = _CLASSES[self._totals[_CLASSES] > 0]

@@ -54,7 +54,7 @@ def augment_spectra(powers: Float32Array, generator: np.random.Generator) -> Flo
 
 
 def _noise(heard: Float32Array, generator: np.random.Generator) -> Float32Array:
-    """Give steady coloured noise, or babble, at a drawn level below the speech, or none."""
+    """Return steady coloured noise, or babble, at a drawn level below the speech, or none."""
     n = len(heard)
     steady = _powers(_tilts(n, 8.0, generator) + _curves(n, COLOUR, generator)) * _flicker(heard.shape, generator)
     babble = sum(heard[generator.permutation(n)] for _ in range(3))
@@ -66,7 +66,7 @@ def _noise(heard: Float32Array, generator: np.random.Generator) -> Float32Array:
 
 
 def _limits(n: int, generator: np.random.Generator) -> Float32Array:
-    """Give factors that take the highest or the lowest bands away, shape (n, 1, 40)."""
+    """Return factors that take the highest or the lowest bands away, shape (n, 1, 40)."""
     bands = np.arange(N_BANDS)
     highest = np.where(generator.random(n) < NARROW, generator.integers(24, 38, n), N_BANDS)
     lowest = np.where(generator.random(n) < BASSLESS, generator.integers(1, 5, n), 0)

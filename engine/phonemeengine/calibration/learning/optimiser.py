@@ -72,7 +72,7 @@ class ExponentialAverage:
 
 
 def _cycle(progress: float) -> float:
-    """Give the share of the highest rate: it rises, and falls to almost nothing, both like a cosine."""
+    """Return the share of the highest rate: it rises, and falls to almost nothing, both like a cosine."""
     if progress < WARM_UP:
         return 0.04 + 0.96 * (0.5 - 0.5 * math.cos(math.pi * progress / WARM_UP))
     return 1e-4 + 0.5 + 0.5 * math.cos(math.pi * min(1.0, (progress - WARM_UP) / (1 - WARM_UP)))

@@ -40,7 +40,7 @@ class LabelSource:
 
 
 def sources_of(corpora: Iterable[Path]) -> list[LabelSource]:
-    """Give the speakers of all corpora, sorted by name; a speaker of several corpora is one."""
+    """Return the speakers of all corpora, sorted by name; a speaker of several corpora is one."""
     rows: dict[str, list[dict[str, str]]] = {}
     for corpus in corpora:
         with (corpus / "manifest.csv").open(newline="", encoding="utf-8-sig") as file:

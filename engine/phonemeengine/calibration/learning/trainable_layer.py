@@ -94,7 +94,7 @@ class TrainableLayer:
         return block
 
     def finished(self) -> Layer:
-        """Give the layer as it is used: the normalisation is part of its weights."""
+        """Return the layer as it is used: the normalisation is part of its weights."""
         factor = self.values["scale"] / np.sqrt(self.variance + LEAST_VARIANCE)
         bias = self.values["shift"] - self.mean * factor
         return Layer(self.values["weights"] * factor, bias, self.dilation)

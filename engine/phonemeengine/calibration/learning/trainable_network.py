@@ -80,7 +80,7 @@ class TrainableNetwork:
         return loss
 
     def finished(self) -> Model:
-        """Give the model as it is used, rounded to what its file holds."""
+        """Return the model as it is used, rounded to what its file holds."""
         layers = [layer.finished() for layer in self._layers]
         weights, bias = layers[0].weights, layers[0].bias
         scaled = weights / np.float32(SPREAD)
@@ -94,7 +94,7 @@ class TrainableNetwork:
 
 
 def _loss_of(scores: Float32Array, truth: UInt8Array, weights: Float32Array) -> tuple[float, Float32Array]:
-    """Give the cross-entropy of all heads and its gradient; head k answers at frame t for frame t - k."""
+    """Return the cross-entropy of all heads and its gradient; head k answers at frame t for frame t - k."""
     n_frames, n = truth.shape[1], len(Phoneme)
     gradient = np.zeros_like(scores)
     loss = 0.0

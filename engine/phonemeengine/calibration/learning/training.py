@@ -97,7 +97,7 @@ def _stretches(voice: SpeakerExamples, n_frames: int, generator: np.random.Gener
 
 
 def _importance(voices: Sequence[SpeakerExamples]) -> Float32Array:
-    """Give how much a frame of each phoneme counts; what lies between the phonemes counts a little less."""
+    """Return how much a frame of each phoneme counts; what lies between the phonemes counts a little less."""
     counts = np.ones(len(Phoneme))
     for voice in voices:
         for recording in voice.recordings:

@@ -84,7 +84,7 @@ class NoiseAdder:
             self._period = lambda _speaker: loop
 
     def blocks(self, utterance: Utterance, n: int) -> Iterator[Float32Array]:
-        """Give a recording with the noise in it, in blocks of at most `n` samples at 44.1 kHz.
+        """Return a recording with the noise in it, in blocks of at most `n` samples at 44.1 kHz.
 
         Where nothing is labelled as speech, or the speech is digital silence, no noise is added.
 
@@ -117,7 +117,7 @@ class NoiseAdder:
 
 
 def speech_level_of(utterance: Utterance) -> float:
-    """Give the RMS of those stretches of a recording that are labelled as speech, 0 where there is none.
+    """Return the RMS of those stretches of a recording that are labelled as speech, 0 where there is none.
 
     Raises
     ------
@@ -166,7 +166,7 @@ def _pool_of(utterances: Sequence[Utterance], seed: int) -> list[tuple[str, Floa
 
 
 def _voice_of(utterance: Utterance) -> Float32Array | None:
-    """Give a recording as a period of noise, or None where it is silent or cannot be read: its scorer tells that."""
+    """Return a recording as a period of noise, or None where it is silent or unreadable, as its scorer tells."""
     try:
         with utterance.opened() as reader:
             block = next(reader.blocks(LOOP), np.zeros(0, np.float32))

@@ -128,7 +128,7 @@ def _difference(one: Predictions, other: Predictions) -> Difference:
 
 
 def _stretches(right: Predictions, wrong: Predictions) -> Iterator[DifferingSegment]:
-    """Give the stretches of the ten classes in which the first is right and the second is not."""
+    """Return the stretches of the ten classes in which the first is right and the second is not."""
     truth = right.labels.phonemes
     gained = right.right & ~wrong.right & np.isin(truth, SCORED_PHONEMES)
     kinds = np.where(gained, truth.astype(int) * N_CODES + wrong.phonemes + 1, 0)

@@ -63,7 +63,7 @@ class Confusion:
         return float(macro_f1_of(self._known, SCORED_PHONEMES))
 
     def f1_of(self, phoneme: Phoneme) -> float:
-        """Give the F1 of one class; NaN where it is not labelled, or is none of the ten."""
+        """Return the F1 of one class; NaN where it is not labelled, or is none of the ten."""
         return float(macro_f1_of(self._known, (phoneme,)))
 
     @property
@@ -82,15 +82,15 @@ class Confusion:
         return len(self.edges) - 1
 
     def line(self, recording: int) -> UInt8Array:
-        """Give the answers in one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
+        """Return the answers in one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
         return self.answers[self._frames_of(recording)]
 
     def label_line(self, recording: int) -> UInt8Array:
-        """Give the labels of one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
+        """Return the labels of one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
         return self.labels.phonemes[self._frames_of(recording)]
 
     def scores(self, recordings: tuple[int, ...] | None = None) -> Scores:
-        """Give all figures of agreement, of all recordings or of some; NaN where there is nothing to count."""
+        """Return all figures of agreement, of all recordings or of some; NaN where there is nothing to count."""
         chosen = range(self.n_recordings) if recordings is None else recordings
         spans = [self._frames_of(k) for k in chosen]
         return scores_of(
@@ -98,7 +98,7 @@ class Confusion:
         )
 
     def frames_in(self, truth: Phoneme, answer: Phoneme) -> tuple[ConfusedSegment, ...]:
-        """Give where what was labelled `truth` was recognised as `answer`: the frames of a cell, in order."""
+        """Return where what was labelled `truth` was recognised as `answer`: the frames of a cell, in order."""
         inside = (self.labels.phonemes == truth) & (self.answers == answer)
         found = np.flatnonzero(inside)
         first = self._is_first[found]

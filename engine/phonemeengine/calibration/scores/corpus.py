@@ -166,7 +166,7 @@ def read_recordings(
 
 
 def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
-    """Give the class and the certainty at the middle of every frame that begins before the last label ends.
+    """Return the class and the certainty at the middle of every frame that begins before the last label ends.
 
     A frame that no label covers counts as silence, not certain.
     """
@@ -220,7 +220,7 @@ def _pairs_beside(source: Path, speaker: str | None, channel: Channel) -> Iterat
 
 
 def _labelled_sounds_in(walk: Iterable[tuple[str, list[str], list[str]]]) -> Iterator[tuple[Path, Path]]:
-    """Give each sound that has a label file of the same name beside it, with that; hidden folders are passed over."""
+    """Return each sound that has a label file of the same name beside it, with that; no hidden folders."""
     for folder, folders, files in walk:
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         paths = [Path(folder, name) for name in sorted(files)]
@@ -233,6 +233,6 @@ def _labelled_sounds_in(walk: Iterable[tuple[str, list[str], list[str]]]) -> Ite
 
 
 def _suffixes_in(folder: Path) -> tuple[str, ...]:
-    """Give the endings of label files, the one that counts first: beside a take, others are copies of the table."""
+    """Return the endings of label files, the one that counts first: beside a take, others are copies of the table."""
     is_of_takes = (folder.absolute().parent.parent / LIST).is_file()
     return tuple(sorted(LABEL_SUFFIXES, key=lambda suffix: suffix != ".csv")) if is_of_takes else LABEL_SUFFIXES

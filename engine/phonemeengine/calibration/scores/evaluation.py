@@ -79,7 +79,7 @@ class GroupScores:
     n_recordings: int
 
     def f1_of(self, phoneme: Phoneme) -> float:
-        """Give the F1 of one class; NaN where it is not labelled."""
+        """Return the F1 of one class; NaN where it is not labelled."""
         return float(macro_f1_of(self.confusion, (phoneme,)))
 
 
@@ -189,7 +189,7 @@ def group_scores_of(answers: Sequence[Predictions]) -> GroupScores:
 
 
 def kind_of(utterance: Utterance) -> str:
-    """Give the kind of speech: the part of the corpus, or "human" for all parts whose names begin so."""
+    """Return the kind of speech: the part of the corpus, or "human" for all parts whose names begin so."""
     return HUMAN if utterance.corpus.startswith(HUMAN) else utterance.corpus
 
 

@@ -93,7 +93,7 @@ def confusion_of(truth: UInt8Array, guess: UInt8Array) -> Int64Array:
 
 
 def macro_f1_of(confusion: Int64Array, classes: Iterable[int]) -> Float64Array:
-    """Give the mean F1 over those classes that the labels hold.
+    """Return the mean F1 over those classes that the labels hold.
 
     Parameters
     ----------

@@ -73,6 +73,6 @@ def _is_ours(path: Path, take: Take) -> bool:
 
 
 def _heard(labels: Iterable[Label]) -> list[tuple[str, str, Phoneme]]:
-    """Give what a copy can say of labels."""
+    """Return what a copy can say of labels."""
     rows = [(f"{label.start:.6f}", f"{label.end:.6f}", label.phoneme) for label in labels]
     return [row for row in rows if row[0] != row[1]]

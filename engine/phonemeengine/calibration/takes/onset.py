@@ -10,7 +10,7 @@ QUIET_FRAMES, LOUD_FRAMES = 8, 5
 
 
 def onset_in(sound: Float32Array, rate: int, threshold: float) -> float | None:
-    """Say when a voice begins, seconds: after some quiet, where it stays as loud as a threshold (RMS); None if never.
+    """Return when a voice begins, seconds: where, after quiet, it stays as loud as a threshold (RMS); None if never.
 
     Parameters
     ----------

@@ -74,7 +74,7 @@ class TakeProject:
         return self._undone[-1][0] if self._undone else None
 
     def path_of(self, take: Take) -> Path:
-        """Give the sound file of a take."""
+        """Return the sound file of a take."""
         return self.folder / take.sound
 
     def add(
@@ -141,7 +141,7 @@ class TakeProject:
         return self._change("trim", take, replace(self._disk.current(take), start=start, end=end))
 
     def relabel(self, take: Take, phoneme: Phoneme) -> Take:
-        """Say that a take is another phoneme; its files are renamed."""
+        """Return that a take is another phoneme; its files are renamed."""
         place = self._disk.place_for(take.number, take.speaker, phoneme, deleted=take.deleted)
         return self._change("relabel", take, replace(self._disk.current(take), phoneme=phoneme, sound=place))
 
@@ -243,7 +243,7 @@ class TakeProject:
 
 
 def _stretch_of(report: TakeReport | None, duration: float) -> tuple[float, float, float, float]:
-    """Give start, end, onset and offset of what counts; all of the sound where nothing was heard in it."""
+    """Return start, end, onset and offset of what counts; all of the sound where nothing was heard in it."""
     if report is None or report.start >= min(report.end, duration):
         return 0.0, duration, 0.0, duration
     start, end, onset, offset = (min(t, duration) for t in (report.start, report.end, report.onset, report.offset))

@@ -94,7 +94,7 @@ class TakeReport:
         return not self.faults
 
     def within(self, start: float, duration: float) -> "TakeReport":
-        """Give the report of this take, as a part of a longer sound in which something is heard throughout."""
+        """Return the report of this take, as a part of a longer sound in which something is heard throughout."""
         first, last = (self.start, self.end) if self.start < self.end else (0.0, duration)
         pauses = tuple((start + a, start + b) for a, b in self.pauses)
         return replace(self, onset=0.0, offset=math.inf, start=start + first, end=start + last, pauses=pauses)
@@ -191,7 +191,7 @@ def _faults_of_silence(report: TakeReport, loudest: float) -> Iterator[tuple[Fau
 
 
 def _levels_of(samples: Float32Array) -> Float64Array:
-    """Give the RMS level of each 10 ms, without a constant offset; what is left at the end counts as well."""
+    """Return the RMS level of each 10 ms, without a constant offset; what is left at the end counts as well."""
     sound = samples.astype(np.float64)
     sound -= sound.mean() if len(sound) else 0.0
     starts = np.arange(0, len(sound), HOP)
@@ -200,7 +200,7 @@ def _levels_of(samples: Float32Array) -> Float64Array:
 
 
 def _heard_in(levels: Float64Array, noise: float, *, bridged: bool) -> slice:
-    """Give the longest stretch of sound, over short pauses; over all of them where they belong to the sound."""
+    """Return the longest stretch of sound, over short pauses; over all of them where they belong to the sound."""
     least = max(
         noise * _ratio(LOUDER_THAN_ROOM), levels.max(initial=0.0) * _ratio(-SOFTEST_PART), _ratio(SILENT_BELOW)
     )
@@ -214,7 +214,7 @@ def _heard_in(levels: Float64Array, noise: float, *, bridged: bool) -> slice:
 
 
 def _pauses_in(levels: Float64Array, heard: slice) -> tuple[tuple[float, float], ...]:
-    """Give the pauses between puffs, seconds: what is left when every puff has what belongs to it."""
+    """Return the pauses between puffs, seconds: what is left when every puff has what belongs to it."""
     loud = np.flatnonzero(levels[heard] > levels[heard].max(initial=0.0) * _ratio(-SOFTEST_PUFF)) + heard.start
     before, after, least = (round(t / FRAME_PERIOD) for t in (BEFORE_PUFF, AFTER_PUFF, LEAST_PAUSE))
     gaps = zip((loud[:-1] + 1 + after).tolist(), (loud[1:] - before).tolist(), strict=True)

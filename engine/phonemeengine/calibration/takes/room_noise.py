@@ -103,7 +103,7 @@ class RoomNoise:
         return f"{20 * np.log10(max(self.level, SILENT)):.0f} dB, heard for {self.seconds:.1f} s"
 
     def thresholds(self, preset: Preset, speech: Float32Array | None = None) -> Preset:
-        """Give the preset that takes the room for silence, otherwise the same.
+        """Return the preset that takes the room for silence, otherwise the same.
 
         Parameters
         ----------
@@ -125,7 +125,7 @@ class RoomNoise:
         return preset
 
     def sureness(self, preset: Preset, speech: Float32Array | None = None) -> SilenceAccuracy:
-        """Say how well a preset tells the room from speech.
+        """Return how well a preset tells the room from speech.
 
         Parameters
         ----------
@@ -185,7 +185,7 @@ def measure_room(samples: Float32Array, preset: Preset) -> RoomNoise:
 
 
 def _bound_of(values: Float32Array, least: float) -> ConfidenceInterval:
-    """Give the quantile of a variable in the room with its margin, and how far resampling moves it.
+    """Return the quantile of a variable in the room with its margin, and how far resampling moves it.
 
     Blocks of frames that overlap are drawn with replacement (moving-block bootstrap, Künsch 1989).
     """
@@ -203,7 +203,7 @@ def _capped(bound: ConfidenceInterval, most: float) -> ConfidenceInterval:
 
 
 def _least_thresholds(preset: Preset) -> dict[str, float]:
-    """Give what each threshold is at least, whatever the room: a room that hums hardly crosses zero."""
+    """Return what each threshold is at least, whatever the room: a room that hums hardly crosses zero."""
     return {
         "denoise_threshold": LEAST_AMPLITUDE,
         "silence_energy": LEAST_AMPLITUDE * preset.settings.n_bins,
@@ -218,7 +218,7 @@ def _features_of(samples: Float32Array, preset: Preset) -> Features:
 
 
 def _share_silent(samples: Float32Array, preset: Preset) -> ConfidenceInterval:
-    """Give the share of frames that are recognised as silence, with Wilson's bounds (1927).
+    """Return the share of frames that are recognised as silence, with Wilson's bounds (1927).
 
     Frames whose windows overlap say nearly the same, so they count as one observation.
     """

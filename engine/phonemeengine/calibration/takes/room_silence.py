@@ -29,7 +29,7 @@ LEAST_LIKELY = 1e-7
 
 
 def sensitivity_for(room: Float32Array, preset: Preset, speech: Float32Array | None = None) -> float:
-    """Give the sensitivity for silence, nats, with which the learned recogniser takes a room for silence.
+    """Return the sensitivity for silence, nats, with which the learned recogniser takes a room for silence.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def sensitivity_for(room: Float32Array, preset: Preset, speech: Float32Array | N
 
 
 def silence_level_for(room: Float32Array, now: float, speech: Float32Array | None = None) -> float:
-    """Give the level below which templates take a frame for silence, dB; at least what it is `now`."""
+    """Return the level below which templates take a frame for silence, dB; at least what it is `now`."""
     found = float(np.quantile(_levels_in(room), SHARE)) + MARGIN_LEVEL
     if speech is not None and len(speech):
         found = min(found, float(np.quantile(_levels_in(speech), 1 - SHARE)) - MARGIN_LEVEL)
@@ -53,7 +53,7 @@ def silence_level_for(room: Float32Array, now: float, speech: Float32Array | Non
 
 
 def _log_odds_of(sound: Float32Array, preset: Preset) -> Float64Array:
-    """Give how much likelier silence is than the likeliest other phoneme, nats, without its own sensitivity."""
+    """Return how much likelier silence is than the likeliest other phoneme, nats, without its own sensitivity."""
     others = {**preset.sensitivities, Phoneme.SILENCE: 0.0}
     analyser = Analyser(replace(preset, sensitivities=others), phonemes_only=True)
     parts = [scores_in(a.features) for a in (analyser.push(sound), analyser.finish())]

@@ -18,7 +18,7 @@ BRIEF = frozenset({Phoneme.P, Phoneme.UNIDENTIFIED})
 
 
 def room_in(takes: Sequence[Utterance]) -> Float32Array | None:
-    """Give the sound of the newest take in which nobody speaks, float32, shape (n,), 44.1 kHz; None without one.
+    """Return the sound of the newest take in which nobody speaks, float32, shape (n,), 44.1 kHz; None without one.
 
     Raises
     ------
@@ -34,7 +34,7 @@ def room_in(takes: Sequence[Utterance]) -> Float32Array | None:
 
 
 def speech_in(takes: Sequence[Utterance]) -> Float32Array | None:
-    """Give what is surely said in takes, without pauses and p, one after the other; None where nothing is.
+    """Return what is surely said in takes, without pauses and p, one after the other; None where nothing is.
 
     Raises
     ------
@@ -45,7 +45,7 @@ def speech_in(takes: Sequence[Utterance]) -> Float32Array | None:
 
 
 def _stretches(take: Utterance, without: frozenset[Phoneme] = BRIEF) -> Iterator[Float32Array]:
-    """Give the sound of each label that is certain."""
+    """Return the sound of each label that is certain."""
     wanted = [label for label in take.labels if label.certainty == CORE and label.phoneme not in without]
     if not wanted:
         return

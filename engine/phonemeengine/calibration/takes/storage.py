@@ -67,7 +67,7 @@ class TakeFolder:
             raise
 
     def current(self, take: Take) -> Take:
-        """Give a take as it is now.
+        """Return a take as it is now.
 
         Raises
         ------
@@ -78,13 +78,13 @@ class TakeFolder:
         return self.takes[take.number]
 
     def free_number(self) -> int:
-        """Give a number that no take and no file of a take has."""
+        """Return a number that no take and no file of a take has."""
         files = (*self._folder.glob(f"{TAKES}/*/*"), *self._folder.glob(f"{DELETED}/*/*"))
         numbers = [int(found[1]) for path in files if (found := _NUMBER.search(path.name))]
         return max([0, *self.takes, *numbers]) + 1
 
     def place_for(self, number: int, speaker: str, phoneme: Phoneme, *, deleted: bool) -> str:
-        """Give the path in the folder where the sound of a take belongs."""
+        """Return the path in the folder where the sound of a take belongs."""
         place = f"{DELETED if deleted else TAKES}/{folder_for(speaker)}/{phoneme.label}-{number}{SOUND_SUFFIX}"
         now = self.takes.get(number)
         if now is not None and now.sound == place:

@@ -91,7 +91,7 @@ class Take:
         return str(PurePosixPath(self.sound).with_suffix(".csv"))
 
     def to_labels(self) -> tuple[Label, ...]:
-        """Give the labels of the whole sound; pauses in it are silence.
+        """Return the labels of the whole sound; pauses in it are silence.
 
         What lies outside the stretch that counts is not certain: where nothing is heard it is silence, elsewhere
         it is unidentified, which no figure over the ten classes counts.
@@ -109,7 +109,7 @@ class Take:
         )
 
     def to_entry(self) -> dict[str, Any]:
-        """Give it as an entry of a list in JSON."""
+        """Return it as an entry of a list in JSON."""
         return {**asdict(self), "phoneme": self.phoneme.label}
 
 
@@ -144,13 +144,13 @@ def _pauses_of(entry: Any) -> tuple[tuple[float, float], ...]:
 
 
 def folder_for(speaker: str) -> str:
-    """Give a folder's name for a speaker that every disk accepts; two speakers may share one."""
+    """Return a folder's name for a speaker that every disk accepts; two speakers may share one."""
     name = "".join(c if c.isalnum() or c in " -_" else "_" for c in speaker)[:LONGEST_NAME].strip(" .")
     return f"{name}_" if not name or _RESERVED.fullmatch(name) else name
 
 
 def named_in(file: str) -> tuple[Phoneme, int] | None:
-    """Give the phoneme and the number that a sound file's name tells; None where it is no take's."""
+    """Return the phoneme and the number that a sound file's name tells; None where it is no take's."""
     found = _FILE_NAME.match(file)
     if found is None or found["phoneme"] not in _PHONEMES:
         return None

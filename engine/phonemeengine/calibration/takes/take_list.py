@@ -114,7 +114,7 @@ def _write_if_new(text: str, path: Path) -> None:
 
 
 def _listed(folder: Path) -> tuple[tuple[Take, ...], str]:
-    """Give the takes of the list that can be read, and what is wrong with the others; nothing where all is well."""
+    """Return the takes of the list that can be read, and what is wrong with the others; nothing where all is well."""
     if not (folder / LIST).exists():
         _check_manifest(folder)
         return (), ""
@@ -168,7 +168,7 @@ def _set_aside(path: Path, damage: str) -> str:
 
 
 def _unlisted(folder: Path, listed: tuple[Take, ...], *, told_by_manifest: bool) -> Iterator[Take]:
-    """Give takes for the sounds in the project that are not in the list.
+    """Return takes for the sounds in the project that are not in the list.
 
     What a crash left is the copy of a listed sound, and no take.
     """

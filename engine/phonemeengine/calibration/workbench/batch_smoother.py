@@ -73,14 +73,14 @@ class BatchSmoother:
         return self._drawn(codes, np.where(silent, run_ends[self._firsts], self._firsts), following)
 
     def _runs_of(self, codes: UInt8Array) -> tuple[IndexArray, IndexArray]:
-        """Give where stretches of equal codes start and end; none goes beyond its recording."""
+        """Return where stretches of equal codes start and end; none goes beyond its recording."""
         changes = self._first.copy()
         changes[1:] |= codes[1:] != codes[:-1]
         starts = np.flatnonzero(changes)
         return starts, np.append(starts[1:], self._n)
 
     def _leaving(self, may_stay: BoolArray, frames: IndexArray) -> IndexArray:
-        """Give for each frame the first one, not before it, in which a phoneme must give way to what is named there.
+        """Return for each frame the first one from it on, in which a phoneme must give way to what is named there.
 
         While it is named itself it gives way to nobody, so it matters only where its run has ended.
         """
@@ -107,7 +107,7 @@ class BatchSmoother:
 
 
 def _leapt(begun: IndexArray, ends: IndexArray, following: IndexArray) -> BoolArray:
-    """Say where the changes of all recordings are, shape (n_frames,).
+    """Return where the changes of all recordings are, shape (n_frames,).
 
     Leaps that begin at different frames soon meet. So from the start of each stretch all leaps are made at once, and
     then only those one by one that lead from one stretch into the leaps of the next.

@@ -72,7 +72,7 @@ class Distribution:
         return mean_separability(self.separations, SCORED_PHONEMES)
 
     def separation_of(self, one: Phoneme, other: Phoneme) -> float:
-        """Say how well a threshold on the variable parts two phonemes, 0.5..1; NaN where one has no frames."""
+        """Return how well a threshold on the variable parts two phonemes, 0.5..1; NaN where one has no frames."""
         return float(self.separations[one, other])
 
 
@@ -101,7 +101,7 @@ def distribution_of(
 
 
 def distribution_in(variable: str, values: Float32Array, phonemes: UInt8Array) -> Distribution:
-    """Give the distribution of a variable over frames: its values, and what is said; both (n_frames,)."""
+    """Return the distribution of a variable over frames: its values, and what is said; both (n_frames,)."""
     logarithmic = variable not in NO_AMPLITUDES and _spans_decades(values)
     edges = _edges_over(values, logarithmic=logarithmic)
     present = [p for p in Phoneme if np.any(phonemes == p)]

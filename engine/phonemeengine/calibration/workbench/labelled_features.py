@@ -128,17 +128,17 @@ class LabelledFeatures:
         return np.asarray(self._values[self._names.index(variable)])
 
     def features(self) -> Features:
-        """Give all that was measured, as a recogniser gets it."""
+        """Return all that was measured, as a recogniser gets it."""
         return Features(self._names, self._values.T)
 
     def clone_for_thread(self) -> "LabelledFeatures":
-        """Give a workbench with the same measurements, for another thread; it takes no time and hardly any memory."""
+        """Return the same measurements for another thread; takes no time and hardly any memory."""
         twin = copy(self)
         twin._sheet = self._new_sheet()
         return twin
 
     def needs_measuring(self, preset: Preset) -> bool:
-        """Say whether a preset measures differently, so that a new workbench must be made for it.
+        """Return whether a preset measures differently, so that a new workbench must be made for it.
 
         Thresholds, rules, sensitivities, successors, minimum hold and hysteresis need none. Another front end or
         other variables do, and a recogniser that works without rules, if the recordings were not measured with it.

@@ -51,18 +51,18 @@ class Measurement:
 
 
 def names_of(preset: Preset) -> tuple[str, ...]:
-    """Give the measured variables, in the order of `Measurement.values`."""
+    """Return the measured variables, in the order of `Measurement.values`."""
     return (*BUILT_IN_NAMES, *(v.name for v in preset.variables))
 
 
 def front_end_key(preset: Preset) -> object:
-    """Give all on which the variables depend: where it is equal, nothing need be measured anew."""
+    """Return all on which the variables depend: where it is equal, nothing need be measured anew."""
     kept = {name: getattr(_PLAIN, name) for name in AFTER_MEASURING}
     return replace(preset.settings, **kept), preset.variables
 
 
 def recogniser_key(preset: Preset) -> object:
-    """Give all on which the answers of a recogniser without rules depend, but for the sensitivities."""
+    """Return all on which the answers of a recogniser without rules depend, but for the sensitivities."""
     tuning = replace(preset.tuning, rules=(), sensitivities={})
     if preset.recogniser in RECOGNISERS:
         tuning = replace(tuning, thresholds=Thresholds())
@@ -70,7 +70,7 @@ def recogniser_key(preset: Preset) -> object:
 
 
 def rules_in(preset: Preset) -> RuleRecogniser | None:
-    """Give the preset's recogniser if it works by rules."""
+    """Return the preset's recogniser if it works by rules."""
     recogniser = recogniser_of(preset.recogniser, preset.tuning)
     return recogniser if isinstance(recogniser, RuleRecogniser) else None
 

@@ -49,7 +49,7 @@ class RuleCache:
         self._steadied = _Memory()
 
     def recognised(self, recogniser: RuleRecogniser) -> UInt8Array:
-        """Give the codes that `recogniser.recognise` gives, shape (n_frames,)."""
+        """Return the codes that `recogniser.recognise` gives, shape (n_frames,)."""
         self._recognised.begin()
         codes = np.full(self._n_frames, Phoneme.UNIDENTIFIED, np.uint8)
         for rule in reversed(recogniser.rules):
@@ -59,7 +59,7 @@ class RuleCache:
         return codes
 
     def may_stay(self, recogniser: RuleRecogniser, hysteresis: float) -> BoolArray:
-        """Say where `recogniser.deficits` are at most `hysteresis`; shape (n_phonemes, n_frames).
+        """Return where `recogniser.deficits` are at most `hysteresis`; shape (n_phonemes, n_frames).
 
         A phoneme may stay where the comparisons of one of its rules fail by no more than that, and no rule before
         that one holds by more.
@@ -74,7 +74,7 @@ class RuleCache:
         return stays
 
     def _all(self, memory: "_Memory", questions: tuple[_ConditionKey, ...]) -> BoolArray:
-        """Say where all of these hold."""
+        """Return where all of these hold."""
         if not questions:
             return np.ones(self._n_frames, bool)
 
@@ -104,7 +104,7 @@ class _Memory:
         self._before, self._now = self._now, {}
 
     def recall(self, key: Hashable, work_out: Callable[[], BoolArray]) -> BoolArray:
-        """Give what was said of the same, or work it out."""
+        """Return what was said of the same, or work it out."""
         said = self._now.get(key)
         if said is None:
             said = self._before.get(key)

@@ -19,7 +19,7 @@ from phonemeengine.phonemes import Phoneme
 
 
 def separability(values: Float32Array, others: Float32Array) -> float:
-    """Say how well a threshold can part two sets of values, 0.5..1; NaN where one is empty."""
+    """Return how well a threshold can part two sets of values, 0.5..1; NaN where one is empty."""
     if not (len(values) and len(others)):
         return float("nan")
     ordered = np.sort(others)
@@ -30,7 +30,7 @@ def separability(values: Float32Array, others: Float32Array) -> float:
 
 
 def separabilities(values: Float32Array, phonemes: UInt8Array) -> Float64Array:
-    """Say how well a threshold can part each pair of phonemes.
+    """Return how well a threshold can part each pair of phonemes.
 
     Parameters
     ----------
@@ -60,14 +60,14 @@ def separabilities(values: Float32Array, phonemes: UInt8Array) -> Float64Array:
 
 
 def mean_separability(separations: Float64Array, phonemes: Iterable[Phoneme]) -> float:
-    """Give the mean over all pairs of phonemes of which there are frames; NaN where there is no such pair."""
+    """Return the mean over all pairs of phonemes of which there are frames; NaN where there is no such pair."""
     pairs = np.array([separations[p, q] for p, q in combinations(phonemes, 2)])
     known = pairs[~np.isnan(pairs)]
     return float(known.mean()) if len(known) else float("nan")
 
 
 def best_threshold(values: Float32Array, others: Float32Array) -> float:
-    """Give the threshold that parts two sets best, in the middle of the gap where it lies.
+    """Return the threshold that parts two sets best, in the middle of the gap where it lies.
 
     Best is where the shares of both that lie on their own side are largest together (Youden, Cancer 3, 1950); of
     several equal ones the middle one. Neither may be empty.

@@ -12,7 +12,7 @@ a phoneme after which few were seen gets what is likeliest after any."""
 
 
 def last_identified(answers: UInt8Array, first: BoolArray) -> UInt8Array:
-    """Give for each frame the newest phoneme that the rules named, itself included.
+    """Return for each frame the newest phoneme that the rules named, itself included.
 
     Parameters
     ----------

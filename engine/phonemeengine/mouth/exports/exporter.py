@@ -73,7 +73,7 @@ class Exporter:
         return Export(speech, self._table, cues, self._rate, self.life, wishes.mesh)
 
     def chunks_of(self, speech: Utterance) -> Iterator[bytes]:
-        """Give the file, in parts as they are made."""
+        """Return the file, in parts as they are made."""
         written = self.format.write(self.export_of(speech))
         if isinstance(written, bytes):
             yield written

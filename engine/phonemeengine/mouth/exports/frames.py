@@ -8,7 +8,7 @@ from phonemeengine.mouth.exports.export import Export
 
 
 def drawings_on_frames(export: Export) -> Iterator[tuple[int, int, Cue]]:
-    """Give each drawing with its first frame and the frame after its last one, counted from 0.
+    """Return each drawing with its first frame and the frame after its last one, counted from 0.
 
     Of drawings that would begin on the same frame, the last one stays.
     """
@@ -21,5 +21,5 @@ def drawings_on_frames(export: Export) -> Iterator[tuple[int, int, Cue]]:
 
 
 def frame_of(time: float, rate: float) -> int:
-    """Give the frame that is nearest to a time, seconds."""
+    """Return the frame that is nearest to a time, seconds."""
     return math.floor(time * rate + 0.5)

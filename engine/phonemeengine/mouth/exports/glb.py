@@ -40,7 +40,7 @@ class Glb:
         self._length = len(binary)
 
     def list_of(self, name: str) -> list[Any]:
-        """Give a list of the document, such as ``accessors``; it is made where it is missing."""
+        """Return a list of the document, such as ``accessors``; it is made where it is missing."""
         found: list[Any] = self.document.setdefault(name, [])
         if not isinstance(found, list):
             raise self._refusal(f"its {name} are no list")
@@ -55,7 +55,7 @@ class Glb:
         return start
 
     def content(self) -> bytes:
-        """Give the whole file."""
+        """Return the whole file."""
         self.document["buffers"][0]["byteLength"] = self._length
         return glb_of(self.document, self._parts)
 
@@ -73,7 +73,7 @@ class Glb:
 
 
 def shipped_glb() -> Glb:
-    """Give the head that ships with the program, with its movestates as morph targets."""
+    """Return the head that ships with the program, with its movestates as morph targets."""
     return Glb(format_glb(load_head()), HEAD.name)
 
 

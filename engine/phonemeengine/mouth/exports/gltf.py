@@ -33,7 +33,7 @@ NAME, EXTRAS = "speech", {"generator": GENERATOR}
 
 
 def owns(content: bytes) -> bool:
-    """Say whether the content of a file is a GLB to which a movement was added here, the last one in it."""
+    """Return whether the content of a file is a GLB to which a movement was added here, the last one in it."""
     try:
         newest = document_of(chunks_of(content)[0], LARGEST_JSON)["animations"][-1]
         return bool(newest["extras"] == EXTRAS)
@@ -42,7 +42,7 @@ def owns(content: bytes) -> bool:
 
 
 def write(export: Export) -> bytes:
-    """Give the GLB with one more animation.
+    """Return the GLB with one more animation.
 
     Raises
     ------
@@ -83,7 +83,7 @@ class _Samplers:
         self._samplers.append({"input": self._input, "output": output, "interpolation": "LINEAR"})
 
     def lists(self) -> dict[str, Any]:
-        """Give both as an animation has them."""
+        """Return both as an animation has them."""
         return {"samplers": self._samplers, "channels": self._channels}
 
 
@@ -103,7 +103,7 @@ def _turn(nodes: Sequence[int], animation: Animation, samplers: _Samplers) -> No
 
 
 def _weights_for(names: Sequence[str], animation: Animation) -> Float32Array | None:
-    """Give the weights of a mesh's targets, shape (n_frames, n_targets); None where none of them moves."""
+    """Return the weights of a mesh's targets, shape (n_frames, n_targets); None where none of them moves."""
     columns = {name: k for k, name in enumerate(animation.movestates)}
     if not columns.keys() & set(names):
         return None
@@ -126,7 +126,7 @@ def _accessor(glb: Glb, values: Float32Array, form: str, limits: dict[str, Any])
 
 
 def _faces_of(document: dict[str, Any]) -> list[tuple[int, list[str]]]:
-    """Give the nodes whose meshes have morph targets with names, and those names."""
+    """Return the nodes whose meshes have morph targets with names, and those names."""
     try:
         meshes = document.get("meshes", [])
         named = [_targets_of(mesh) for mesh in meshes]
@@ -140,7 +140,7 @@ def _faces_of(document: dict[str, Any]) -> list[tuple[int, list[str]]]:
 
 
 def _targets_of(mesh: dict[str, Any]) -> list[str]:
-    """Give the names of a mesh's targets; exporters write them as extras, since glTF itself has none."""
+    """Return the names of a mesh's targets; exporters write them as extras, since glTF itself has none."""
     n_targets = min((len(primitive.get("targets", [])) for primitive in mesh["primitives"]), default=0)
     extras = mesh.get("extras")
     names = extras.get("targetNames", []) if isinstance(extras, dict) else []

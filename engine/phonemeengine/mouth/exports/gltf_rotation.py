@@ -40,13 +40,13 @@ class Turning:
     translations: Float64Array | None
 
     def tracks(self) -> dict[str, Float64Array]:
-        """Give what moves, by the name that glTF has for it."""
+        """Return what moves, by the name that glTF has for it."""
         moved = {} if self.translations is None else {"translation": self.translations}
         return {"rotation": self.rotations, **moved}
 
 
 def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Float64Array) -> list[Turning]:
-    """Give what turns a head; nothing where none of its nodes can.
+    """Return what turns a head; nothing where none of its nodes can.
 
     Parameters
     ----------
@@ -75,12 +75,12 @@ class _Scene:
         self._above = {child: k for k, node in enumerate(self._nodes) for child in node.get("children", ())}
 
     def nodes_that_turn(self, faces: Iterable[int]) -> list[int]:
-        """Give the topmost nodes with which the faces turn."""
+        """Return the topmost nodes with which the faces turn."""
         found = {node for face in faces if (node := self._node_of(face)) is not None}
         return sorted(node for node in found if not found & set(list(self._chain(node))[1:]))
 
     def turning_of(self, number: int, turns: Float64Array) -> Turning | None:
-        """Say how a node turns; None where its axes are not at right angles."""
+        """Return how a node turns; None where its axes are not at right angles."""
         node = self._nodes[number]
         if "matrix" in node and not _take_apart(node):
             return None
@@ -99,7 +99,7 @@ class _Scene:
         return next(named, face if skin is None else None)
 
     def _chain(self, node: int) -> Iterator[int]:
-        """Give a node, and those above it."""
+        """Return a node, and those above it."""
         for _ in self._nodes:
             yield node
             if node not in self._above:
@@ -138,7 +138,7 @@ class _Scene:
 
 
 def product(one: Float64Array, other: Float64Array) -> Float64Array:
-    """Give the rotation that does the other first, and then the one; quaternions x, y, z, w, shape (..., 4)."""
+    """Return the rotation that does the other first, and then the one; quaternions x, y, z, w, shape (..., 4)."""
     one, other = np.broadcast_arrays(one, other)
     (a, u), (b, v) = ((q[..., 3:], q[..., :3]) for q in (one, other))
     real = a * b - np.sum(u * v, axis=-1, keepdims=True)
@@ -146,7 +146,7 @@ def product(one: Float64Array, other: Float64Array) -> Float64Array:
 
 
 def inverse(rotation: Float64Array) -> Float64Array:
-    """Give the rotation back."""
+    """Return the rotation back."""
     return np.asarray(rotation * np.array((-1.0, -1.0, -1.0, 1.0)))
 
 
@@ -167,7 +167,7 @@ def _take_apart(node: Node) -> bool:
 
 
 def _parts_of(node: Node) -> tuple[Float64Array, Float64Array, Float64Array, bool]:
-    """Give the translation, rotation and scale of a node's matrix, and whether they are all that is in it."""
+    """Return the translation, rotation and scale of a node's matrix, and whether they are all that is in it."""
     matrix = np.array(node["matrix"], float).reshape(4, 4).T
     scale = np.linalg.norm(matrix[:3, :3], axis=0)
     scale[0] *= -1 if np.linalg.det(matrix[:3, :3]) < 0 else 1
@@ -179,7 +179,7 @@ def _parts_of(node: Node) -> tuple[Float64Array, Float64Array, Float64Array, boo
 
 
 def _quaternion_of(axes: Float64Array) -> Float64Array:
-    """Give the quaternion of a rotation matrix: the eigenvector with the largest eigenvalue (Bar-Itzhack 2000)."""
+    """Return the quaternion of a rotation matrix: the eigenvector with the largest eigenvalue (Bar-Itzhack 2000)."""
     (a, b, c), (d, e, f), (g, h, i) = axes
     lower = np.diag([a - e - i, e - a - i, i - a - e, a + e + i])
     lower[1, 0], lower[2, :2], lower[3, :3] = d + b, (g + c, h + f), (h - f, c - g, d - b)

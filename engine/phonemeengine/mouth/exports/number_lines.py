@@ -8,7 +8,7 @@ from phonemeengine.arrays import Float32Array
 
 
 def number_lines(weights: Float32Array, separator: str = ",", digits: int = 5) -> Iterator[str]:
-    """Give each row of weights, shape (n, n_columns), as text with a fixed number of digits."""
+    """Return each row of weights, shape (n, n_columns), as text with a fixed number of digits."""
     moving = np.any(weights != 0, axis=0)
     pattern = separator.join(f"%.{digits}f" if moves else f"{0:.{digits}f}" for moves in moving.tolist())
     for row in weights[:, moving].tolist():

@@ -32,7 +32,7 @@ def write(export: Export) -> Iterator[str]:
 
 
 def _sound_of(speech: Utterance) -> str:
-    """Give where the sound is; its name alone where that is unknown, or would break the line."""
+    """Return where the sound is; its name alone where that is unknown, or would break the line."""
     place = str(speech.path.resolve()) if speech.path else ""
     return place if place and place.isprintable() else speech.name
 

@@ -57,7 +57,7 @@ def _rest(export: Export) -> str:
 
 
 def _stretches(export: Export) -> Iterator[Stretch]:
-    """Give start, end and letter of each drawing; Rhubarb's readers want at least one."""
+    """Return start, end and letter of each drawing; Rhubarb's readers want at least one."""
     stretches = [(f"{cue.start:.2f}", f"{cue.end:.2f}", cue.shape) for cue in export.drawings]
     whole = ("0.00", f"{export.speech.duration:.2f}", _rest(export))
     yield from (stretch for stretch in stretches or [whole] if stretch[0] != stretch[1] or len(stretches) <= 1)

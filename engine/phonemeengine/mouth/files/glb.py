@@ -18,7 +18,7 @@ Table = dict[str, Any]
 
 
 def chunks_of(content: bytes) -> tuple[bytes, memoryview]:
-    """Give the JSON and the bytes of a .glb file; the latter are no copy, and empty where there are none.
+    """Return the JSON and the bytes of a .glb file; the latter are no copy, and empty where there are none.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def document_of(text: bytes, largest: int) -> Table:
 
 
 def glb_of(document: Table, parts: Iterable[bytes]) -> bytes:
-    """Give a .glb file of a document, and of parts that follow each other in its buffer 0."""
+    """Return a .glb file of a document, and of parts that follow each other in its buffer 0."""
     text = json.dumps(document, ensure_ascii=False, separators=(",", ":")).encode()
     chunks = _chunk(JSON_CHUNK, text, b" ") + _chunk(BINARY_CHUNK, b"".join(parts), b"\0")
     return MAGIC + struct.pack("<II", VERSION, HEADER + len(chunks)) + chunks

@@ -233,7 +233,7 @@ def _triangles(corners: Int64Array, mode: int) -> Int64Array:
 
 
 def _renumbered(figure: MorphMesh, numbers: Int64Array) -> MorphMesh:
-    """Give the vertices the numbers that they had; those between are at the origin, and nothing uses them."""
+    """Return the vertices the numbers that they had; those between are at the origin, and nothing uses them."""
     if len(np.unique(numbers)) < len(numbers):
         raise MeshError(f"its {NUMBER} names a vertex twice; export it again")
     mesh, n = figure.mesh, int(numbers.max()) + 1

@@ -18,7 +18,7 @@ Array = NDArray[Any]
 
 
 def array_of(document: Document, place: int) -> Array:
-    """Give the array of an accessor, shape (count, width); floats are float32, fractions are made floats.
+    """Return the array of an accessor, shape (count, width); floats are float32, fractions are made floats.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def array_of(document: Document, place: int) -> Array:
 
 
 def count_of(document: Document, place: int) -> int:
-    """Give how many entries an accessor says it has."""
+    """Return how many entries an accessor says it has."""
     return _form_of(document.entry("accessors", place))[0]
 
 

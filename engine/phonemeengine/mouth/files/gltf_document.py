@@ -45,24 +45,24 @@ class Document:
         self._look_at_version()
 
     def list_of(self, key: str) -> list[Table]:
-        """Give a list of the document, such as ``meshes``; empty if there is none."""
+        """Return a list of the document, such as ``meshes``; empty if there is none."""
         if key not in self._lists:
             self._lists[key] = tables_of(self._root, key)
         return self._lists[key]
 
     def whole(self, key: str) -> int:
-        """Give a whole number of the document, such as ``scene``; 0 if there is none."""
+        """Return a whole number of the document, such as ``scene``; 0 if there is none."""
         return whole_of(self._root, key, 0)
 
     def entry(self, key: str, place: int) -> Table:
-        """Give an entry of a list of the document."""
+        """Return an entry of a list of the document."""
         entries = self.list_of(key)
         if not 0 <= place < len(entries):
             raise MeshError(f"it names number {place} of its {key}, and there are {len(entries)}; export it again")
         return entries[place]
 
     def buffer(self, place: int) -> Buffer:
-        """Give the bytes of a buffer: the one in the .glb, one in the text, or a file beside it."""
+        """Return the bytes of a buffer: the one in the .glb, one in the text, or a file beside it."""
         if place not in self._buffers:
             table = self.entry("buffers", place)
             if len(self._buffers) >= MOST_BUFFERS:
@@ -96,7 +96,7 @@ class Document:
 
 
 def table_of(table: Table, key: str) -> Table:
-    """Give a table within a table; empty if there is none."""
+    """Return a table within a table; empty if there is none."""
     found = table.get(key, {})
     if not isinstance(found, dict):
         raise MeshError(f"its {key!r} must be a table, found {_shown(found)}; export it again")
@@ -104,7 +104,7 @@ def table_of(table: Table, key: str) -> Table:
 
 
 def tables_of(table: Table, key: str) -> list[Table]:
-    """Give a list of tables within a table; empty if there is none."""
+    """Return a list of tables within a table; empty if there is none."""
     found = table.get(key, [])
     if not isinstance(found, list) or not all(isinstance(entry, dict) for entry in found):
         raise MeshError(f"its {key!r} must be a list of tables, found {_shown(found)}; export it again")
@@ -112,7 +112,7 @@ def tables_of(table: Table, key: str) -> list[Table]:
 
 
 def whole_of(table: Table, key: str, default: int | None = None) -> int:
-    """Give a whole number from 0 within a table."""
+    """Return a whole number from 0 within a table."""
     found = table.get(key, default)
     if not isinstance(found, int) or isinstance(found, bool) or not 0 <= found < 1 << 32:
         raise MeshError(f"its {key!r} must be a whole number from 0, found {_shown(found)}; export it again")
@@ -120,7 +120,7 @@ def whole_of(table: Table, key: str, default: int | None = None) -> int:
 
 
 def wholes_of(table: Table, key: str) -> list[int]:
-    """Give a list of whole numbers from 0 within a table; empty if there is none."""
+    """Return a list of whole numbers from 0 within a table; empty if there is none."""
     found = table.get(key, [])
     if not isinstance(found, list):
         raise MeshError(f"its {key!r} must be a list, found {_shown(found)}; export it again")
@@ -128,7 +128,7 @@ def wholes_of(table: Table, key: str) -> list[int]:
 
 
 def text_of(table: Table, key: str, default: str | None = None) -> str:
-    """Give a text within a table."""
+    """Return a text within a table."""
     found = table.get(key, default)
     if not isinstance(found, str):
         raise MeshError(f"its {key!r} must be text, found {_shown(found)}; export it again")
@@ -136,7 +136,7 @@ def text_of(table: Table, key: str, default: str | None = None) -> str:
 
 
 def numbers_of(table: Table, key: str, default: list[float]) -> list[float]:
-    """Give a list of as many finite numbers as the default has."""
+    """Return a list of as many finite numbers as the default has."""
     found = table.get(key, default)
     if not isinstance(found, list) or len(found) != len(default) or not all(map(_is_number, found)):
         raise MeshError(f"its {key!r} must be {len(default)} numbers, found {_shown(found)}; export it again")

@@ -13,7 +13,7 @@ MOST_NODES = 1 << 14
 
 
 def target_names(mesh: Table) -> list[str]:
-    """Give the names of morph targets, as most exporters write them."""
+    """Return the names of morph targets, as most exporters write them."""
     extras = mesh.get("extras")
     names = extras.get("targetNames") if isinstance(extras, dict) else None
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
@@ -22,13 +22,13 @@ def target_names(mesh: Table) -> list[str]:
 
 
 def name_of(document: Document) -> str:
-    """Give the name of the first mesh, if it has one."""
+    """Return the name of the first mesh, if it has one."""
     meshes = document.list_of("meshes")
     return text_of(meshes[0], "name", "")[:255] if meshes else ""
 
 
 def placed(document: Document) -> Iterator[tuple[int, Float64Array]]:
-    """Give each mesh of the scene and where it is; all meshes where they are if no node has one."""
+    """Return each mesh of the scene and where it is; all meshes where they are if no node has one."""
     nodes = document.list_of("nodes")
     if len(nodes) > MOST_NODES:
         raise MeshError(f"a scene has at most {MOST_NODES} nodes, got {len(nodes)}; export less")
@@ -56,7 +56,7 @@ def placed(document: Document) -> Iterator[tuple[int, Float64Array]]:
 
 
 def _transform_of(node: Table) -> Float64Array:
-    """Give a node's matrix; it is stated by columns, or as scale, rotation (x, y, z, w) and translation."""
+    """Return a node's matrix; it is stated by columns, or as scale, rotation (x, y, z, w) and translation."""
     if "matrix" in node:
         return np.array(numbers_of(node, "matrix", [0.0] * 16)).reshape(4, 4).T
     x, y, z, w = numbers_of(node, "rotation", [0.0, 0.0, 0.0, 1.0])

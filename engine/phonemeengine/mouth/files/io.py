@@ -110,7 +110,7 @@ def _content_of(path: Path, largest: int) -> bytes:
 
 
 def _beside(folder: Path) -> Beside:
-    """Give what reads a file of the same folder, or below it; never one elsewhere."""
+    """Return what reads a file of the same folder, or below it; never one elsewhere."""
 
     def read(name: str) -> bytes | None:
         try:

@@ -85,7 +85,7 @@ class _ObjReader:
             act(words[1:])
 
     def mesh(self) -> Mesh:
-        """Give the mesh that all lines make."""
+        """Return the mesh that all lines make."""
         n = len(self._positions) // 3
         colours = _vectors(self._colours).astype(np.float32) if len(self._colours) == 3 * n and n else None
         materials = tuple(Material(name, self._materials.get(name, GREY)) for name in self._places)
@@ -149,7 +149,7 @@ class _ObjReader:
 
 
 def _materials_of(content: bytes) -> Iterator[tuple[str, tuple[float, float, float]]]:
-    """Give the names and diffuse colours of an .mtl file; what is no colour is passed over."""
+    """Return the names and diffuse colours of an .mtl file; what is no colour is passed over."""
     name = ""
     for _, line in _lines_of(content):
         match line.split():
@@ -176,7 +176,7 @@ def _lines_of(content: bytes) -> Iterator[tuple[int, bytes]]:
 
 
 def _place_of(word: bytes, n: int, what: str) -> int:
-    """Give the place of a vertex or normal; in the file they count from 1, or backwards from the last one, -1."""
+    """Return the place of a vertex or normal; in the file they count from 1, or backwards from the last one, -1."""
     number = int(word)
     place = number - 1 if number > 0 else n + number
     if number == 0 or not 0 <= place < n:

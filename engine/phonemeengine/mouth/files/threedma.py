@@ -80,21 +80,21 @@ class _Lines:
         self._lines = self._all()
 
     def next_line(self) -> str:
-        """Give the next line that is not empty."""
+        """Return the next line that is not empty."""
         line = next(self._lines, None)
         if line is None:
             raise MeshError(f"it ends after line {self._number}; it is cut off, export or copy it again")
         return line
 
     def caption(self, caption: str) -> str:
-        """Give what stands behind a caption, which must be the next."""
+        """Return what stands behind a caption, which must be the next."""
         found, colon, rest = self.next_line().partition(":")
         if not colon or found.strip() != caption:
             raise MeshError(f"line {self._number} must begin with '{caption}:', found {found[:40]!r}; correct it")
         return rest.strip()
 
     def count(self, caption: str, most: int) -> int:
-        """Give the number behind a caption, which the rest of the text must have room for."""
+        """Return the number behind a caption, which the rest of the text must have room for."""
         word = self.caption(caption)
         if not (word.isdecimal() and len(word) <= 10 and word.isascii()):
             raise MeshError(
@@ -108,7 +108,7 @@ class _Lines:
         return int(word)
 
     def rows(self, n: int) -> tuple[Int64Array, Float32Array]:
-        """Give n vertices: their numbers, and their vectors as right-handed coordinates."""
+        """Return n vertices: their numbers, and their vectors as right-handed coordinates."""
         begin = self._number + 1
         table = self._table(n)
         if table.shape != (n, 4):

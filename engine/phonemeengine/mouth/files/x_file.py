@@ -71,7 +71,7 @@ class _XReader:
             above = self._block(kind, above, depth)
 
     def figure(self) -> MorphMesh:
-        """Give all meshes as one."""
+        """Return all meshes as one."""
         if not self._parts:
             raise MeshError("there is no mesh in it; export one with it")
         starts = np.cumsum([0, *(len(part.points) for part in self._parts)])
@@ -213,5 +213,5 @@ def _moved(points: Float64Array, matrix: Float64Array) -> Float64Array:
 
 
 def _cofactors(matrix: Float64Array) -> Float64Array:
-    """Give what turns normals where a matrix moves points."""
+    """Return what turns normals where a matrix moves points."""
     return np.asarray(np.cross(matrix[[1, 2, 0]], matrix[[2, 0, 1]]), np.float64)

@@ -25,7 +25,7 @@ class Tokenizer:
         self._waiting: list[str] = []
 
     def next_word(self) -> str:
-        """Give the next word; empty at the end."""
+        """Return the next word; empty at the end."""
         if self._waiting:
             return self._waiting.pop()
         while found := WORD.search(self._text, self._at):
