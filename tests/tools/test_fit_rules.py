@@ -10,8 +10,6 @@ import soundfile
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.calibration.fits import fit_rules
 from phonemeengine.calibration.fits import fit_templates as templates_of
-from phonemeengine.calibration.fits.rule_features import candidates, voice_of
-from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS
 from phonemeengine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.features.variables import check_user_variables
@@ -20,6 +18,8 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from tests.corpora import put, speech, write_manifest
+from tools.fit.rule_features import candidates, voice_of
+from tools.fit.rule_search import MOST_CONDITIONS
 
 TIMES = (0.0, 0.2, 0.5, 0.7, 1.0, 1.3, 1.5)
 SAID = (Phoneme.SILENCE, Phoneme.A, Phoneme.SZ, Phoneme.I, Phoneme.U, Phoneme.SILENCE)
