@@ -8,7 +8,6 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import analyse_blocks
-from phonemeengine.calibration.fits import fit_templates as fit_templates
 from phonemeengine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.features.variables import check_user_variables
@@ -18,6 +17,7 @@ from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from tests.corpora import put, speech, write_manifest
 from tools.fit import rules as fit_rules
+from tools.fit import templates as fit_templates
 from tools.fit.rule_features import candidates, voice_of
 from tools.fit.rule_search import MOST_CONDITIONS
 
