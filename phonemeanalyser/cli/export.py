@@ -8,10 +8,10 @@ from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_s
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
 from phonemeengine.errors import EngineError
 from phonemeengine.files import printable_name
-from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.mouth.utterance import utterance_of
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset

@@ -21,12 +21,13 @@ from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif,
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.files import printable_name
-from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
+from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
 from phonemeengine.mouth.utterance import utterance_of
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset

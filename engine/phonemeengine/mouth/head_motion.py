@@ -6,7 +6,7 @@ The head rises with the voice's pitch and nods with its loudness (Yehia, Kuratat
 
 import math
 import random
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,8 +26,7 @@ FOLLOWING, USUAL = 0.18, 4.0
 """Time constants with which it follows the voice, and learns the usual pitch, seconds."""
 
 
-@dataclass(frozen=True)
-class HeadPose:
+class HeadPose(NamedTuple):
     """How the head is turned, degrees: yaw to its left, pitch upwards, roll to its left shoulder."""
 
     yaw: float = 0.0
@@ -73,12 +72,10 @@ class HeadMotion:
     def pose(self, time: float) -> HeadPose:
         """Return the pose at a time; times never go back."""
         still = 0.5 + 0.5 * self._speaking.at(time)
-        yaw, pitch, roll = (
-            width
-            * still
-            * sum(math.sin(2 * math.pi * time / p + q) for p, q in zip(periods, phases, strict=True))
-            / 2
-            for width, periods, phases in zip(SWAY, PERIODS, self._phases, strict=True)
-        )
+        turned = 2 * math.pi * time
+        yaw, pitch, roll = [
+            width * still * (math.sin(turned / p + phase) + math.sin(turned / q + other)) / 2
+            for width, (p, q), (phase, other) in zip(SWAY, PERIODS, self._phases, strict=True)
+        ]
         voice = PER_SEMITONE * self._rise.at(time) - NOD * self._loudness.at(time)
         return HeadPose(yaw, pitch + voice, roll)

@@ -6,7 +6,7 @@ They are TOML files that an animator edits, read strictly.
 import reprlib
 import tomllib
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +39,8 @@ _KEYS = {
     "manner": dict,
 }  # fmt: skip
 _OPTIONAL = {"name", "notes", "firm", "times", "manner"}
+_MOTION_KEYS = {"loudness": "loudness", "quiet": "minimum_opening", "randomness": "randomness"}
+"""What [manner] calls the fields of `MotionSettings`."""
 _WORDS = {str: "text", list: "a list", dict: "a table"}
 _PHONEMES = {p.label: p for p in Phoneme}
 
@@ -54,8 +56,8 @@ class MouthTable:
     phonemes : the mouth shape of every phoneme.
     shapes : for each mouth shape the percentages of its movestates, 100 for the whole movement.
     times : how fast the mouth is for each phoneme but silence.
-    firm : phonemes at which the lips meet: they do so in time, and wholly at any loudness. Silence is always whole.
-    manner : how far the mouth moves, and how much that varies.
+    closed_phonemes : those at which the lips meet: they do so in time, and wholly at any loudness, as silence does.
+    motion : how far the mouth moves, and how much that varies.
     notes : for people.
     """
 
@@ -64,8 +66,8 @@ class MouthTable:
     phonemes: Mapping[Phoneme, str]
     shapes: Mapping[str, Mapping[str, float]]
     times: Mapping[Phoneme, TransitionTimes]
-    firm: frozenset[Phoneme] = frozenset({Phoneme.M, Phoneme.P})
-    manner: MotionSettings = field(default_factory=MotionSettings)
+    closed_phonemes: frozenset[Phoneme] = frozenset({Phoneme.M, Phoneme.P})
+    motion: MotionSettings = field(default_factory=MotionSettings)
     notes: str = ""
 
     def weights(self) -> Float32Array:
@@ -77,11 +79,11 @@ class MouthTable:
                 rows[phoneme, columns[movestate]] = percent / 100
         return rows
 
-    def moved_as(self, attack: float, release: float, *, random: bool) -> "MouthTable":
+    def with_motion(self, attack: float, release: float, *, random: bool) -> "MouthTable":
         """Return the table with all its times multiplied by factors above 0, and with its randomness or without."""
         times = {phoneme: times.scaled(attack, release) for phoneme, times in self.times.items()}
-        manner = self.manner if random else replace(self.manner, randomness=0.0)
-        return replace(self, times=times, manner=manner)
+        motion = self.motion if random else replace(self.motion, randomness=0.0)
+        return replace(self, times=times, motion=motion)
 
 
 def shipped_tables() -> tuple[str, ...]:
@@ -121,16 +123,16 @@ def table_of(text: str) -> MouthTable:
     _check_keys(document)
     movestates = _movestates_of(document["movestates"])
     shapes = {name: _shape_of(name, entry, movestates) for name, entry in document["shapes"].items()}
-    firm = frozenset(_phoneme(name, "firm") for name in document.get("firm", ["m", "p"]))
-    general, manner = _manner_of(document.get("manner", {}))
+    closed = frozenset(_phoneme(name, "firm") for name in document.get("firm", ["m", "p"]))
+    general, motion = _motion_of(document.get("manner", {}))
     return MouthTable(
         name=document.get("name", "untitled"),
         movestates=movestates,
         phonemes=_phonemes_of(document["phonemes"], shapes),
         shapes=shapes,
-        times=_times_of(document.get("times", {}), general, firm),
-        firm=firm,
-        manner=manner,
+        times=_times_of(document.get("times", {}), general, closed),
+        closed_phonemes=closed,
+        motion=motion,
         notes=document.get("notes", ""),
     )
 
@@ -224,7 +226,7 @@ def _phoneme(name: Any, place: str) -> Phoneme:
 
 
 def _times_of(
-    entry: dict[str, Any], general: Mapping[str, float], firm: Collection[Phoneme]
+    entry: dict[str, Any], general: Mapping[str, float], closed: Collection[Phoneme]
 ) -> dict[Phoneme, TransitionTimes]:
     """Return the times of every phoneme: its own, else those of [manner] for all, else the usual ones."""
     own = {_phoneme(name, "[times]"): _own_times(name, times) for name, times in entry.items()}
@@ -235,7 +237,7 @@ def _times_of(
     used: set[str] = set()
     times: dict[Phoneme, TransitionTimes] = {}
     for phoneme in SPEAKING:
-        sources = {"attack": "closing" if phoneme in firm else "attack", "release": "release"}
+        sources = {"attack": "closing" if phoneme in closed else "attack", "release": "release"}
         used |= {source for name, source in sources.items() if name not in own.get(phoneme, {})}
         usual = {name: general.get(source, USUAL_TIMES[source]) for name, source in sources.items()}
         times[phoneme] = TransitionTimes(**usual | own.get(phoneme, {}))
@@ -253,27 +255,31 @@ def _own_times(phoneme: str, entry: Any) -> dict[str, float]:
     return _seconds(place, entry)
 
 
-def _manner_of(entry: dict[str, Any]) -> tuple[dict[str, float], MotionSettings]:
-    """Return the times for all phonemes that [times] leaves out, and the manner."""
-    known = [*USUAL_TIMES, *(f.name for f in fields(MotionSettings))]
+def _motion_of(entry: dict[str, Any]) -> tuple[dict[str, float], MotionSettings]:
+    """Return the times for all phonemes that [times] leaves out, and the settings."""
+    known = [*USUAL_TIMES, *_MOTION_KEYS]
     for name in entry:
         if name not in known:
             raise MouthError(f"[manner] does not know {_shown(name)}; known are {', '.join(known)}")
     general = _seconds("[manner]", {name: entry[name] for name in USUAL_TIMES if name in entry})
-    rest = {name: _number("[manner]", name, value) for name, value in entry.items() if name not in general}
-    try:
-        return general, MotionSettings(**rest)
-    except MouthError as error:
-        raise MouthError(f"[manner] {error}") from error
+    given = {
+        field: _within("[manner]", name, entry[name], field) for name, field in _MOTION_KEYS.items() if name in entry
+    }
+    return general, MotionSettings(**given)
 
 
 def _seconds(place: str, entry: Mapping[str, Any]) -> dict[str, float]:
-    low, high, _ = LIMITS["attack"]
-    seconds = {name: _number(place, name, value) for name, value in entry.items()}
-    for name, value in seconds.items():
-        if not low <= value <= high:
-            raise MouthError(f"{place} {name} must lie in {low:g}..{high:g} s, got {value:g}; correct it")
-    return seconds
+    return {name: _within(place, name, value, "attack") for name, value in entry.items()}
+
+
+def _within(place: str, name: str, value: Any, field: str) -> float:
+    """Return a number that keeps to the limits of a field of the settings."""
+    low, high, unit = LIMITS[field]
+    number = _number(place, name, value)
+    if not low <= number <= high:
+        limits = f"{low:g}..{high:g} {unit}".rstrip()
+        raise MouthError(f"{place} {name} must lie in {limits}, got {number:g}; correct it")
+    return number
 
 
 def _number(place: str, name: str, value: Any) -> float:

@@ -488,7 +488,7 @@ def test_a_receiver_moves_by_the_table_of_the_head_and_as_fast(
     talking.set_detail(Detail.TWO_STATES)
     sends_like(talking.table, Detail.TWO_STATES)
     osc.set_table("vrm")
-    sends_like(replace(load_table("vrm"), times=talking.table.times, manner=talking.table.manner), Detail.TWO_STATES)
+    sends_like(replace(load_table("vrm"), times=talking.table.times, motion=talking.table.motion), Detail.TWO_STATES)
 
 
 def test_a_receiver_that_is_switched_off_stays_so_whatever_moves_the_head(stage: Stage) -> None:

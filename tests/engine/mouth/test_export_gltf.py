@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from pygltflib import GLTF2
 
 from phonemeengine.errors import ExportError
-from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_glb
+from phonemeengine.mouth.performer import IdleMotion
 from tests.engine.mouth.speaking import DURATION, speech
 from tests.glb_faces import face_with_targets, glb_of
 

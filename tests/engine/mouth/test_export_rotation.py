@@ -9,12 +9,12 @@ import pytest
 from numpy.typing import NDArray
 
 from phonemeengine.errors import ExportError
-from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_glb
 from phonemeengine.mouth.exports.gltf_rotation import inverse, product, rotated, turnings_of
 from phonemeengine.mouth.head_motion import quaternions_of
+from phonemeengine.mouth.performer import IdleMotion
 from tests.engine.mouth.speaking import speech
 from tests.glb_faces import face_with_targets
 

@@ -14,12 +14,12 @@ from praatio import textgrid
 
 from phonemeengine.errors import ExportError
 from phonemeengine.labels.audacity import marks_of
-from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.exports.livelink import timecode_of
 from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.mouth.utterance import Utterance
 from phonemeengine.phonemes import Phoneme

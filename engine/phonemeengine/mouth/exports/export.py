@@ -4,8 +4,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
+from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.cues import Cue, joined_by_shape
+from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.utterance import Utterance
 

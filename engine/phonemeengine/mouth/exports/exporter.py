@@ -5,10 +5,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from phonemeengine.errors import ExportError
-from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, IdleMotion
+from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.mouth.cues import MINIMUM, cues_of
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.utterance import Utterance
 
