@@ -113,8 +113,8 @@ class MainWindow(QMainWindow):
         self._late_talk = LazyPage(self.pages, partial(make.talk_page, self._talking))
         self._heads = Heads(self._talking, self._late_talk, self._late_calibration, self.head)
         self.drawing = RedrawLoop(
-            self, session, self._calibration, self.pages, self.analysis, self._late_calibration, self._heads,
-            self.phoneme, self.thresholds, self.transport, self.status,
+            self, session, self.pages, self.analysis, self._late_calibration, self._heads, self.phoneme,
+            self.thresholds, self.transport, self.status,
         )  # fmt: skip
 
     @property

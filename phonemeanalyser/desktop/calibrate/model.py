@@ -23,14 +23,14 @@ TAKES_FOLDER = "Takes"
 
 
 class CalibrationModel(QObject):
-    """Joins what the page shows; `tick` moves it on.
+    """Joins what the page shows.
 
     Signals
     -------
     held : another phoneme is held, or none any more.
     stretch_changed : another stretch of the file is marked.
-    told : a sentence for the user about something that went well.
-    failed : a sentence for the user.
+    info : a sentence for the user about something that went well.
+    error : a sentence for the user.
     """
 
     held = Signal()
@@ -62,6 +62,8 @@ class CalibrationModel(QObject):
         for worker in (self.bench, self.fit, self.rival, self.guide, self.room):
             worker.error.connect(self.error)
         session.opened.connect(self._forget_stretch)
+        session.heard.connect(self._follow)
+        session.transport_changed.connect(self._stop_at_end)
 
     # -- takes from microphone and file -------------------------------------------------------------------
 
@@ -166,18 +168,20 @@ class CalibrationModel(QObject):
         session.play()
         self._until = path, end + around
 
-    def tick(self) -> None:
-        """Take note of what was done in the background, and end what was to be played to its end."""
-        self.takes.see()
-        self.recordings.see()
-        self.bench.see()
-        self.fit.see()
-        self.rival.see()
-        self.room.tick()
-        if self.guide.running:
-            self.guide.tick()
+    def close(self) -> None:
+        """Wait until all takes are on the disk, and end all other work."""
+        for worker in (self.guide, self.room, self.fit, self.rival, self.bench):
+            worker.close()
+        self.recordings.close()
+        self.takes.close()
+
+    def _follow(self) -> None:
+        """End what has lasted long enough."""
         if self.phoneme is not None and self._from is None and self.catch.full:
             self.release()
+        self._stop_at_end()
+
+    def _stop_at_end(self) -> None:
         if self._until is not None:
             path, end = self._until
             session = self.session
@@ -186,13 +190,6 @@ class CalibrationModel(QObject):
             elif session.position >= end:
                 self._until = None
                 session.pause()
-
-    def close(self) -> None:
-        """Wait until all takes are on the disk, and end all other work."""
-        for worker in (self.guide, self.room, self.fit, self.rival, self.bench):
-            worker.close()
-        self.recordings.close()
-        self.takes.close()
 
     def _load_bench(self) -> None:
         found = (*self.takes.utterances(), *self.recordings.utterances)

@@ -46,7 +46,7 @@ class Snapshot:
 
 
 class TakesModel(QObject):
-    """The takes of the project in hand. The disk is asked in the background; `see` hands over what it said.
+    """The takes of the project in hand. The disk is asked in the background.
 
     Signals
     -------
@@ -55,8 +55,9 @@ class TakesModel(QObject):
     kept : a change was made that can be undone.
     added : number of a take that is new.
     sound_read : the sound of the selected take is there.
-    told : a sentence for the user about something that went well.
-    failed : a sentence for the user.
+    info : a sentence for the user about something that went well.
+    error : a sentence for the user.
+    idle : all that was asked of the disk is done.
     """
 
     opened = Signal()
@@ -66,6 +67,7 @@ class TakesModel(QObject):
     sound_read = Signal()
     info = Signal(str)
     error = Signal(str)
+    idle = Signal()
 
     def __init__(self, default_folder: Callable[[], Path]) -> None:
         super().__init__()
@@ -78,6 +80,7 @@ class TakesModel(QObject):
         self._shown: Path | None = None
         self._reports: dict[int, TakeReport] = {}
         self._disk = TaskQueue(self.error.emit)
+        self._disk.idle.connect(self.idle)
 
     # -- what there is ------------------------------------------------------------------------------------
 
@@ -117,18 +120,14 @@ class TakesModel(QObject):
         """Open a project, made where there is none; what was in hand is let go when that went well."""
 
         if self.folder is None or folder.resolve() != self.folder.resolve():
-            self._disk.do(lambda _progress: self._opened_in_work(folder), self._show)
+            self._disk.submit(lambda _progress: self._opened_in_work(folder), self._show)
 
     def close(self) -> None:
         """Wait until everything is on the disk, and let the project go."""
-        self._disk.close()
+        self._disk.finish()
         if self._project is not None:
             self._project.close()
             self._project = None
-
-    def see(self) -> None:
-        """Take note of what the disk said."""
-        self._disk.see()
 
     # -- changes ------------------------------------------------------------------------------------------
 
@@ -211,7 +210,7 @@ class TakesModel(QObject):
 
     def write_labels(self, suffix: str, program: str) -> None:
         """Write label files for another program beside the sounds of all takes: its name, and how they end."""
-        self._disk.do(lambda _progress: write_labels_of(self._project, suffix, program), self.info.emit)
+        self._disk.submit(lambda _progress: write_labels_of(self._project, suffix, program), self.info.emit)
 
     def select(self, number: int | None) -> None:
         """Choose a take, whose sound is read."""
@@ -222,7 +221,7 @@ class TakesModel(QObject):
             self.sound_read.emit()
             return
         path = self.path_of(take)
-        self._disk.do(lambda _progress: sound_in(path), lambda sound: self._show_sound(number, sound))
+        self._disk.submit(lambda _progress: sound_in(path), lambda sound: self._show_sound(number, sound))
 
     # -- in the background --------------------------------------------------------------------------------
 
@@ -254,7 +253,7 @@ class TakesModel(QObject):
             if found[0] is not None:
                 then(found[0])
 
-        self._disk.do(lambda _progress: work(), hand_over)
+        self._disk.submit(lambda _progress: work(), hand_over)
 
     def _opened_in_work(self, folder: Path) -> Snapshot:
         project, before = TakeProject(folder), self._project

@@ -228,5 +228,5 @@ class PictureSurface(QWidget):
     def _photographer_of(self, figure: MorphMesh) -> Any:
         if self._photographer is None or figure is not self._figure:
             self.release_gl()
-            self._photographer, self._figure = rendering().pictures.Photographer(figure), figure
+            self._photographer, self._figure = rendering().offscreen.OffscreenRenderer(figure), figure
         return self._photographer

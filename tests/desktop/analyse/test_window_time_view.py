@@ -185,7 +185,7 @@ def test_left_of_what_was_heard_there_is_nothing_to_read(window, qtbot):
 
 def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
     press(window, Qt.Key.Key_F)
-    desktop.session.follow(1.0)
+    desktop.session.analyse_until(1.0)
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -0.5, ON_BIN)
     label = window.analysis.time_view._cursor_label
