@@ -20,6 +20,7 @@ from phonemeengine.files import free_path
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.mouth.osc import OscMouth, OscSettings
+from phonemeengine.mouth.performer import MOUTH_ALONE, Performer, timed_frames
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD
@@ -64,12 +65,13 @@ def listen(
     """
     chosen_input(choice, devices())
     changes = _Changes(_as_json if kind == "json" else _as_text)
-    with _sending(osc) as mouth, _quiet_libraries(), _ended_by_signals():
+    with _sending(osc) as performer, _quiet_libraries(), _ended_by_signals():
 
         def follow(analysis: Analysis) -> None:
             changes.follow(analysis)
-            if mouth is not None:
-                mouth.add_analysis(analysis)
+            if performer is not None:
+                now = time.monotonic()
+                performer.hear(timed_frames(analysis, now), now, live=True)
 
         changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_heard=follow)
         try:
@@ -111,14 +113,15 @@ def record(
 
 
 @contextmanager
-def _sending(osc: OscSettings | None) -> Iterator[OscMouth | None]:
-    """Send the mouth meanwhile, and say at the end if nothing could be sent."""
+def _sending(osc: OscSettings | None) -> Iterator[Performer | None]:
+    """Send what a performer shows meanwhile, and say at the end if nothing could be sent."""
     if osc is None:
         yield None
         return
-    mouth = OscMouth(osc.address, osc.table)
+    performer = Performer(osc.table, MOUTH_ALONE)
+    mouth = OscMouth(osc.address, performer)
     try:
-        yield mouth
+        yield performer
     finally:
         mouth.close()
         if mouth.failure:

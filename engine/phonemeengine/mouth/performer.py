@@ -69,11 +69,13 @@ class FaceState(NamedTuple):
 
     Attributes
     ----------
-    weights : of the table's movestates, float32, shape (n_movestates,), 1 for the whole movement.
+    table : whose movestates move.
+    weights : of these, float32, shape (n_movestates,), 1 for the whole movement.
     blink : how far a blink has closed the lids, 0..1.
     head : how the head is turned.
     """
 
+    table: MouthTable
     weights: Float32Array
     blink: float
     head: HeadPose
@@ -212,7 +214,7 @@ class Performer:
             self._advance(time)
             weights = self.visemes.apply(self._morpher.weights(time), time)
             blink = self.visemes.blinks * self._blinker.closure(time) if self.idle.blinks else 0.0
-            return FaceState(weights, blink, self._head.pose(time) if self.idle.head else STILL)
+            return FaceState(self.table, weights, blink, self._head.pose(time) if self.idle.head else STILL)
 
     def saying(self) -> tuple[Phoneme, float]:
         """Return the phoneme that is asked for the most, else the one that was heard last, and its intensity."""
