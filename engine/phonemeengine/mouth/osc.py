@@ -116,11 +116,12 @@ class OscMouth:
         self._socket.close()
 
     def _show(self, now: float) -> None:
-        face, said = self._performer.at(now), self._performer.saying()
+        face = self._performer.at(now)
         if face.table is not self._table:
             self._use(face.table)
-        if said[0] != self._said[0] or now - self._said_at >= REPEAT:
-            self._say(said, now)
+        for said in self._performer.pop_said():
+            if said[0] != self._said[0] or now - self._said_at >= REPEAT:
+                self._say(said, now)
         self._send_weights(face.weights, now)
 
     def _use(self, table: MouthTable) -> None:

@@ -129,6 +129,7 @@ class Performer:
         self._blinker, self._head = Blinker(self.idle.seed), HeadMotion(self.idle.seed)
         self._heard: deque[TimedFrame] = deque([SILENT], maxlen=REMEMBERED)
         self._coming: deque[TimedFrame] = deque()
+        self._changes: deque[TimedFrame] = deque(maxlen=REMEMBERED)
         self._closes_at = math.inf
         self._restart()
 
@@ -216,11 +217,17 @@ class Performer:
             blink = self.visemes.blinks * self._blinker.closure(time) if self.idle.blinks else 0.0
             return FaceState(self.table, weights, blink, self._head.pose(time) if self.idle.head else STILL)
 
-    def saying(self) -> tuple[Phoneme, float]:
-        """Return the phoneme that is asked for the most, else the one that was heard last, and its intensity."""
+    def pop_said(self) -> list[tuple[Phoneme, float]]:
+        """Return each phoneme that was heard since the last call with its intensity, and last what is heard now.
+
+        Of shapes that are asked for, the one that is asked for the most.
+        """
         with self._lock:
-            asked = self.visemes.phonemes
-            return max(asked.items(), key=lambda entry: entry[1]) if asked else self._heard[-1][1:3]
+            asked, heard = self.visemes.phonemes, [*self._changes, self._heard[-1]]
+            self._changes.clear()
+            if asked:
+                return [max(asked.items(), key=lambda entry: entry[1])]
+            return [(frame.phoneme, frame.intensity) for frame in heard]
 
     # -- inside -------------------------------------------------------------------------------------------
 
@@ -261,6 +268,8 @@ class Performer:
             self.close_mouth(closes_at)
         while self._coming and self._coming[0].time <= time:
             frame = self._coming.popleft()
+            if frame.phoneme != self._heard[-1].phoneme:
+                self._changes.append(frame)
             self._heard.append(frame)
             self._morpher.set_loudness(frame.time, frame.intensity)
             if self.idle.head:

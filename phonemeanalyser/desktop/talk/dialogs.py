@@ -64,11 +64,11 @@ class TalkDialogs(QObject):
         keep("talk/mesh", str(files.mesh or ""))
         keep("talk/movestates", str(files.movestates or ""))
         keep("talk/table", talking.table_name)
-        keep("talk/detail", talking.detail.value)
+        keep("talk/detail", talking.idle.detail.value)
         keep("talk/mode", talking.mode.value)
         keep("talk/attack_percent", round(100 * talking.attack_factor))
         keep("talk/release_percent", round(100 * talking.release_factor))
-        for name, on in (("blinks", talking.blinks), ("head", talking.head_motion), ("random", talking.random)):
+        for name, on in (("blinks", talking.idle.blinks), ("head", talking.idle.head), ("random", talking.random)):
             keep(f"talk/{name}", int(on))
         keep("talk/osc_address", osc.address)
         keep("talk/osc_table", osc.table)
@@ -81,8 +81,8 @@ class TalkDialogs(QObject):
         if any(files) and all(path is None or path.is_file() for path in files):
             talking.face.files = FaceFiles(files[0], files[1])
         talking.set_table(self._kept("talk/table", talking.table_name))
-        detail = self._kept("talk/detail", talking.detail.value)
-        talking.set_detail(next((d for d in Detail if d.value == detail), talking.detail))
+        detail = self._kept("talk/detail", talking.idle.detail.value)
+        talking.set_detail(next((d for d in Detail if d.value == detail), talking.idle.detail))
         mode = self._kept("talk/mode", talking.mode.value)
         talking.set_mode(next((m for m in Mode if m.value == mode), talking.mode))
         talking.set_blinks(self._kept("talk/blinks", "1") == "1")

@@ -519,7 +519,12 @@ def test_choices_come_back_at_the_next_start(qapp, settings: QSettings, no_micro
     desktop.close()
     again = start()
     talking = again.talking
-    assert (talking.table_name, talking.blinks, talking.random, talking.head_motion) == ("five", False, False, True)
+    assert (talking.table_name, talking.idle.blinks, talking.random, talking.idle.head) == (
+        "five",
+        False,
+        False,
+        True,
+    )
     assert again.window.talk.visemes.mode.currentData() == Mode.NONE
     a, written = talking.table.times[Phoneme.A], load_table("five").times[Phoneme.A]
     assert (a.attack, a.release) == pytest.approx((2 * written.attack, written.release / 2))
