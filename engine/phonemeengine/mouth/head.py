@@ -30,12 +30,12 @@ def load_head() -> MorphMesh:
     """
     try:
         with HEAD.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
-            return _figure_of({name: file[name] for name in file.files})
+            return _morph_mesh_of({name: file[name] for name in file.files})
     except (OSError, ValueError, KeyError, zipfile.BadZipFile, zlib.error) as error:
         raise MeshError(f"{HEAD.name}: the program's own head cannot be read; install the program again") from error
 
 
-def _figure_of(arrays: dict[str, NDArray[Any]]) -> MorphMesh:
+def _morph_mesh_of(arrays: dict[str, NDArray[Any]]) -> MorphMesh:
     colours = (arrays["colours"] / 255).astype(np.float32)
     mesh = mesh_of(arrays["positions"], arrays["triangles"], name="head", colours=colours)
     names = [str(name) for name in arrays["names"]]

@@ -8,11 +8,11 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeengine.mouth.files.io import FACES, FIGURES
+from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
 
-MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*FIGURES, *FACES))})"
+MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))})"
 TABLES = "Mouth tables (*.toml)"
 
 
@@ -28,7 +28,7 @@ class TalkDialogs(QObject):
     @staticmethod
     def opens(path: Path) -> bool:
         """Return whether a file is a mesh or movestates, by the ending of its name."""
-        return path.suffix.lower() in (*FIGURES, *FACES)
+        return path.suffix.lower() in (*MESH_SUFFIXES, *TARGET_SUFFIXES)
 
     def ask_mesh(self) -> None:
         """Let the user choose a mesh, with its movestates if they are in a file of their own."""
@@ -41,13 +41,13 @@ class TalkDialogs(QObject):
 
     def open(self, paths: list[Path]) -> None:
         """Show a mesh, or other movestates of the mesh that is there, or both."""
-        meshes = [path for path in paths if path.suffix.lower() not in FACES]
-        faces = [path for path in paths if path.suffix.lower() in FACES]
+        meshes = [path for path in paths if path.suffix.lower() not in TARGET_SUFFIXES]
+        targets = [path for path in paths if path.suffix.lower() in TARGET_SUFFIXES]
         face = self._talking.face
         if meshes:
-            face.load(FaceFiles(meshes[0], faces[0] if faces else None))
-        elif faces:
-            face.load(FaceFiles(face.files.mesh, faces[0]))
+            face.load(FaceFiles(meshes[0], targets[0] if targets else None))
+        elif targets:
+            face.load(FaceFiles(face.files.mesh, targets[0]))
 
     def ask_table(self) -> None:
         """Let the user choose a mouth table of his own."""

@@ -154,7 +154,7 @@ def test_nothing_is_moved_while_nobody_looks(
     stage = Stage(session, outputs, qtbot)
     stage.open(tmp_path)
     stage.play(0.9)
-    assert stage.talking.face.figure is None
+    assert stage.talking.face.morph_mesh is None
     assert stage.talking.revision == 0
     stage.look()
     stage.play(0.1)
@@ -375,13 +375,13 @@ def stage_mesh(path: Path):
 
 def test_a_bad_mesh_is_refused_in_one_sentence_and_the_face_stays(stage: Stage, tmp_path: Path) -> None:
     (tmp_path / "bad.glb").write_bytes(b"glTF" + bytes(40))
-    before = stage.talking.face.figure
+    before = stage.talking.face.morph_mesh
     stage.talking.face.load(FaceFiles(tmp_path / "bad.glb"))
     stage.settle()
     (sentence,) = stage.failed
     assert sentence.startswith("bad.glb: ")
     assert "\n" not in sentence
-    assert stage.talking.face.figure is before
+    assert stage.talking.face.morph_mesh is before
     assert stage.talking.face.is_shipped
 
 

@@ -65,7 +65,7 @@ class Scene:
 
 
 def exported(mesh: Path | None = None, *, head: bool = True) -> Scene:
-    (content,) = Exporter("gltf", ExportOptions(rate=RATE, mesh=mesh, life=IdleMotion(head=head))).chunks_of(speech())
+    (content,) = Exporter("gltf", ExportOptions(rate=RATE, mesh=mesh, idle=IdleMotion(head=head))).chunks_of(speech())
     return Scene(content)
 
 
@@ -121,17 +121,17 @@ def test_the_programs_own_head_nods_about_its_neck_and_blinks() -> None:
 
 
 def test_a_blink_is_in_the_weights() -> None:
-    life = IdleMotion(seed=next(seed for seed in range(50) if _lids(seed).max() > 0.9))
-    (content,) = Exporter("gltf", ExportOptions(rate=RATE, life=life)).chunks_of(speech())
+    idle = IdleMotion(seed=next(seed for seed in range(50) if _lids(seed).max() > 0.9))
+    (content,) = Exporter("gltf", ExportOptions(rate=RATE, idle=idle)).chunks_of(speech())
     scene = Scene(content)
     names = scene.document["meshes"][0]["extras"]["targetNames"]
     weights = scene.track(0, "weights").reshape(-1, len(names))
-    np.testing.assert_allclose(weights[:, names.index("eyeBlinkLeft")], _lids(life.seed), atol=1e-6)
+    np.testing.assert_allclose(weights[:, names.index("eyeBlinkLeft")], _lids(idle.seed), atol=1e-6)
 
 
 def _lids(seed: int) -> NDArray[np.float32]:
     movement = (
-        Exporter("livelink-csv", ExportOptions(rate=RATE, life=IdleMotion(seed=seed))).export_of(speech()).animation
+        Exporter("livelink-csv", ExportOptions(rate=RATE, idle=IdleMotion(seed=seed))).export_of(speech()).animation
     )
     return movement.weights[:, ARKIT.index("eyeBlinkLeft")]
 
