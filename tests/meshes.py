@@ -1,6 +1,7 @@
 """Meshes whose shape is known: a cube of edge 2 about the origin, in every format."""
 
 import base64
+import io
 import json
 
 import numpy as np
@@ -119,3 +120,13 @@ GLTF: dict = {
 }  # fmt: skip
 """The cube, twice as large and 10 to the right, with a sparse and an interleaved morph target."""
 GLTF_TEXT = json.dumps(GLTF).encode()
+
+
+def format_obj(mesh: Mesh) -> bytes:
+    """Write the positions, normals and triangles of a mesh as an .obj file."""
+    out = io.StringIO()
+    out.write(f"o {mesh.name or 'mesh'}\n")
+    out.writelines(f"v {x!s} {y!s} {z!s}\n" for x, y, z in mesh.positions)
+    out.writelines(f"vn {x!s} {y!s} {z!s}\n" for x, y, z in mesh.normals)
+    out.writelines(f"f {a}//{a} {b}//{b} {c}//{c}\n" for a, b, c in (mesh.triangles + np.uint32(1)).tolist())
+    return out.getvalue().encode()

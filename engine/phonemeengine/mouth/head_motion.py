@@ -8,9 +8,6 @@ import math
 import random
 from typing import NamedTuple
 
-import numpy as np
-
-from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.mouth.low_pass import LowPass
 
 PER_SEMITONE = 0.5
@@ -32,17 +29,6 @@ class HeadPose(NamedTuple):
     yaw: float = 0.0
     pitch: float = 0.0
     roll: float = 0.0
-
-
-def quaternions_of(poses: Float32Array) -> Float64Array:
-    """Return poses, shape (n, 3): yaw, pitch and roll in degrees, as quaternions x, y, z, w, shape (n, 4).
-
-    The head looks along z, and its left is x. It rolls first, then nods, then turns.
-    """
-    halves = np.radians(np.asarray(poses, float)) / 2
-    (s, u, p), (c, v, q) = np.sin(halves).T, np.cos(halves).T  # of yaw, pitch and roll
-    parts = (-c * u * q - s * v * p, s * v * q - c * u * p, s * u * q - c * v * p, c * v * q + s * u * p)
-    return np.stack(parts, axis=1)
 
 
 class HeadMotion:

@@ -81,18 +81,18 @@ class FaceState(NamedTuple):
     head: HeadPose
 
 
-class _Run(NamedTuple):
-    """A phoneme that goes on until the next run starts."""
+class _Onset(NamedTuple):
+    """The start of a run of one phoneme, which goes on until the next one starts."""
 
     start: float
     phoneme: Phoneme
 
 
-class _Movement(NamedTuple):
-    """A movement to a run's phoneme that begins at a time, ahead of the run itself."""
+class _PlannedMovement(NamedTuple):
+    """A movement of the mouth that begins at a time, ahead of the phoneme that it leads to."""
 
     begin: float
-    run: _Run
+    onset: _Onset
 
 
 SILENT = TimedFrame(-math.inf, Phoneme.SILENCE, 0.0)
@@ -164,7 +164,7 @@ class Performer:
     def follow(self, cues: Iterable[Cue]) -> None:
         """Take cues that are cleaned and ahead of the sound already: the mouth moves when they begin."""
         with self._lock:
-            self._movements.extend(_Movement(cue.start, _Run(cue.start, cue.phoneme)) for cue in cues)
+            self._movements.extend(_PlannedMovement(cue.start, _Onset(cue.start, cue.phoneme)) for cue in cues)
 
     def hear_voice(self, time: float, intensity: float, f0: float) -> None:
         """Take the loudness alone, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time."""
@@ -190,7 +190,7 @@ class Performer:
         with self._lock:
             self.forget_coming(now)
             if phoneme != self._runs[-1].phoneme:
-                self._runs.append(_Run(now, phoneme))
+                self._runs.append(_Onset(now, phoneme))
                 self._plan(now)
 
     def jump_to(self, frames: Sequence[TimedFrame], now: float) -> None:
@@ -234,8 +234,8 @@ class Performer:
     def _restart(self) -> None:
         """Have a new mouth say what was heard."""
         self._morpher = Morpher(self.table, detail=self.idle.detail, seed=self.idle.seed)
-        self._runs = [_Run(-math.inf, Phoneme.SILENCE)]
-        self._movements: deque[_Movement] = deque()
+        self._runs = [_Onset(-math.inf, Phoneme.SILENCE)]
+        self._movements: deque[_PlannedMovement] = deque()
         self._begun = -math.inf
         self._add_runs([*self._heard, *self._coming])
         self._plan(-math.inf)
@@ -247,7 +247,7 @@ class Performer:
         n_runs = len(self._runs)
         for frame in frames:
             if frame.phoneme != self._runs[-1].phoneme:
-                self._runs.append(_Run(frame.time, frame.phoneme))
+                self._runs.append(_Onset(frame.time, frame.phoneme))
         return len(self._runs) > n_runs
 
     def _plan(self, earliest: float) -> None:
@@ -258,8 +258,8 @@ class Performer:
         begins = begins_of(cues, self.table, MOST_ANTICIPATION, MINIMUM)
         self._movements.clear()
         for cue, begin in zip(cues[1:], begins[1:], strict=True):
-            run = _Run(cue.start, cue.phoneme)
-            self._movements.append(_Movement(max(begin, earliest, self._begun), run))
+            onset = _Onset(cue.start, cue.phoneme)
+            self._movements.append(_PlannedMovement(max(begin, earliest, self._begun), onset))
 
     def _advance(self, time: float) -> None:
         """Have the mouth move, and the head, by what begins until a time."""
@@ -277,10 +277,11 @@ class Performer:
         while self._movements and self._movements[0].begin <= time:
             self._begin(*self._movements.popleft())
 
-    def _begin(self, begin: float, run: _Run) -> None:
+    def _begin(self, begin: float, onset: _Onset) -> None:
         """Begin a movement: it is not taken back any more, and the runs before it are over."""
         self._begun = begin
-        self._morpher.set_phoneme(begin, run.phoneme)
-        ends = [*(later.start for later in self._runs[1:]), math.inf]
-        past = next((k for k, end in enumerate(ends) if end > run.start and self._runs[k].phoneme == run.phoneme), 0)
-        self._runs[: past + 1] = [run]
+        self._morpher.set_phoneme(begin, onset.phoneme)
+        ends = [*(run.start for run in self._runs[1:]), math.inf]
+        same = (run.phoneme == onset.phoneme and end > onset.start for run, end in zip(self._runs, ends, strict=True))
+        past = next((k for k, found in enumerate(same) if found), 0)
+        self._runs[: past + 1] = [onset]

@@ -7,7 +7,7 @@ from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import load_morph_mesh
-from phonemeengine.mouth.files.obj import format_obj, parse_obj
+from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.mesh import Material, mesh_of, normals_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
@@ -20,6 +20,7 @@ from tests.meshes import (
     LIBRARY,
     TRIANGLES,
     cube,
+    format_obj,
     morph_mesh_of_cube,
     volume,
 )
