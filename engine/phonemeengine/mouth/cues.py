@@ -68,7 +68,7 @@ def cues_of(
     """
     _check("minimum", minimum, LONGEST_MINIMUM)
     _check("anticipation", anticipation, MOST_ANTICIPATION)
-    cues = cleaned_cues(runs, table, minimum)
+    cues = cleaned_cues((run for run in runs if run.end > run.start), table, minimum)
     begins = begins_of(cues, table, anticipation, minimum)
     ends = [*begins[1:], *(cue.end for cue in cues[-1:])]
     return tuple(replace(cue, start=start, end=end) for cue, start, end in zip(cues, begins, ends, strict=True))
@@ -76,11 +76,7 @@ def cues_of(
 
 def cleaned_cues(runs: Iterable[Segment], table: MouthTable, minimum: float, n_begun: int = 0) -> list[Cue]:
     """Make cues of runs that last the minimum, seconds; so many of the first stay, however short they are."""
-    cues = [
-        Cue(run.start, run.end, run.phoneme, table.phonemes[run.phoneme], run.intensity)
-        for run in runs
-        if run.end > run.start
-    ]
+    cues = [Cue(run.start, run.end, run.phoneme, table.phonemes[run.phoneme], run.intensity) for run in runs]
     cues = _joined(cues, _same_phoneme)
     return _joined(_Chain(cues, minimum, table.closed_phonemes, n_begun).cleaned(), _same_phoneme)
 

@@ -177,7 +177,8 @@ class Performer:
             self._closes_at = math.inf
             self._coming.clear()
             self._movements.clear()
-            del self._runs[1:]
+            current = self._runs[0]  # the mouth may be ahead of it
+            self._runs = [current._replace(start=min(current.start, now))]
 
     def close_mouth(self, now: float) -> None:
         """Close the mouth; what was known of the future does not come."""

@@ -165,6 +165,17 @@ def test_what_was_known_of_the_future_does_not_come_after_it_was_stopped(act: Ac
     np.testing.assert_allclose(after, before if opened else ARKIT.weights()[Phoneme.SILENCE], atol=0.01)
 
 
+@pytest.mark.parametrize("before", [0.0, 0.01, 0.06, 0.11])
+def test_a_mouth_that_is_ahead_of_a_vowel_closes_when_it_is_stopped_before_that(before: float) -> None:
+    performer = Performer(ARKIT, MOUTH_ALONE)
+    performer.hear([TimedFrame(k * FRAME_PERIOD, Phoneme.A if k >= 50 else Phoneme.SILENCE, 1.0) for k in range(99)])
+    stopped = 0.5 - before
+    assert performer.at(stopped).weights[JAW] > 0
+    performer.hold(stopped, Phoneme.SILENCE)
+    performer.close_mouth(stopped)
+    np.testing.assert_allclose(performer.at(stopped + 0.5).weights, ARKIT.weights()[Phoneme.SILENCE], atol=1e-6)
+
+
 def test_who_jumps_stands_as_somebody_who_has_said_what_comes_before() -> None:
     frames = said(speech())[:140]
     now = frames[-1].time + FRAME_PERIOD
