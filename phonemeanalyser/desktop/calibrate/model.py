@@ -9,8 +9,7 @@ from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel, FitMode
 from phonemeanalyser.desktop.calibrate.guide_model import GuideModel
 from phonemeanalyser.desktop.calibrate.recordings_model import RecordingsModel
 from phonemeanalyser.desktop.calibrate.room_model import RoomModel
-from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
-from phonemeanalyser.desktop.calibrate.undo import UndoOrder
+from phonemeanalyser.desktop.calibrate.takes_model import TakeEdit, TakesModel
 from phonemeanalyser.desktop.session.capture import SampleCapture
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
@@ -49,12 +48,14 @@ class CalibrationModel(QObject):
         self.rival = ComparisonModel(preset, self.bench)
         self.guide = GuideModel(session, preset, self.takes)
         self.room = RoomModel(session, preset, self.takes)
-        self.edits = UndoOrder(self, self.takes, preset.undo_stack)
         self.phoneme: Phoneme | None = None
         self.stretch: tuple[float, float] | None = None
         self._from: float | None = None
         self._until: tuple[Path, float] | None = None
         self.room.info.connect(self.info)
+        self.takes.edited.connect(self._note_edit)
+        self.takes.opened.connect(self._forget_edits)
+        preset.loaded.connect(self._keep_edits)
         for model in (self.takes, self.recordings):
             model.changed.connect(self._load_bench)
             model.info.connect(self.info)
@@ -190,6 +191,20 @@ class CalibrationModel(QObject):
             elif session.position >= end:
                 self._until = None
                 session.pause()
+
+    def _note_edit(self, what: str) -> None:
+        self.preset.undo_stack.push(TakeEdit(self.takes, what))
+
+    def _forget_edits(self) -> None:
+        """Begin a new history where there are changes of another project in the old one."""
+        stack = self.preset.undo_stack
+        if any(isinstance(stack.command(k), TakeEdit) for k in range(stack.count())):
+            stack.clear()
+
+    def _keep_edits(self) -> None:
+        """Have what was done with the takes in the new history too, which begins with another preset."""
+        for what in self.takes.now.changes:
+            self._note_edit(what)
 
     def _load_bench(self) -> None:
         found = (*self.takes.utterances(), *self.recordings.utterances)

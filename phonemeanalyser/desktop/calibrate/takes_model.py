@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand
 
 from phonemeanalyser.desktop.calibrate.take_labels import write_labels_of
 from phonemeanalyser.desktop.calibrate.take_reports import noise_in, report_of, reports_of, sound_in
@@ -36,13 +37,37 @@ class Snapshot:
     ----------
     takes : all of it that is not deleted, in the order in which they were made.
     reports : what the check found, by number.
-    undoable, redoable : what can be taken back or done again, in words.
+    changes : what was done with them since the project was opened, and not undone, in words.
     """
 
     takes: tuple[Take, ...] = ()
     reports: Mapping[int, TakeReport] = field(default_factory=dict)
-    undoable: str | None = None
-    redoable: str | None = None
+    changes: tuple[str, ...] = ()
+
+
+class TakeEdit(QUndoCommand):
+    """A change of a take, which the project has made already; its journal takes it back and does it again.
+
+    Parameters
+    ----------
+    what : the change in words, for the Edit menu.
+    """
+
+    def __init__(self, takes: "TakesModel", what: str) -> None:
+        super().__init__(what)
+        self._takes = takes
+        self._done = True
+
+    def undo(self) -> None:
+        """Take the project's last change back."""
+        self._done = False
+        self._takes.undo()
+
+    def redo(self) -> None:
+        """Do it again, but for the first time, when it is pushed."""
+        if not self._done:
+            self._takes.redo()
+        self._done = True
 
 
 class TakesModel(QObject):
@@ -52,7 +77,7 @@ class TakesModel(QObject):
     -------
     opened : another project is in hand.
     changed : the takes are others.
-    kept : a change was made that can be undone.
+    edited : a change was made that can be undone: what, in words.
     added : number of a take that is new.
     sound_read : the sound of the selected take is there.
     info : a sentence for the user about something that went well.
@@ -62,7 +87,7 @@ class TakesModel(QObject):
 
     opened = Signal()
     changed = Signal()
-    kept = Signal()
+    edited = Signal(str)
     added = Signal(int)
     sound_read = Signal()
     info = Signal(str)
@@ -246,10 +271,10 @@ class TakesModel(QObject):
             return act(project), self._snapshot_of(project)
 
         def hand_over(found: tuple[Take | None, Snapshot]) -> None:
-            before = self.now.takes
+            before = len(self.now.changes)
             self._show(found[1])
-            if is_new and self.now.takes != before:
-                self.kept.emit()
+            for what in self.now.changes[before:] if is_new else ():
+                self.edited.emit(what)
             if found[0] is not None:
                 then(found[0])
 
@@ -282,7 +307,7 @@ class TakesModel(QObject):
         return take
 
     def _snapshot_of(self, project: TakeProject) -> Snapshot:
-        return Snapshot(project.takes, dict(self._reports), project.undoable, project.redoable)
+        return Snapshot(project.takes, dict(self._reports), project.changes)
 
     def _noise_now(self, project: TakeProject) -> float:
         return noise_in(project.takes, self._reports)
