@@ -207,7 +207,7 @@ def screenshot(
             desktop.window.resize(*size)
             desktop.window.show()
             _follow(desktop.session, file, at, channel)
-            desktop.window.drawing.refresh_all()
+            desktop.window.redraw.refresh_all()
             app.processEvents()
             saved = desktop.window.grab().save(str(out), "PNG")
         finally:

@@ -10,7 +10,6 @@ from phonemeanalyser.desktop.calibrate.guide_model import GuideModel
 from phonemeanalyser.desktop.calibrate.recordings_model import RecordingsModel
 from phonemeanalyser.desktop.calibrate.room_model import RoomModel
 from phonemeanalyser.desktop.calibrate.takes_model import TakeEdit, TakesModel
-from phonemeanalyser.desktop.session.capture import SampleCapture
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeengine.phonemes import Phoneme
@@ -41,6 +40,7 @@ class CalibrationModel(QObject):
         super().__init__()
         self.session = session
         self.preset = preset
+        self.capture = session.microphone.capture
         self.takes = TakesModel(lambda: session.microphone.folder / TAKES_FOLDER)
         self.recordings = RecordingsModel()
         self.bench = BenchModel(preset)
@@ -68,11 +68,6 @@ class CalibrationModel(QObject):
 
     # -- takes from microphone and file -------------------------------------------------------------------
 
-    @property
-    def catch(self) -> SampleCapture:
-        """What the microphone hears while a phoneme is held."""
-        return self.session.microphone.catch
-
     def press(self, phoneme: Phoneme) -> None:
         """Hold a phoneme: what is heard, or played, until `release` becomes a take of it."""
         session = self.session
@@ -86,7 +81,7 @@ class CalibrationModel(QObject):
             self._from = session.position
         else:
             self.listen()
-            self.catch.begin()
+            self.capture.begin()
         self.phoneme = phoneme
         self.held.emit()
 
@@ -101,13 +96,13 @@ class CalibrationModel(QObject):
         if start is not None and path is not None:
             self.takes.add_stretch(path, self.session.channel, start, self.session.position, phoneme)
             return
-        samples, rate = self.catch.end()
+        samples, rate = self.capture.end()
         if not len(samples) and not self.session.microphone.listening:
             self.error.emit(
                 f"No take of {phoneme.label}: {self.session.microphone.words}; try again when it is heard."
             )
             return
-        self.takes.add(samples, rate, phoneme, self.device)
+        self.takes.add(samples, rate, phoneme, self.session.microphone.name)
 
     def begin_guide(self) -> None:
         """Lead through all sounds, at the microphone."""
@@ -127,11 +122,6 @@ class CalibrationModel(QObject):
         self.session.set_source(SoundSource.MICROPHONE)
         if not self.session.playing:
             self.session.play()
-
-    @property
-    def device(self) -> str:
-        """What takes are recorded with."""
-        return self.session.microphone.choice.label or "default microphone"
 
     def mark(self, *, end: bool) -> None:
         """Mark where the stretch of the opened file begins, or ends: where the file stands."""
@@ -178,7 +168,7 @@ class CalibrationModel(QObject):
 
     def _follow(self) -> None:
         """End what has lasted long enough."""
-        if self.phoneme is not None and self._from is None and self.catch.full:
+        if self.phoneme is not None and self._from is None and self.capture.full:
             self.release()
         self._stop_at_end()
 

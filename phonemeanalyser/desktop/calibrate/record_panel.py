@@ -5,8 +5,7 @@ from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
-from phonemeanalyser.desktop.painting import CENTRED, draw_text
-from phonemeanalyser.desktop.session.position_slider import clock_of
+from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
@@ -77,7 +76,8 @@ class RecordPanel(QWidget):
         if held is not None:
             text = f"<b>Taking {held.label}</b>: let go when it is said"
         elif of_file and stretch is not None and not session.playing:
-            text = f"Marked <b>{clock_of(stretch[0], True)} – {clock_of(stretch[1], True)} s</b>: choose its sound"
+            start, end = (format_clock(seconds, True) for seconds in stretch)
+            text = f"Marked <b>{start} – {end} s</b>: choose its sound"
         elif of_file and session.playing:
             text = "Hold a key while its sound is heard"
         else:

@@ -99,7 +99,7 @@ class Session(QObject):
     def position(self) -> float:
         """Seconds from the beginning to what is heard."""
         if self.source is SoundSource.MICROPHONE:
-            return self.microphone.seconds
+            return self.microphone.listener.seconds
         if self.source is SoundSource.TONE:
             return self._player.position if self._player else 0.0
         return min(self._player.position, self.duration) if self._player else 0.0
@@ -149,7 +149,7 @@ class Session(QObject):
     @property
     def n_dropped(self) -> int:
         """Frames that were analysed but never shown, since the source is in use."""
-        return self._player.n_dropped if self._player else self.microphone.n_dropped
+        return self._player.n_dropped if self._player else self.microphone.listener.n_dropped
 
     @property
     def channel(self) -> Channel:

@@ -101,7 +101,7 @@ class Calibrator:
         """Hold a key while something is heard."""
         widget = QApplication.focusWidget() or self.booth.window
         QTest.keyPress(widget, key)
-        heard = self.booth.studio.model.catch
+        heard = self.booth.studio.model.capture
         rate_seconds = len(sound) / SAMPLE_RATE
         self.booth.give(self.mic, sound)
         self.until(lambda: heard.seconds >= rate_seconds - 1e-9)

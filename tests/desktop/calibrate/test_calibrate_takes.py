@@ -109,7 +109,7 @@ def test_a_button_held_with_the_mouse_records_too(listening: Calibrator):
     button = listening.page.takes.record.buttons[Phoneme.I]
     QTest.mousePress(button, LEFT)
     listening.booth.give(listening.mic, in_room(said(Phoneme.I, 0.7)))
-    listening.until(lambda: listening.model.catch.seconds >= 0.7)
+    listening.until(lambda: listening.model.capture.seconds >= 0.7)
     QTest.mouseRelease(button, LEFT)
     listening.settle()
     assert [take.phoneme for take in listening.takes] == [Phoneme.I]
@@ -145,7 +145,7 @@ def test_a_clipped_take_is_kept_and_the_list_and_the_banner_say_so(listening: Ca
 def test_the_window_losing_the_keyboard_ends_the_take(listening: Calibrator):
     QTest.keyPress(listening.page.takes.list, Qt.Key.Key_A)
     listening.booth.give(listening.mic, A)
-    listening.until(lambda: listening.model.catch.seconds >= 0.9)
+    listening.until(lambda: listening.model.capture.seconds >= 0.9)
     QCoreApplication.sendEvent(listening.booth.window, QEvent(QEvent.Type.WindowDeactivate))
     listening.settle()
     assert len(listening.takes) == 1
