@@ -172,10 +172,10 @@ class Dialogs(QObject):
         if path.is_file() and path != self._preset.path:
             self._try(lambda: self._preset.load(path))
 
-    def take_up_unsaved(self, unsaved: UnsavedChanges) -> None:
+    def restore_unsaved(self, unsaved: UnsavedChanges) -> None:
         """Take up what was changed and not saved when the program ended, and offer to undo that."""
         try:
-            found = unsaved.take_up()
+            found = unsaved.restore()
         except EngineError as error:
             self.rejected.emit(f"The changes that were not saved when the program ended cannot be read: {error}")
             return

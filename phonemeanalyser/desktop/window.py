@@ -126,7 +126,7 @@ class MainWindow(QMainWindow):
         page.takes.project_asked.connect(dialogs.ask_project)
         page.takes.import_asked.connect(dialogs.ask_recordings)
         page.guide.save_asked.connect(self.dialogs.save_as)
-        page.workbench.rival.file_asked.connect(self._ask_preset_to_compare)
+        page.workbench.compare.file_asked.connect(self._ask_preset_to_compare)
         page.workbench.picture_asked.connect(self.dialogs.ask_save_picture)
         page.workbench.variables.add_asked.connect(self.dialogs.add_variable)
         self.installEventFilter(page.keys)
@@ -150,7 +150,7 @@ class MainWindow(QMainWindow):
     def _ask_preset_to_compare(self) -> None:
         path = self.calibration_dialogs.ask_preset()
         if path is not None:
-            self.calibration.workbench.rival.offer(path)
+            self.calibration.workbench.compare.offer(path)
 
     def _lay_out(self) -> None:
         self._add_bar("Transport", self.transport).addWidget(self.preset_box)

@@ -132,7 +132,7 @@ class Transport(QWidget):
         return QSize(width, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Return what belongs to the source a row of its own where one row has no room for all."""
+        """Give what belongs to the source a row of its own where one row has no room for all."""
         super().resizeEvent(event)
         self._wrap()
 

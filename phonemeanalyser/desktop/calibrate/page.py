@@ -2,10 +2,10 @@
 
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QWidget
 
-from phonemeanalyser.desktop.calibrate.bench_view import BenchView
 from phonemeanalyser.desktop.calibrate.guide_view import GuideView
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.takes_panel import TakesPanel
+from phonemeanalyser.desktop.calibrate.workbench_view import WorkbenchView
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.pages import PageStack
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
@@ -31,7 +31,7 @@ class CalibrationPage(QWidget):
         self.keys = HeldKeys(calibration, self)
         self.right = PageStack()
         self.guide = GuideView(calibration, head, theme)
-        self.workbench = BenchView(calibration, theme)
+        self.workbench = WorkbenchView(calibration, theme)
         self._lay_out()
         self.takes.guide_asked.connect(calibration.begin_guide)
         calibration.guide.changed.connect(self._show_guide)

@@ -56,7 +56,7 @@ class RecordingsModel(QObject):
         self._reading.submit(lambda _progress: _read(wanted, mapping), lambda found: self._take_up(wanted, found))
 
     def map(self, phonemes: dict[str, Phoneme], sources: Sequence[Path]) -> None:
-        """Return what names stand for, and read again what they stood in."""
+        """Learn what names stand for, and read again what they stood in."""
         self.mapping = PhonemeMap({**self.mapping.phonemes, **phonemes})
         self.load(sources)
 

@@ -177,7 +177,7 @@ class TakesModel(QObject):
 
         self._change(act, self._tell_added)
 
-    def add_stretch(self, path: Path, channel: Channel, start: float, end: float, phoneme: Phoneme) -> None:
+    def add_from_file(self, path: Path, channel: Channel, start: float, end: float, phoneme: Phoneme) -> None:
         """Make a stretch of a file, in seconds, a take; what lies around it is kept, and does not count.
 
         The mix keeps both channels of a stereo file.
@@ -212,7 +212,7 @@ class TakesModel(QObject):
         self._change_take(number, lambda project, take: project.trim(take, start, min(end, take.duration)))
 
     def relabel(self, number: int, phoneme: Phoneme) -> None:
-        """Return that a take is another phoneme."""
+        """Let a take be another phoneme."""
         self._change_take(
             number, lambda project, take: self._checked(project, project.relabel(take, phoneme)) or take
         )

@@ -221,7 +221,7 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, settings=settings), f"{step.replace('_', ' ')} {'on' if on else 'off'}")
 
     def reset_filter(self, step: Filter) -> None:
-        """Return a filter back what the preset's file says."""
+        """Reset a filter to what the preset's file says."""
         saved = self._saved.settings
         changes: dict[str, Any] = {name: getattr(saved, name) for name in FILTER_PARAMETERS[step]}
         filters = self.preset.settings.filters
@@ -230,7 +230,7 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, settings=settings), f"reset of {step.replace('_', ' ')}")
 
     def reset_settings(self, names: tuple[str, ...]) -> None:
-        """Return some fields of the settings back what the preset's file says."""
+        """Reset some fields of the settings to what the preset's file says."""
         changes: dict[str, Any] = {name: getattr(self._saved.settings, name) for name in names}
         settings = replace(self.preset.settings, **changes)
         self.edit(replace(self.preset, settings=settings), f"reset of {names[0].replace('_', ' ')}")

@@ -32,6 +32,6 @@ class Heads:
                 view.copy_view_from(other._views[name])
 
     def release_gl(self) -> None:
-        """Return everything back to the graphics driver."""
+        """Give everything back to the graphics driver."""
         for view in self._views.values():
             view.release_gl()

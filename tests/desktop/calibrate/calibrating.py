@@ -87,8 +87,8 @@ class Calibrator:
     def settle(self) -> None:
         """Wait until nothing is done in the background."""
         model = self.model
-        bench = (model.bench.measuring, model.bench.looking)
-        rooms = (model.takes, model.recordings, *bench, model.fit.searching, model.rival.measuring)
+        bench = (model.workbench.measuring, model.workbench.looking)
+        rooms = (model.takes, model.recordings, *bench, model.fit.searching, model.comparison.measuring)
         self.until(lambda: not any(room.busy for room in rooms))
         QTest.qWait(40)
 

@@ -161,7 +161,7 @@ def test_a_marked_stretch_of_the_file_becomes_a_take_at_a_key(calibrator: Calibr
     press(calibrator.booth.window, Qt.Key.Key_BracketLeft)
     session.seek(1.6)
     press(calibrator.booth.window, Qt.Key.Key_BracketRight)
-    assert calibrator.model.stretch == pytest.approx((1.0, 1.6), abs=0.011)
+    assert calibrator.model.selection == pytest.approx((1.0, 1.6), abs=0.011)
     press(calibrator.booth.window, Qt.Key.Key_O)
     calibrator.settle()
     (take,) = calibrator.takes
@@ -290,11 +290,11 @@ def test_x_excludes_a_take_and_includes_it_again(calibrator: Calibrator):
     press(calibrator.booth.window, Qt.Key.Key_X)
     calibrator.settle()
     assert verdicts(calibrator) == ["excluded"]
-    assert calibrator.model.bench.utterances == ()
+    assert calibrator.model.workbench.utterances == ()
     click(calibrator.page.takes.exclude)
     calibrator.settle()
     assert verdicts(calibrator) == ["good"]
-    assert len(calibrator.model.bench.utterances) == 1
+    assert len(calibrator.model.workbench.utterances) == 1
 
 
 def test_a_take_is_relabelled_in_the_box(calibrator: Calibrator):

@@ -46,7 +46,7 @@ class Line:
     value: float
 
 
-class BenchModel(QObject):
+class WorkbenchModel(QObject):
     """Measures what is loaded, and follows the preset: what a threshold changes is known a picture later.
 
     Attributes
@@ -70,7 +70,7 @@ class BenchModel(QObject):
 
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
-        self.workbench: LabelledFeatures | None = None
+        self.features: LabelledFeatures | None = None
         self.confusion: Confusion | None = None
         self.distribution: Distribution | None = None
         self.ranking: tuple[RankedVariable, ...] = ()
@@ -124,7 +124,7 @@ class BenchModel(QObject):
         """End a drag: undo takes it back as a whole."""
         self._preset.end_edit()
 
-    def passages(self, truth: Phoneme, answer: Phoneme) -> list[ConfusedSegment]:
+    def segments_in(self, truth: Phoneme, answer: Phoneme) -> list[ConfusedSegment]:
         """Return the stretches of a cell of the confusion matrix, the longest first."""
         found = self.confusion.frames_in(truth, answer) if self.confusion else ()
         return sorted(found, key=lambda p: p.start - p.end)
@@ -148,12 +148,12 @@ class BenchModel(QObject):
 
     def suggest(self, one: Phoneme, other: Phoneme | None) -> None:
         """Search for variables that part two phonemes, or one from all others."""
-        bench, preset = self.workbench, self._preset.in_force
-        if bench is None:
+        features, preset = self.features, self._preset.in_force
+        if features is None:
             self.error.emit("There is nothing to search in yet; record takes or load labelled recordings first.")
             return
         self.searching.replace(
-            lambda progress: suggested_variables(bench, preset, one, other, progress), self._take_suggestions
+            lambda progress: suggested_variables(features, preset, one, other, progress), self._take_suggestions
         )
 
     def close(self) -> None:
@@ -165,7 +165,7 @@ class BenchModel(QObject):
     # -- the work -----------------------------------------------------------------------------------------
 
     def _follow_preset(self) -> None:
-        if self.workbench is not None and self._must_measure():
+        if self.features is not None and self._must_measure():
             self._measure()
         elif self._others_sensitivities() != self._looked_with:
             self._look()
@@ -173,12 +173,12 @@ class BenchModel(QObject):
 
     def _must_measure(self) -> bool:
         try:
-            return self.workbench is not None and self.workbench.needs_measuring(self._preset.in_force)
+            return self.features is not None and self.features.needs_measuring(self._preset.in_force)
         except EngineError:
             return False
 
     def _measure(self) -> None:
-        utterances, preset, known = self._utterances, self._preset.in_force, self.workbench
+        utterances, preset, known = self._utterances, self._preset.in_force, self.features
         if not utterances:
             self.measuring.cancel()
             self._take_up(None)
@@ -187,9 +187,9 @@ class BenchModel(QObject):
             lambda progress: LabelledFeatures(utterances, preset, known=known, progress=progress), self._take_up
         )
 
-    def _take_up(self, workbench: LabelledFeatures | None) -> None:
-        self.workbench = workbench
-        if self.preview is not None and (workbench is None or self.preview.variable.name in workbench.variables):
+    def _take_up(self, features: LabelledFeatures | None) -> None:
+        self.features = features
+        if self.preview is not None and (features is None or self.preview.variable.name in features.variables):
             self.variable, self.preview = self.preview.variable.name, None
         self._answer_soon()
         self.measured.emit()
@@ -200,31 +200,31 @@ class BenchModel(QObject):
             self._answering.start()
 
     def _answer(self) -> None:
-        if self.workbench is None:
+        if self.features is None:
             self.confusion = None
         elif self._must_measure():
             return
         else:
             try:
-                self.confusion = self.workbench.confusion(self._preset.in_force)
+                self.confusion = self.features.confusion(self._preset.in_force)
             except EngineError as error:
                 self.error.emit(str(error))
                 return
         self.confusion_changed.emit()
 
     def _look(self) -> None:
-        bench, variable = self.workbench, self.variable
-        if bench is None or not bool(np.any(bench.labels.certain)):
+        features, variable = self.features, self.variable
+        if features is None or not bool(np.any(features.labels.certain)):
             self.distribution, self.ranking = None, ()
             self.distribution_changed.emit()
             return
-        if variable not in bench.variables:
-            variable = self.variable = bench.variables[0]
-        ranking = self.ranking if self._ranked_for is bench else ()
+        if variable not in features.variables:
+            variable = self.variable = features.variables[0]
+        ranking = self.ranking if self._ranked_for is features else ()
         sensitivities = self._looked_with = self._others_sensitivities()
         self.looking.replace(
-            lambda progress: _looked_at(bench, variable, sensitivities, ranking, progress),
-            lambda found: self._take_look(bench, found),
+            lambda progress: _looked_at(features, variable, sensitivities, ranking, progress),
+            lambda found: self._take_look(features, found),
         )
 
     def _others_sensitivities(self) -> Mapping[Phoneme, float]:
@@ -234,9 +234,9 @@ class BenchModel(QObject):
         own = Phoneme(DEFICITS.index(self.variable))
         return {p: s for p, s in self._preset.in_force.sensitivities.items() if p is not own}
 
-    def _take_look(self, bench: LabelledFeatures, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
+    def _take_look(self, features: LabelledFeatures, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
         self.distribution, self.ranking = found
-        self._ranked_for = bench
+        self._ranked_for = features
         self.distribution_changed.emit()
 
     def _take_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
@@ -248,10 +248,12 @@ class BenchModel(QObject):
 
 
 def _looked_at(
-    bench: LabelledFeatures,
+    features: LabelledFeatures,
     variable: str,
     sensitivities: Mapping[Phoneme, float],
     ranking: tuple[RankedVariable, ...],
     progress: Progress,
 ) -> tuple[Distribution, tuple[RankedVariable, ...]]:
-    return distribution_of(bench, variable, sensitivities), ranking or ranked_variables(bench, progress=progress)
+    return distribution_of(features, variable, sensitivities), ranking or ranked_variables(
+        features, progress=progress
+    )
