@@ -11,14 +11,13 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float64Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 N_CODES = len(Phoneme)
 SCORED_PHONEMES = tuple(p for p in Phoneme if p is not Phoneme.UNIDENTIFIED)
 """The classes that are scored."""
 
-VOWELS = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U)
 
 _MOUTHS: tuple[tuple[Phoneme, ...], ...] = (
     (Phoneme.SILENCE,),
