@@ -272,6 +272,11 @@ def analyse_blocks(
         yield analysis
 
 
+def analyse_file(reader: SoundReader, preset: Preset, *, pitch: bool = False) -> Iterator[Analysis]:
+    """Analyse the rest of a sound file, a few seconds at a time."""
+    return analyse_blocks(reader.blocks(BLOCK * HOP), preset, pitch=pitch)
+
+
 def analyse_range(
     reader: SoundReader, first: int, last: int, preset: Preset, *, pitch: bool = False
 ) -> Iterator[Analysis]:

@@ -19,6 +19,7 @@ COMMANDS = {
     "record": "Record a microphone to a file; Ctrl-C ends it.",
     "score": "Recognise labelled recordings with one or two presets, and tell how right the answers are.",
     "screenshot": "Take a picture of the window, without a display.",
+    "takes": "Say what a folder of takes holds, and remove deleted takes for ever.",
     "train": "Train the learned recogniser on folders of labelled speech.",
 }
 """Every command, each a module of this package with `add_arguments` and `run`, and what it does."""
