@@ -14,6 +14,7 @@ from phonemeengine.presets.controls import Control, ControlGroup, controls_of
 from phonemeengine.presets.files import (
     DEFAULT_PRESET,
     FACTORY,
+    PRESET_SUFFIXES,
     THESIS_PRESETS,
     beyond_phoneme_data,
     factory_preset,
@@ -28,6 +29,8 @@ from phonemeengine.recognition.recogniser import Recogniser, recogniser_of
 from phonemeengine.recognition.rules import Rule
 from phonemeengine.settings import Filter
 
+PRESET_FILTER = f"Presets ({' '.join('*' + suffix for suffix in PRESET_SUFFIXES)})"
+"""What a dialog that asks for a preset shows."""
 FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
     Filter.QUANTISE: ("quantise", "decimation"),
     Filter.PRE_EMPHASIS: ("pre_emphasis",),
