@@ -20,7 +20,7 @@ class Plain:
     def __init__(self, thresholds):
         pass
 
-    def recognise(self, features):
+    def recognise(self, windows, features):
         return np.full(len(features.values), Phoneme.U, np.uint8)
 
     def explain(self, features, k):

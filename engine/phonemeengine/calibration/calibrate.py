@@ -17,17 +17,23 @@ from dataclasses import dataclass
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.guard import loss_of
 from phonemeengine.calibration.held_back import N_PARTS, counts, parts_of, scores_on
-from phonemeengine.calibration.learners import Learner, learner_of
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_room
 from phonemeengine.calibration.takes.room_takes import room_in, speech_in
 from phonemeengine.calibration.takes.take import TRIMMED
-from phonemeengine.errors import CorpusError
+from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress, subrange
+from phonemeengine.recognition.spec import BUILT_IN, spec_of
 
 Takes = Sequence[Utterance]
+Adapt = Callable[[Preset, Takes, Callable[[Preset], Preset], Progress], tuple[Preset, ...]]
+"""How a recogniser learns a voice; its specification names it.
+
+Given a preset, takes, what makes a preset take the room for silence, and whom to tell how far it is, it gives several
+presets, the boldest first: what learned most, and milder ones for the case that it costs too much.
+"""
 
 
 @dataclass(frozen=True)
@@ -93,13 +99,13 @@ def calibrate(
     AudioError : a sound cannot be read.
     Cancelled : `progress` did not want to go on.
     """
-    learner = learner_of(preset)
+    adapt = _adapt_of(preset)
     if not takes:
         raise CorpusError("there is no take to calibrate with; record some first")
     judged = held_back or takes
     if not any(counts(utterance.labels) for utterance in judged):
         raise CorpusError("there is nothing to judge by; give takes or recordings with labels that count")
-    course = _Course(preset, learner, room)
+    course = _Course(preset, adapt, room)
     ways, trial = course.tried_on(takes, held_back, progress) if held_back else course.tried_in_turn(takes, progress)
     found = preset if trial.way is None else ways()[trial.way]
     report_progress(progress, 1.0)
@@ -126,13 +132,13 @@ class _Course:
     Parameters
     ----------
     preset : what is calibrated.
-    learner : how its recogniser learns.
+    adapt : how its recogniser learns.
     room : as in `calibrate`.
     """
 
-    def __init__(self, preset: Preset, learner: Learner, room: Float32Array | None) -> None:
+    def __init__(self, preset: Preset, adapt: Adapt, room: Float32Array | None) -> None:
         self._preset = preset
-        self._learner = learner
+        self._adapt = adapt
         self._room = room
 
     def tried_on(self, takes: Takes, held_back: Takes, progress: Progress) -> tuple[Ways, _Trial]:
@@ -150,7 +156,13 @@ class _Course:
         return lambda: self._learned(takes, subrange(progress, 0.8, 1.0)), self._tried(learned, kept, takes)
 
     def _learned(self, takes: Takes, progress: Progress) -> tuple[Preset, ...]:
-        return self._learner(self._preset, takes, lambda preset: _quietened(preset, takes, self._room), progress)
+        found = self._adapt(self._preset, takes, lambda preset: _quietened(preset, takes, self._room), progress)
+        if not isinstance(found, tuple) or not all(isinstance(preset, Preset) for preset in found):
+            raise RecogniserError(
+                f"the recogniser {self._preset.recogniser!r} must learn a tuple of presets, got a "
+                f"{type(found).__name__}; choose another recogniser"
+            )
+        return found
 
     def _tried(self, learned: Sequence[tuple[Preset, ...]], kept: Sequence[Takes], judged: Takes) -> _Trial:
         """Try what was learned on what was kept from it; together these are what is judged by."""
@@ -162,6 +174,17 @@ class _Course:
                 return _Trial(way, before, after, first_price)
             first_price = first_price or price
         return _Trial(None, before, before, first_price)
+
+
+def _adapt_of(preset: Preset) -> Adapt:
+    spec = spec_of(preset.recogniser)
+    if not spec.adapt:
+        raise CorpusError(
+            f"the recogniser {preset.recogniser!r} does not learn voices; choose one of "
+            f"{', '.join(name for name, known in BUILT_IN.items() if known.adapt)}"
+        )
+    adapt: Adapt = spec.load(spec.adapt)
+    return adapt
 
 
 def _quietened(preset: Preset, takes: Takes, room: Float32Array | None) -> Preset:

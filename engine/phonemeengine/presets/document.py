@@ -23,6 +23,7 @@ from phonemeengine.recognition.model import Model, load_model
 from phonemeengine.recognition.phoneme_data import LARGEST, PhonemeData
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.smoothing import SUCCESSORS
+from phonemeengine.recognition.spec import THESIS
 from phonemeengine.settings import AnalysisSettings, Decimation, Filter, WindowFunction
 
 FORMAT = "phonemeanalyser preset 1"
@@ -121,7 +122,7 @@ def _preset_of(document: dict[str, Any], folder: Path) -> Preset:
         name=texts.get("name", "untitled"),
         settings=AnalysisSettings(**front_end, **statistics, **intensity, **ahead),
         variables=tuple(_variable_of(entry) for entry in texts.get("variables", [])),
-        recogniser=texts.get("recogniser", "thesis"),
+        recogniser=texts.get("recogniser", THESIS.name),
         model=_model_of(texts["model"], folder) if texts.get("model") else None,
         rules=tuple(_rule_of(entry) for entry in texts.get("rules", [])),
         templates=templates_of_table(texts["templates"]) if "templates" in texts else None,

@@ -9,7 +9,7 @@ from PySide6.QtCore import Signal
 from phonemeanalyser.desktop.background_model import BackgroundModel
 from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeengine.calibration.fits.fitting import FITTED, FitReport, fit_preset
+from phonemeengine.calibration.fits.fitting import FitReport, fit_preset
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance
@@ -19,6 +19,7 @@ from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, subrange
+from phonemeengine.recognition.spec import spec_of
 
 MOST_STRETCHES = 200
 """Stretches that are listed of each preset."""
@@ -45,7 +46,7 @@ class FitModel(BackgroundModel):
     def why_not(self) -> str:
         """Why nothing can be fitted now, as a sentence; nothing where it can."""
         recogniser = self._preset.preset.recogniser
-        if recogniser not in FITTED:
+        if not spec_of(recogniser).fit:
             return f"The recogniser {recogniser} has no thresholds; the guided calibration teaches it your voice."
         return "" if self._bench.workbench is not None else "Record takes or load labelled recordings first."
 
@@ -67,9 +68,8 @@ class FitModel(BackgroundModel):
         if report is not None:
             now, found = self._preset.preset, report.preset
             self._preset.end_edit()
-            self._preset.edit(
-                replace(now, thresholds=found.thresholds, successors=found.successors, rules=found.rules), "fit"
-            )
+            fitted = {tuning.value: getattr(found, tuning) for tuning in spec_of(found.recogniser).tuned_by}
+            self._preset.edit(replace(now, successors=found.successors, **fitted), "fit")
         self.changed.emit()
 
     def refuse(self) -> None:

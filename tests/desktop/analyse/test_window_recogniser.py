@@ -17,7 +17,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
-from phonemeengine.recognition.recogniser import RECOGNISERS
+from phonemeengine.recognition.spec import BUILT_IN
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
 from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number
 from tests.fakes.plug_ins import Shelf
@@ -26,7 +26,7 @@ from tests.tables import rows_of
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 FAILS_LATER = """
 class Own(Plain):
-    def recognise(self, features):
+    def recognise(self, windows, features):
         raise ValueError("no more")
 """
 MADE_ONCE = """
@@ -82,7 +82,7 @@ def sentences(session: Session) -> list[str]:
 
 def test_the_window_offers_what_is_installed_and_shows_what_the_preset_uses(loudness, desktop, qtbot):
     names = shown(desktop, qtbot).recogniser.names
-    assert [names.itemText(k) for k in range(names.count())] == [*RECOGNISERS, "loudness"]
+    assert [names.itemText(k) for k in range(names.count())] == [*BUILT_IN, "loudness"]
     assert names.currentText() == "thesis"
     assert "install" in names.toolTip()
 
@@ -99,7 +99,7 @@ def test_choosing_a_recogniser_acts_at_once_and_undo_takes_it_back(loudness, des
     assert desktop.preset.undo_stack.undoText() == "recogniser loudness"
     assert window.isWindowModified()
     press(window, Qt.Key.Key_Z, CONTROL)
-    walked_by = [*RECOGNISERS][-1]  # the keys chose one after the other
+    walked_by = [*BUILT_IN][-1]  # the keys chose one after the other
     assert window.recogniser.names.currentText() == desktop.preset.preset.recogniser == walked_by
     press(window, Qt.Key.Key_Z, CONTROL | SHIFT)
     assert window.recogniser.names.currentText() == desktop.preset.preset.recogniser == "loudness"

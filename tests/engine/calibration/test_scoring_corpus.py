@@ -19,9 +19,9 @@ from phonemeengine.features.measure import Features
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.recognition.recogniser import RECOGNISERS, RecogniserConfig
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.rules import ThesisRules
+from phonemeengine.recognition.spec import BUILT_IN, RecogniserConfig, RecogniserSpec
 from phonemeengine.settings import SAMPLE_RATE
 from tests.corpora import put, write_corpus
 from tests.sounds import silence, tone
@@ -125,12 +125,12 @@ class Hesitant:
     scores: tuple[str, ...] = ()
     used_thresholds: frozenset[str] = frozenset()
 
-    def __init__(self, tuning: RecogniserConfig) -> None:
-        self._rules = ThesisRules(tuning.thresholds)
+    def __init__(self, config: RecogniserConfig) -> None:
+        self._rules = ThesisRules(config.thresholds)
         self._held: list[int] | None = None
 
-    def recognise(self, features: Features) -> Recognition:
-        heard = self._rules.recognise(features).phonemes.tolist()
+    def recognise(self, _windows: np.ndarray, features: Features) -> Recognition:
+        heard = self._rules.phonemes_of(features).tolist()
         waiting = (self._held or []) + heard
         n = max(0, len(waiting) - self.look_ahead)
         self._held = waiting[n:]
@@ -141,7 +141,7 @@ class Hesitant:
 
 
 def test_what_a_recogniser_looks_ahead_is_no_lag(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(RECOGNISERS, "hesitant", Hesitant)
+    monkeypatch.setitem(BUILT_IN, "hesitant", RecogniserSpec("hesitant", Hesitant))
     preset = replace(THESIS, recogniser="hesitant", settings=replace(THESIS.settings, statistics=False))
     same = replace(preset, recogniser="thesis")
     scores = score_corpus(read_corpus(write_corpus(tmp_path, same)), preset)
