@@ -158,21 +158,27 @@ def unused_settings(preset: Preset) -> frozenset[str]:
 
 
 def _groups_of(preset: Preset, recogniser: Recogniser | None) -> Iterator[ControlGroup]:
-    tuned_by = frozenset() if recogniser is None else spec_of(preset.recogniser).tuned_by
+    if recogniser is None:
+        yield from _thresholds(frozenset(Thresholds.__dataclass_fields__))
+        return
+    tuned_by = spec_of(preset.recogniser).tuned_by
     if Tuning.SENSITIVITIES in tuned_by:
         yield from _sensitivities(preset)
-        return
-    used = Thresholds.__dataclass_fields__.keys() if recogniser is None else recogniser.used_thresholds
-    yield ControlGroup("Filters", FILTERS_NOTE, tuple(_number_control(name) for name in FILTER_FIELDS))
-    complete = all(name in used for names in RULE_FIELDS for name in names)
-    for (title, note), names in zip(NOTES, RULE_FIELDS, strict=True):
-        controls = tuple(_number_control(name) for name in names if name in used)
-        yield ControlGroup(title, note if complete else "", controls)
+    if Tuning.THRESHOLDS in tuned_by:
+        yield from _thresholds(recogniser.used_thresholds)
     if Tuning.RULES in tuned_by:
         yield from _limits_in(preset)
 
 
 # -- the numbers of PhonemeData ----------------------------------------------------------------------------------
+
+
+def _thresholds(used: frozenset[str]) -> Iterator[ControlGroup]:
+    yield ControlGroup("Filters", FILTERS_NOTE, tuple(_number_control(name) for name in FILTER_FIELDS))
+    complete = all(name in used for names in RULE_FIELDS for name in names)
+    for (title, note), names in zip(NOTES, RULE_FIELDS, strict=True):
+        controls = tuple(_number_control(name) for name in names if name in used)
+        yield ControlGroup(title, note if complete else "", controls)
 
 
 def _number_control(name: str) -> Control:

@@ -331,6 +331,27 @@ def test_a_fit_is_shown_accepted_and_undone(loaded: Calibrator):
     assert preset.preset == before
 
 
+def test_a_recogniser_of_another_package_is_fitted_where_it_can_be(
+    loaded: Calibrator, loudness: Path, brightness: Path
+):
+    fit, preset = bench_of(loaded).fit, loaded.booth.desktop.preset
+    preset.set_recogniser("loudness")
+    assert "The recogniser loudness has no thresholds" in loaded.model.fit.why_not
+    preset.set_recogniser("brightness")
+    preset.tune("szsch_szsch1", 1000.0)
+    loaded.settle()
+    bench_of(loaded).tabs.setCurrentIndex(1)
+    click(fit.begin, 10)
+    loaded.settle()
+    report = loaded.model.fit.report
+    assert report is not None
+    assert report.after.macro_f1 > report.before.macro_f1
+    click(fit.accept, 10)
+    loaded.settle()
+    assert preset.preset.thresholds == report.preset.thresholds
+    assert loaded.model.bench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
+
+
 def test_a_fit_that_is_cancelled_changes_nothing(loaded: Calibrator):
     fit, before = bench_of(loaded).fit, loaded.booth.desktop.preset.preset
     bench_of(loaded).tabs.setCurrentIndex(1)

@@ -161,16 +161,14 @@ def test_the_pauses_of_a_p_are_silence(takes: tuple[Utterance, ...]):
         assert burst.end - burst.start < 0.1
 
 
-@pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])
 def test_the_command_line_gives_the_same_preset(
-    project: TakeProject, takes: tuple[Utterance, ...], sentence: Utterance, tmp_path: Path, capsys, name: str
+    project: TakeProject, takes: tuple[Utterance, ...], sentence: Utterance, tmp_path: Path, capsys
 ):
-
     sentence.path.with_suffix(".csv").write_text(format_table(sentence.labels), encoding="utf-8")
-    preset = load_preset(FACTORY / f"{name}.toml")
+    preset = load_preset(FACTORY / "extended.toml")
     expected = calibrate(preset, takes, held_back=[sentence]).preset
     out = tmp_path / "mine.toml"
-    arguments = [str(project.folder), "-o", str(out), "--preset", str(FACTORY / f"{name}.toml")]
+    arguments = [str(project.folder), "-o", str(out), "--preset", str(FACTORY / "extended.toml")]
     assert main(["adapt", *arguments, "--held-back", str(sentence.path)]) == 0
     assert "on what was held back, 4 s: macro F1 " in capsys.readouterr().out
     found = load_preset(out)

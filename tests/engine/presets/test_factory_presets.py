@@ -126,4 +126,3 @@ def test_every_recogniser_of_the_program_has_a_factory_preset():
         preset = factory_preset(name)
         assert preset is not None
         assert preset.recogniser == name
-    assert factory_preset("loudness") is None

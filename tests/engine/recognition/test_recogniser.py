@@ -1,6 +1,5 @@
 """Recognisers of other packages: found without being imported, asked like the program's own, and never believed."""
 
-import os
 import subprocess
 import sys
 from dataclasses import replace
@@ -19,7 +18,7 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.recognition.spec import BUILT_IN, RecogniserConfig, recogniser_names, recogniser_of
 from phonemeengine.settings import HOP, WINDOW, Filter
-from tests.fakes.plug_ins import Shelf
+from tests.fakes.plug_ins import Shelf, environment_with
 from tests.sounds import silence, tone
 
 OPENS_AT_A_TENTH = Thresholds(silence_energy=0.1)
@@ -58,10 +57,10 @@ def refusal(name: str = "own", thresholds: Thresholds = OPENS_AT_A_TENTH) -> str
 
 def test_an_installed_recogniser_is_listed_but_not_imported(example_site: Path):
     done = subprocess.run(
-        [sys.executable, "-c", LISTED], env={**os.environ, "PYTHONPATH": str(example_site)},
+        [sys.executable, "-c", LISTED], env=environment_with(example_site),
         capture_output=True, text=True, timeout=240, check=True,
     )  # fmt: skip
-    assert done.stdout.split() == [*BUILT_IN, "loudness", "False"]
+    assert done.stdout.split() == [*BUILT_IN, "brightness", "loudness", "False"]
 
 
 def test_without_plug_ins_there_are_the_programs_own():
