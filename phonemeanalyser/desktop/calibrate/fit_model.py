@@ -141,7 +141,7 @@ class ComparisonModel(BackgroundModel):
 
     def _compare(self) -> None:
         own, other, preset = self._bench.confusion, self.confusion, self.preset
-        if own is None or other is None or preset is None or len(own.answers) != len(other.answers):
+        if own is None or other is None or preset is None or len(own.predicted) != len(other.predicted):
             return
         now, utterances = self._own.preset, self._bench.utterances
         self._comparing.instead(
@@ -170,6 +170,6 @@ def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance
     for k, utterance in enumerate(utterances):
         span = slice(int(confusion.edges[k]), int(confusion.edges[k + 1]))
         labels = FrameLabels(confusion.labels.phonemes[span], confusion.labels.certain[span])
-        codes = confusion.answers[span]
+        codes = confusion.predicted[span]
         answers.append(Predictions(utterance, labels, codes, np.zeros(len(codes), np.float32)))
     return CorpusScores(preset, 0, 0.0, tuple(answers), group_scores_of(answers), {}, {})

@@ -134,7 +134,7 @@ def test_the_matrix_follows_a_threshold_while_it_is_dragged(loaded: Calibrator, 
     assert not np.array_equal(bench.confusion.counts, counts)
     expected = LabelledFeatures(read_recordings(tmp_path / "corpus"), during).confusion(during)
     np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
-    np.testing.assert_array_equal(bench.lanes.lanes.confusion.answers, expected.answers)
+    np.testing.assert_array_equal(bench.lanes.lanes.confusion.predicted, expected.predicted)
     QTest.mouseRelease(bench.spread, LEFT)
     press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
     loaded.settle()
@@ -189,7 +189,7 @@ def test_a_sensitivity_is_a_line_that_can_be_dragged_and_the_matrix_follows(load
     after = loaded.model.bench.confusion
     assert before is not None
     assert after is not None
-    assert np.count_nonzero(after.answers == Phoneme.A) > np.count_nonzero(before.answers == Phoneme.A)
+    assert np.count_nonzero(after.predicted == Phoneme.A) > np.count_nonzero(before.predicted == Phoneme.A)
 
 
 def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrator):
@@ -374,8 +374,8 @@ def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(load
     np.testing.assert_array_equal(loaded.model.rival.confusion.counts, expected.counts)
     assert rival.figures.item(0, 1).text() == f"{expected.macro_f1:.1%}"
     own = loaded.model.bench.confusion
-    right = own.answers == own.labels.phonemes
-    others = expected.answers == own.labels.phonemes
+    right = own.predicted == own.labels.phonemes
+    others = expected.predicted == own.labels.phonemes
     assert int(loaded.model.rival.comparison.only_one.sum()) == int(np.sum(right & ~others))
     click(rival.difference)
     share = bench_of(loaded).confusion.share(0, 0)

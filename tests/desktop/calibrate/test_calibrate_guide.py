@@ -121,7 +121,7 @@ def test_a_sentence_that_is_read_teaches_nothing_and_tells_what_was_gained(
     assert outcome is not None
     assert spoken is not None
     assert folder is not None
-    assert not outcome.in_turn
+    assert not outcome.cross_validated
     assert "Measured on one sentence that was held back, " in view.hint.text()
     assert " s, labels aligned by the known text." in view.hint.text()
     assert len(guided.takes) == len(STEPS)  # the sentence is no take

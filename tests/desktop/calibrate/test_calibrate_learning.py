@@ -80,13 +80,13 @@ def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
     assert loss_of(outcome.before, outcome.after) == ""
     assert outcome.preset.recogniser == preset.recogniser
     assert outcome.seconds == pytest.approx(sentence.labels[-1].end)
-    assert outcome.sure is not None
-    assert outcome.sure.room_silent.value > 0.9
+    assert outcome.silence_accuracy is not None
+    assert outcome.silence_accuracy.room_silent.value > 0.9
 
 
 def test_without_a_sentence_quarters_of_the_takes_are_held_back(takes: tuple[Utterance, ...]):
     outcome = calibrate(load_preset(FACTORY / "templates.toml"), takes)
-    assert outcome.in_turn
+    assert outcome.cross_validated
     assert outcome.gains
     counted = sum(x.end - x.start for u in takes for x in u.labels if x.certainty == CORE)
     assert outcome.seconds == pytest.approx(counted)
@@ -181,7 +181,7 @@ def test_the_room_sets_the_silence_of_rules(takes: tuple[Utterance, ...], senten
     preset = load_preset(FACTORY / "thesis.toml")
     room = measure_room(in_room(silence(2.0)), preset)
     found = calibrate(preset, takes, held_back=[sentence], room=in_room(silence(2.0))).preset
-    assert found.settings.denoise_threshold == room.thresholds(preset).settings.denoise_threshold
+    assert found.settings.denoise_threshold == room.set_silence(preset).settings.denoise_threshold
 
 
 def test_what_gains_nothing_leaves_the_preset_as_it_was(takes: tuple[Utterance, ...], sentence: Utterance):

@@ -14,7 +14,7 @@ from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.fits.fitting import fit_preset
 from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.calibration.scores.evaluation import predict, score_corpus
+from phonemeengine.calibration.scores.evaluation import predict, score
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError, EngineError, RecogniserError
 from phonemeengine.labels.table import format_table
@@ -170,7 +170,7 @@ def test_sensitivities_thresholds_and_hysteresis_of_a_plug_in_are_controls(brigh
 
 
 def test_a_plug_in_is_scored_and_the_workbench_says_what_the_analyser_says(bright: Preset, takes):
-    scores = score_corpus(takes, bright)
+    scores = score(bright, takes)
     assert scores.look_ahead == 3
     assert scores.overall.scores.accuracy > 0.8
     workbench = LabelledFeatures(takes, bright)
@@ -178,7 +178,7 @@ def test_a_plug_in_is_scored_and_the_workbench_says_what_the_analyser_says(brigh
         preset = replace(bright, sensitivities=sensitivities)
         assert not workbench.needs_measuring(preset)
         plainly = np.concatenate([predict(utterance, preset).phonemes for utterance in takes])
-        np.testing.assert_array_equal(workbench.answers(preset), plainly)
+        np.testing.assert_array_equal(workbench.predict(preset), plainly)
     assert workbench.needs_measuring(mistuned(bright))
 
 
@@ -187,7 +187,7 @@ def test_a_plug_in_is_fitted_and_what_is_left_out_is_answered_without_it(bright:
     assert report.after.macro_f1 > report.before.macro_f1 + 0.1
     assert report.held_out is not None
     assert report.held_out.macro_f1 > report.before.macro_f1
-    assert report.after == score_corpus(takes, report.preset).overall.scores
+    assert report.after == score(report.preset, takes).overall.scores
 
 
 def test_a_plug_in_learns_a_voice_by_the_api_and_by_the_command_line_alike(bright: Preset, takes, tmp_path: Path):

@@ -174,7 +174,7 @@ class _Fitter:
         return confusion_between(self._workbench.labels, np.concatenate(lines), edges)
 
     def _answers_fitted_to(self, chosen: BoolArray, progress: Progress) -> UInt8Array:
-        return self.confusion(self.fit(chosen, N_FOLD_STARTS, progress)).answers
+        return self.confusion(self.fit(chosen, N_FOLD_STARTS, progress)).predicted
 
     def _task(self, chosen: BoolArray, n_starts: int) -> FitTask:
         edges = self._workbench.edges

@@ -105,7 +105,7 @@ class RoomNoise:
     def __str__(self) -> str:
         return f"{20 * np.log10(max(self.level, SILENT)):.0f} dB, heard for {self.seconds:.1f} s"
 
-    def thresholds(self, preset: Preset, speech: Float32Array | None = None) -> Preset:
+    def set_silence(self, preset: Preset, speech: Float32Array | None = None) -> Preset:
         """Return the preset that takes the room for silence, otherwise the same.
 
         Parameters
@@ -128,12 +128,12 @@ class RoomNoise:
             return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: louder})
         return preset
 
-    def sureness(self, preset: Preset, speech: Float32Array | None = None) -> SilenceAccuracy:
+    def silence_accuracy(self, preset: Preset, speech: Float32Array | None = None) -> SilenceAccuracy:
         """Return how well a preset tells the room from speech.
 
         Parameters
         ----------
-        preset : as from `thresholds`.
+        preset : as from `set_silence`.
         speech : as there.
         """
         of_speech = None if speech is None or len(speech) < WINDOW else _share_silent(speech, preset)
