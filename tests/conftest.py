@@ -63,6 +63,13 @@ def loudness(example_site: Path, shelf: Shelf) -> Path:
 
 
 @pytest.fixture
+def brightness(example_site: Path, shelf: Shelf) -> Path:
+    """The example of a plug-in that can all, found by this process; the folder where it is installed."""
+    shelf.use(example_site, "phonemeanalyser_brightness")
+    return example_site
+
+
+@pytest.fixture
 def sound(tmp_path: Path) -> Path:
     """Speech-like sound of 0.85 s in a file."""
     path = tmp_path / "speech.wav"

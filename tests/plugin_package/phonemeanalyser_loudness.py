@@ -19,7 +19,7 @@ class Loudness:
         self.shuts = thresholds.silence_energy / 2
         self.is_open = False  # what it remembers from frame to frame, and so from block to block
 
-    def recognise(self, features):
+    def recognise(self, windows, features):
         """Give a code of `Phoneme` for each frame: uint8, shape (n_frames,)."""
         codes = np.zeros(len(features.values), np.uint8)
         for k, energy in enumerate(features["energy"]):

@@ -13,7 +13,6 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import Analyser, analyse_blocks
-from phonemeengine.calibration.fits import fit_thesis
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Scores, confusion_of, scores_of
 from phonemeengine.errors import CorpusError
@@ -28,6 +27,7 @@ from phonemeengine.settings import SAMPLE_RATE, Decimation
 from tests.conftest import ROOT
 from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel
+from tools.fit import thesis as fit_thesis
 
 DEMO = ROOT / "phonemeanalyser" / "demo"
 TOLERANCE = 0.00051  # the scorer prints three digits
@@ -225,12 +225,12 @@ def test_each_rule_and_each_threshold_of_the_factory_presets_bears_on_speech_in_
     thresholds = preset.thresholds
     assert thresholds.u_o1 > thresholds.o_o1 > thresholds.i_o1
     features, truth = _measured_on(corpus, preset)
-    answers = ThesisRules(thresholds).recognise(features).phonemes
+    answers = ThesisRules(thresholds).phonemes_of(features)
     hits = confusion_of(truth, answers).diagonal()
     assert min(hits[list(SCORED_PHONEMES)]) > 50
     for c in CONDITIONS:
         never_in_the_way = replace(thresholds, **{c.threshold: -1e9 if c.sign == ">" else 1e9})
-        assert np.any(ThesisRules(never_in_the_way).recognise(features).phonemes != answers), c.threshold
+        assert np.any(ThesisRules(never_in_the_way).phonemes_of(features) != answers), c.threshold
 
 
 def _measured_on(corpus: Path, preset: Preset) -> tuple[Features, np.ndarray]:
