@@ -38,10 +38,12 @@ soak: setup
 screenshots: setup
 	$(BIN)/python -m tools.screenshots
 
-# Fits the factory presets anew; CORPUS is a folder in the corpus format, MORE another one for the extended rules.
-CORPUS ?= ../shared/corpus
+# Fits presets like the factory's to CORPUS, a folder in the corpus format, into FITTED; MORE is another corpus for the
+# extended rules. The factory presets were fitted to more speakers than may be handed on: see tests/data/corpus/README.md.
+CORPUS ?= tests/data/corpus
+FITTED ?= build/presets
 MORE ?=
 fit: setup
-	$(BIN)/python -m phonemeengine.calibration.fits.fit_thesis $(CORPUS) -o presets
-	$(BIN)/python -m phonemeengine.calibration.fits.fit_rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o presets
-	$(BIN)/python -m phonemeengine.calibration.fits.fit_templates $(CORPUS) -o presets
+	$(BIN)/python -m phonemeengine.calibration.fits.fit_thesis $(CORPUS) -o $(FITTED)
+	$(BIN)/python -m phonemeengine.calibration.fits.fit_rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o $(FITTED)
+	$(BIN)/python -m phonemeengine.calibration.fits.fit_templates $(CORPUS) -o $(FITTED)
