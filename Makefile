@@ -44,6 +44,6 @@ CORPUS ?= tests/data/corpus
 FITTED ?= build/presets
 MORE ?=
 fit: setup
-	$(BIN)/python -m phonemeengine.calibration.fits.fit_thesis $(CORPUS) -o $(FITTED)
-	$(BIN)/python -m phonemeengine.calibration.fits.fit_rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o $(FITTED)
-	$(BIN)/python -m phonemeengine.calibration.fits.fit_templates $(CORPUS) -o $(FITTED)
+	$(BIN)/python -m tools.fit.thesis $(CORPUS) -o $(FITTED)
+	$(BIN)/python -m tools.fit.rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o $(FITTED)
+	$(BIN)/python -m tools.fit.templates $(CORPUS) -o $(FITTED)
