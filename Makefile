@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test bench fuzz soak screenshots fit
+.PHONY: setup run test bench fuzz soak screenshots fit docs hooks
 
 setup: .venv/ready
 
@@ -47,3 +47,13 @@ fit: setup
 	$(BIN)/python -m tools.fit.thesis $(CORPUS) -o $(FITTED)
 	$(BIN)/python -m tools.fit.rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o $(FITTED)
 	$(BIN)/python -m tools.fit.templates $(CORPUS) -o $(FITTED)
+
+# Builds the documentation into build/docs; a link that leads nowhere fails.
+docs: setup
+	@$(BIN)/python -c 'import material, mkdocstrings' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[docs]'
+	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict
+
+# Has git check each commit, and its message.
+hooks: setup
+	@$(BIN)/python -c 'import pre_commit' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[hooks]'
+	$(BIN)/pre-commit install
