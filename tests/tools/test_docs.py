@@ -46,7 +46,7 @@ def anchors(page: Path) -> set[str]:
 
 
 def pairs(pattern: re.Pattern[str]) -> list[tuple[Path, Any]]:
-    return [(page, found) for page in PAGES for found in pattern.findall(prose(page))]
+    return [(page, found) for page in PAGES for found in dict.fromkeys(pattern.findall(prose(page)))]
 
 
 def shown(value: object) -> str:
