@@ -13,7 +13,6 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import Analyser, analyse_blocks
-from phonemeengine.calibration.fits import fit_thesis
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Scores, confusion_of, scores_of
 from phonemeengine.errors import CorpusError
@@ -28,6 +27,7 @@ from phonemeengine.settings import SAMPLE_RATE, Decimation
 from tests.conftest import ROOT, SCORER
 from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel
+from tools.fit import thesis as fit_thesis
 
 DEMO = ROOT / "phonemeanalyser" / "demo"
 TOLERANCE = 0.00051  # the scorer prints three digits
