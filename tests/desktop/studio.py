@@ -20,10 +20,9 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device
 from phonemeengine.audio.output import ClockOutput
-from phonemeengine.live.listener import Listener
 from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.hands import press
-from tests.fakes.microphones import HandDrivenMicrophone, Microphones, frames_in
+from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in
 from tests.fakes.players import wait_for
 from tests.sounds import silence
 
@@ -40,7 +39,7 @@ class Studio:
         self.devices = [HEADSET, DESK]
         self.given: Counter[HandDrivenMicrophone] = Counter()
         self.model = Microphone(
-            partial(Listener, open_input=self.openers),
+            partial(HandDrivenListener, self.openers),
             lambda: list(self.devices),
             journal=self.journal,
             folder=self.takes,

@@ -2,6 +2,7 @@
 
 import io
 import math
+import os
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -65,10 +66,10 @@ class SoundReader:
         channel.
     """
 
-    def __init__(self, path: Path, channel: Channel = Channel.MIX) -> None:
-        self.path = path
-        self._name = printable_name(path)
-        self._raw = open_checked(path, self._name)
+    def __init__(self, path: str | os.PathLike[str], channel: Channel = Channel.MIX) -> None:
+        self.path = Path(path)
+        self._name = printable_name(self.path)
+        self._raw = open_checked(self.path, self._name)
         with ExitStack() as unless_read:
             unless_read.callback(self._raw.close)
             self._extent = _extent(self._raw, self._name)

@@ -9,6 +9,8 @@ import time
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
+from types import TracebackType
+from typing import Self
 
 import numpy as np
 
@@ -49,32 +51,29 @@ class Listener:
     choice : which microphone, channel and rate; the system's default where it names none.
     pitch : measure `f0` too, which no rule needs.
     phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none.
-    tape : records from the first sample on; see `record`.
-    on_heard : called in the listening thread with each block, as soon as it is known; it must not wait.
+    recorder : records from the first sample on; see `record`.
+    on_analysis : called in the listening thread with each block, as soon as it is known; it must not wait.
     on_sound : called there with each block of sound, shape (n, n_channels), and its rate; it must not wait either.
-    open_input : opens the microphone.
     """
 
     def __init__(
         self, preset: Preset, choice: InputChoice | None = None, *, pitch: bool = False,
-        phonemes_only: bool = False, tape: Recorder | None = None,
-        on_heard: Callable[[Analysis], object] = lambda _analysis: None,
+        phonemes_only: bool = False, recorder: Recorder | None = None,
+        on_analysis: Callable[[Analysis], object] = lambda _analysis: None,
         on_sound: Callable[[Float32Array, int], object] = lambda _block, _rate: None,
-        open_input: Callable[[InputChoice], Input] = CardInput,
     ) -> None:  # fmt: skip
         self.choice = choice or InputChoice()
         self.n_dropped = 0
         self._preset = preset
         self._pitch = pitch
         self._phonemes_only = phonemes_only
-        self._on_heard = on_heard
+        self._on_analysis = on_analysis
         self._on_sound = on_sound
-        self._open_input = open_input
         self._source: Input | None = None
         self._ear: MicrophoneAnalyser | None = None
         self._newest: Analysis | None = None
         self._meter = PeakMeter()
-        self._tape = tape
+        self._recorder = recorder
         self._error: Exception | None = None
         self._refusal = "opening the microphone"
         self._began = self._heard_at = time.monotonic()
@@ -190,15 +189,23 @@ class Listener:
         self._commands.append(self._change)
         self._pause.set()
 
-    def record(self, tape: Recorder | None) -> None:
-        """Record everything that is heard from now on; None ends that. Whoever made the tape closes it."""
-        self._tape = tape
+    def record(self, recorder: Recorder | None) -> None:
+        """Record everything that is heard from now on; None ends that. Whoever made the recorder closes it."""
+        self._recorder = recorder
 
     def close(self) -> None:
         """Stop, and let the microphone go; one that is being opened and hangs is let go when it answers."""
         self._closing = True
         self._pause.set()
         self._thread.join(CLOSE_TIMEOUT if self._source is not None else OPEN_TIMEOUT)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
 
     # -- the thread ---------------------------------------------------------------------------------------
 
@@ -224,6 +231,15 @@ class Listener:
         """Analyse silence, so that the first sound need not wait for what is imported at the first use."""
         analyser = Analyser(self._preset, pitch=self._pitch, phonemes_only=self._phonemes_only)
         analyser.push(np.zeros(2 * WINDOW, np.float32))
+
+    def _open_input(self, choice: InputChoice) -> Input:
+        """Open a microphone; a subclass listens to something else.
+
+        Raises
+        ------
+        DeviceError : it cannot be opened now.
+        """
+        return CardInput(choice)
 
     def _open(self) -> None:
         try:
@@ -252,14 +268,14 @@ class Listener:
         block = ear.pick_channels(block)
         self._meter.add_samples(block, self._heard_at)
         self._on_sound(block, source.rate)
-        tape = self._tape
-        if tape is not None:
-            tape.write(block, source.rate, ear.seconds, gap)
+        recorder = self._recorder
+        if recorder is not None:
+            recorder.write(block, source.rate, ear.seconds, gap)
         analysis = ear.analyse(block)
         if len(analysis):
             self._hand_over(analysis)
-            if tape is not None:
-                tape.add_analysis(analysis)
+            if recorder is not None:
+                recorder.add_analysis(analysis)
 
     def _new_ear(self, source: Input, began: float, gap: float) -> MicrophoneAnalyser:
         """Go on counting frames where the clock stands, `gap` seconds after the last sound."""
@@ -282,7 +298,7 @@ class Listener:
                 self.n_dropped += len(self._waiting.popleft())
         self._newest = analysis
         self._known_at = time.monotonic()
-        self._on_heard(analysis)
+        self._on_analysis(analysis)
 
     def _change(self) -> None:
         self._let_go("opening the microphone")

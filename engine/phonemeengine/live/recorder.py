@@ -2,11 +2,14 @@
 
 import csv
 import math
+import os
 import threading
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from types import TracebackType
+from typing import Self
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
@@ -27,31 +30,32 @@ class Recorder:
 
     Parameters
     ----------
-    next_path : names a new file; called for each, in the listening thread.
+    target : the new file, ``.wav`` (RF64 beyond 4 GB) or ``.flac``, after which others get numbers; or what names
+        each, called in the listening thread.
     with_phonemes : write the phonemes beside it as they are recognised, as a table that ends in ``.csv``.
     fill_gaps : write silence for the time in which a microphone was away, besides the mark.
     seconds : how much of each file is recorded at most.
-    journal, rescue : see `Recording`; the user's own folders unless others are named.
 
     Attributes
     ----------
+    journal, rescue : where running recordings are noted, and where one is copied to if its own folder vanishes; the
+        user's own folders, unless others are set before the first sound.
     paths : the files, in their order.
     gaps : where sound is missing in the newest file.
     """
 
     def __init__(
-        self, next_path: Callable[[], Path], *, with_phonemes: bool = False, fill_gaps: bool = False,
-        seconds: float = math.inf, journal: Path | None = None, rescue: Path | None = None,
+        self, target: str | os.PathLike[str] | Callable[[], Path], *, with_phonemes: bool = False,
+        fill_gaps: bool = False, seconds: float = math.inf,
     ) -> None:  # fmt: skip
         self.paths: list[Path] = []
         self.gaps: list[Gap] = []
-        self._next_path = next_path
+        self.journal, self.rescue = journal_folder(), recordings_folder()
+        self._next_path = target if callable(target) else _numbered(Path(target))
         self._with_phonemes = with_phonemes
         self._fill_gaps = fill_gaps
         self._most = seconds
         self._n_given = 0
-        self._journal = journal or journal_folder()
-        self._rescue = rescue or recordings_folder()
         self._recording: Recording | None = None
         self._phonemes: PhonemeLog | None = None
         self._refusal: str | None = None
@@ -117,6 +121,14 @@ class Recorder:
             self._closed = True
         self._finish(self._recording, self._phonemes)
 
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
     def _fitting(self, n: int, rate: int) -> int:
         """Return how many of `n` samples are still to be recorded."""
         return round(min(n, self._most * rate - self._n_given))
@@ -139,7 +151,7 @@ class Recorder:
             threading.Thread(target=self._finish, args=(old, phonemes), name="recording ends").start()
         try:
             path = self._next_path()
-            self._recording = Recording(path, rate, n_channels, journal=self._journal, rescue=self._rescue)
+            self._recording = Recording(path, rate, n_channels, journal=self.journal, rescue=self.rescue)
             self.paths.append(path)
             self._n_given = 0
             self.gaps = []
@@ -157,6 +169,12 @@ class Recorder:
             recording.close()
         if phonemes is not None and recording is not None:
             phonemes.close(recording.seconds)
+
+
+def _numbered(path: Path) -> Callable[[], Path]:
+    """Return what names the path itself, and then numbered ones after it."""
+    names = iter([path])
+    return lambda: next(names, None) or free_path(path)
 
 
 class PhonemeLog:

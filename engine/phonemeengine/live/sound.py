@@ -1,8 +1,7 @@
 """A sound file as a game uses it: played, looked into, and recognised while it is heard."""
 
+import os
 from collections import deque
-from collections.abc import Callable
-from pathlib import Path
 from types import TracebackType
 from typing import Self
 
@@ -65,19 +64,15 @@ class Sound:
     path : the sound file.
     preset : what to recognise with.
     channel : what is recognised of a file of several channels.
-    open_device : opens the output for a number of channels.
 
     Raises
     ------
     AudioError : the file cannot be read.
     """
 
-    def __init__(
-        self, path: Path, preset: Preset, channel: Channel = Channel.MIX,
-        open_device: Callable[[int], Output] = open_output,
-    ) -> None:  # fmt: skip
+    def __init__(self, path: str | os.PathLike[str], preset: Preset, channel: Channel = Channel.MIX) -> None:
         self._tap = RecentSamples(SoundReader(path, channel))
-        self._player = Player(self._tap, preset, open_device)
+        self._player = Player(self._tap, preset, self._open_device)
         self._transform = SpectrumAnalyser(AnalysisSettings(filters=frozenset()))
         self._newest: Analysis | None = None
         self._stopped = False
@@ -169,6 +164,10 @@ class Sound:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+    def _open_device(self, n_channels: int) -> Output:
+        """Open what is played on; a subclass plays elsewhere."""
+        return open_output(n_channels)
 
     def _at(self) -> int:
         return round(self._player.position * SAMPLE_RATE)

@@ -218,9 +218,8 @@ class Microphone(QObject):
             lambda: new_recording_path(folder, suffix),
             with_phonemes=self.with_phonemes,
             fill_gaps=self.fill_gaps,
-            journal=self._journal,
-            rescue=self._rescue,
         )
+        self._tape.journal, self._tape.rescue = self._journal, self._rescue
         self._listener.record(self._tape)
         self.changed.emit()
 
