@@ -30,7 +30,7 @@ class Stage:
         self.now = 100.0
         self.failed: list[str] = []
         self.talking = TalkModel(session, lambda: self.now)
-        self.talking.error.connect(self.error.append)
+        self.talking.error.connect(self.failed.append)
 
     def look(self) -> None:
         """Look at the head until it is there."""

@@ -49,7 +49,7 @@ class Studio:
         self.failed: list[str] = []
         self.recorded: list[tuple[str, float]] = []
         self.model.info.connect(self.told.append)
-        self.model.error.connect(self.error.append)
+        self.model.error.connect(self.failed.append)
         self.gaps: list[str] = []
         self.model.recorded.connect(lambda path, seconds, _gaps: self.recorded.append((path, seconds)))
         self.model.recorded.connect(lambda _path, _seconds, gaps: self.gaps.append(gaps))

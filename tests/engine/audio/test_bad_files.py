@@ -215,7 +215,7 @@ def test_large_files_are_checked_by_their_headers_alone(tmp_path: Path, monkeypa
     path.write_bytes(content)
     with path.open("r+b") as file:
         file.truncate(data + 8 + n_bytes)  # a hole, which takes no room on the disk
-    monkeypatch.setattr(files, "opened", lambda path, _name: io.BufferedReader(Counted(path)))
+    monkeypatch.setattr(files, "open_checked", lambda path, _name: io.BufferedReader(Counted(path)))
     with SoundReader(path) as reader:
         assert reader.n_samples == n_bytes // 2
         reader.seek(reader.n_samples - 100)

@@ -236,7 +236,7 @@ def test_measuring_says_how_far_it_is_and_ends_when_it_shall(utterances):
 
 def test_a_twin_answers_the_same_while_another_thread_asks(bench):
     twin, presets = (
-        bench.twin(),
+        bench.clone_for_thread(),
         [replace(THESIS, thresholds=replace(THESIS.thresholds, ae_ae1=limit)) for limit in (0.1, 0.3, 0.5, 0.7)],
     )
     expected = [bench.answers(preset).tolist() for preset in presets]
