@@ -10,7 +10,7 @@ from phonemeengine.mouth.cues import MINIMUM, cues_of
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.table import load_table
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 
 
 @dataclass(frozen=True)
@@ -59,9 +59,9 @@ class Exporter:
         self._rate = self._checked_rate()
         self._check_table()
         self._check_mesh()
-        self.export_of(Utterance("", 0.0))
+        self.export_of(Transcript("", 0.0))
 
-    def export_of(self, speech: Utterance) -> Export:
+    def export_of(self, speech: Transcript) -> Export:
         """Clean the cues of speech, and put together what the format writes."""
         wishes, anticipation = self._wishes, self._wishes.anticipation
         cues = cues_of(
@@ -72,7 +72,7 @@ class Exporter:
         )
         return Export(speech, self._table, cues, self._rate, self.life, wishes.mesh)
 
-    def chunks_of(self, speech: Utterance) -> Iterator[bytes]:
+    def chunks_of(self, speech: Transcript) -> Iterator[bytes]:
         """Return the file, in parts as they are made."""
         written = self.format.write(self.export_of(speech))
         if isinstance(written, bytes):
