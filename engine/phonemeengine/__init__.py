@@ -29,7 +29,7 @@ Movestates (morph targets) move the vertices of a mesh::
     positions = face.morphed()              # of all vertices
 """
 
-from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
+from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.recording import Recording
@@ -48,7 +48,6 @@ from phonemeengine.errors import (
     SettingsError,
 )
 from phonemeengine.live.listener import Listener
-from phonemeengine.live.reading import Reading
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.sound import Sound
 from phonemeengine.mouth.blinks import Blinker

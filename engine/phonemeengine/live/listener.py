@@ -14,14 +14,13 @@ from typing import Self
 
 import numpy as np
 
-from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.analyser import Analyser, Analysis, Reading, latest_reading
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput, Input
 from phonemeengine.audio.level import Level, PeakMeter
 from phonemeengine.errors import DeviceError
 from phonemeengine.live.microphone_analyser import Latency, MicrophoneAnalyser
-from phonemeengine.live.reading import Reading, latest_reading
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.status import NOT_LISTENING, QUIET, Status, status_of
 from phonemeengine.presets.preset import Preset

@@ -7,13 +7,12 @@ from typing import Self
 
 import numpy as np
 
-from phonemeengine.analyser import Analysis
+from phonemeengine.analyser import Analysis, Reading, latest_reading
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.audio.output import AHEAD, Output, open_output
 from phonemeengine.dsp.spectrum import SpectrumAnalyser
 from phonemeengine.live.player import STEP, Player
-from phonemeengine.live.reading import Reading, latest_reading
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, AnalysisSettings, Channel
 
