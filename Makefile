@@ -42,6 +42,6 @@ screenshots: setup
 CORPUS ?= ../shared/corpus
 MORE ?=
 fit: setup
-	$(BIN)/python -m phonemeengine.calibration.fits.fit_thesis $(CORPUS) -o presets
-	$(BIN)/python -m phonemeengine.calibration.fits.fit_rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o presets
-	$(BIN)/python -m phonemeengine.calibration.fits.fit_templates $(CORPUS) -o presets
+	$(BIN)/python -m tools.fit.thesis $(CORPUS) -o presets
+	$(BIN)/python -m tools.fit.rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o presets
+	$(BIN)/python -m tools.fit.templates $(CORPUS) -o presets

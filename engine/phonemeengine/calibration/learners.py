@@ -9,8 +9,8 @@ from dataclasses import replace
 import numpy as np
 
 from phonemeengine.calibration.adaptation import adapt
-from phonemeengine.calibration.fits.fit_templates import templates_of
 from phonemeengine.calibration.fits.fitting import fit_preset
+from phonemeengine.calibration.fits.templates import templates_of
 from phonemeengine.calibration.learning.training_examples import TrainingExample, example_of_recording
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures

@@ -8,7 +8,7 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import Analyser
-from phonemeengine.calibration.fits.fit_templates import log_mels_by_phoneme, preset_of, templates_from, templates_of
+from phonemeengine.calibration.fits.templates import log_mels_by_phoneme, templates_from, templates_of
 from phonemeengine.calibration.scores.corpus import Label, Utterance
 from phonemeengine.dsp.cepstra import N_CEPSTRA, cepstra_of
 from phonemeengine.dsp.log_mel import N_BANDS
@@ -22,6 +22,7 @@ from phonemeengine.recognition.scores import SCORES
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import Sound, silence, vowel
+from tools.fit.templates import preset_of
 
 FORMANTS = {
     Phoneme.A: (750.0, 1250.0, 2500.0),

@@ -1,6 +1,6 @@
 """Fit the extended rules to labelled speech.
 
-``python -m phonemeengine.calibration.fits.fit_rules CORPUS -o presets/``
+``python -m tools.fit.rules CORPUS -o presets/``
 
 The rules are the leaves of a decision tree over bands of the spectrum, and over bands divided by one another; the
 tree chooses which. With ``--more FOLDER`` further speech helps. The figures that the preset states come from leaving
@@ -18,7 +18,16 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import BoolArray, Float64Array, UInt8Array
 from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
-from phonemeengine.calibration.fits.rule_features import (
+from phonemeengine.calibration.scores.scoring import Scores, scores_of
+from phonemeengine.errors import EngineError
+from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import BAND_VARIABLES, Variable
+from phonemeengine.presets.files import save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Rule, RuleRecogniser
+from phonemeengine.recognition.smoothing import SUCCESSORS, PhonemeSmoother
+from tools.fit.rule_features import (
     COPIES,
     FRONT_END,
     SNRS,
@@ -29,16 +38,7 @@ from phonemeengine.calibration.fits.rule_features import (
     rule_features_of,
     voice_of,
 )
-from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch
-from phonemeengine.calibration.scores.scoring import Scores, scores_of
-from phonemeengine.errors import EngineError
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import BAND_VARIABLES, Variable
-from phonemeengine.presets.files import save_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Rule, RuleRecogniser
-from phonemeengine.recognition.smoothing import SUCCESSORS, PhonemeSmoother
+from tools.fit.rule_search import MOST_CONDITIONS, RuleSearch
 
 STEM, NAME = "extended", "Extended rules"
 MOST_RULES = 80
@@ -199,7 +199,7 @@ def _recognised(features: Features, rules: Rules, hysteresis: float) -> UInt8Arr
 
 def main() -> int:
     """Run the fit from the command line."""
-    parser = argparse.ArgumentParser(prog="python -m phonemeengine.calibration.fits.fit_rules", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m tools.fit.rules", description=__doc__)
     parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the preset")
     parser.add_argument("--more", type=Path, metavar="FOLDER", help="further speech in the same format")

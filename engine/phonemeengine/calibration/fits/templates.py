@@ -1,41 +1,31 @@
 """Templates from labelled recordings or takes.
 
-``python -m phonemeengine.calibration.fits.fit_templates CORPUS -o presets/``
-
 Of each stretch with a certain label the middle third counts, so that neither the transition from the sound before
 nor that to the next one blurs the template; each speaker counts alike.
 """
 
-import argparse
-import sys
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.analyser import analyse_blocks
-from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
-from phonemeengine.calibration.scores.scoring import Scores, scores_of
+from phonemeengine.calibration.scores.corpus import Label, Utterance
 from phonemeengine.dsp.cepstra import cepstra_of
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.log_mel import log_mels
-from phonemeengine.errors import CorpusError, EngineError
+from phonemeengine.errors import CorpusError
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import save_preset
-from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates, levels_of, rounded_templates
-from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
+from phonemeengine.settings import FRAME_PERIOD
 
-STEM, NAME = "templates", "Templates"
 BLOCK = 1 << 16
 LEAST_FRAMES = 3
 """Frames that a template of a speaker is made from at the least."""
-MINIMUM_HOLD, HYSTERESIS = 0.0, 0.25
 
 
 @dataclass(frozen=True)
@@ -127,58 +117,3 @@ def _silence_below(voices: Mapping[str, LogMelsByPhoneme], otherwise: float) -> 
     levels = np.arange(-90.0, -10.0, 0.5)
     right = [np.mean(v.silences < level) + np.mean(v.sounds >= level) for v in both for level in levels]
     return float(levels[np.array(right).reshape(len(both), -1).mean(axis=0).argmax()])
-
-
-def preset_of(templates: Templates, notes: str = "") -> Preset:
-    """Return a preset that recognises by templates."""
-    settings = AnalysisSettings(minimum_hold=MINIMUM_HOLD, hysteresis=HYSTERESIS)
-    return Preset(NAME, settings, recogniser="templates", templates=templates, notes=notes)
-
-
-def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, LogMelsByPhoneme]) -> Scores:
-    """Score the recordings of each speaker with templates of all others."""
-    others = {s: templates_from({who: v for who, v in voices.items() if who != s} or voices) for s in voices}
-    presets = {speaker: preset_of(templates) for speaker, templates in others.items()}
-    return scores_of((frame_labels_of(u.labels), _recognised(u.path, presets[u.voice])) for u in utterances)
-
-
-def _recognised(path: Path, preset: Preset) -> UInt8Array:
-    with SoundReader(path) as reader:
-        return np.concatenate([a.phonemes for a in analyse_blocks(reader.blocks(BLOCK), preset)])
-
-
-NOTES = """\
-The nearest of nine mean spectra wins, as in uLipSync; best made from takes of one voice.
-Mean cepstra of {n} speakers, human and synthetic, each counting alike, made by
-fit_templates from the middle thirds of all sounds with a certain label.
-Silence is told by its level alone.
-Each speaker left out in turn: macro F1 {s.macro_f1:.3f}, vowels {s.vowel_accuracy:.3f},
-mouth accuracy {s.viseme_accuracy:.3f},
-silence found {s.silence_recall:.3f}, false silence {s.false_silence:.3f}, {s.changes_per_s:.1f} changes a second
-(labels: {s.label_changes_per_s:.1f}).
-"""
-
-
-def main() -> int:
-    """Make the templates of a corpus from the command line."""
-    parser = argparse.ArgumentParser(
-        prog="python -m phonemeengine.calibration.fits.fit_templates", description=__doc__
-    )
-    parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
-    parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the preset")
-    args = parser.parse_args()
-    try:
-        utterances = read_corpus(args.corpus)
-        args.out.mkdir(parents=True, exist_ok=True)
-        voices = log_mels_by_phoneme(utterances)
-        notes = NOTES.format(n=len(voices), s=unseen_scores(utterances, voices))
-        save_preset(preset_of(templates_from(voices), notes), args.out / f"{STEM}.toml")
-    except EngineError as error:
-        print(error, file=sys.stderr)
-        return 1
-    print(notes)
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

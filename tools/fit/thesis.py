@@ -1,6 +1,6 @@
 """Fit the factory presets to a labelled corpus.
 
-``python -m phonemeengine.calibration.fits.fit_thesis CORPUS -o presets/``
+``python -m tools.fit.thesis CORPUS -o presets/``
 
 For each kind of decimation: the front end is chosen by scoring on speakers that were held out (speakers in groups),
 the thresholds and the table of successors are then fitted to all speakers, and the figures that the preset states
@@ -263,7 +263,7 @@ def _fit_all(corpus: Path, out: Path, seed: int, n_starts: int) -> None:
 
 def main() -> int:
     """Run the fit from the command line."""
-    parser = argparse.ArgumentParser(prog="python -m phonemeengine.calibration.fits.fit_thesis", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m tools.fit.thesis", description=__doc__)
     parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the presets")
     parser.add_argument("--seed", type=int, default=1, help="of every random choice (default 1)")

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
+from tools.fit.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
 
 N = 4000
 

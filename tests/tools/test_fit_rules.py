@@ -8,10 +8,6 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import analyse_blocks
-from phonemeengine.calibration.fits import fit_rules
-from phonemeengine.calibration.fits import fit_templates as templates_of
-from phonemeengine.calibration.fits.rule_features import candidates, voice_of
-from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS
 from phonemeengine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.features.variables import check_user_variables
@@ -20,6 +16,10 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from tests.corpora import put, speech, write_manifest
+from tools.fit import rules as fit_rules
+from tools.fit import templates as fit_templates
+from tools.fit.rule_features import candidates, voice_of
+from tools.fit.rule_search import MOST_CONDITIONS
 
 TIMES = (0.0, 0.2, 0.5, 0.7, 1.0, 1.3, 1.5)
 SAID = (Phoneme.SILENCE, Phoneme.A, Phoneme.SZ, Phoneme.I, Phoneme.U, Phoneme.SILENCE)
@@ -59,13 +59,13 @@ def test_rules_grown_from_a_small_corpus_recognise_it(small_corpus, monkeypatch,
 
 def test_templates_of_a_small_corpus_recognise_it(small_corpus, monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["templates", str(small_corpus), "-o", str(small_corpus / "out")])
-    assert templates_of.main() == 0
+    assert fit_templates.main() == 0
     preset = load_preset(small_corpus / "out" / "templates.toml")
     assert "Mean cepstra of 4 speakers" in capsys.readouterr().out
     assert scores_on(small_corpus, preset).macro_f1 > 0.8
 
 
-@pytest.mark.parametrize("module", [fit_rules, templates_of])
+@pytest.mark.parametrize("module", [fit_rules, fit_templates])
 def test_a_folder_that_is_no_corpus_is_refused_in_one_sentence(module, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["fit", str(tmp_path), "-o", str(tmp_path / "out")])
     assert module.main() == 1
