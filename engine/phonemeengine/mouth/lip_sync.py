@@ -94,4 +94,6 @@ def export(
         with atomic_write(target) as file:
             file.writelines(exporter.chunks_of(said))
     except (OSError, ValueError) as error:
-        raise ExportError(f"{printable_name(target)}: cannot be written ({reason_of(error)}); choose another") from error
+        raise ExportError(
+            f"{printable_name(target)}: cannot be written ({reason_of(error)}); choose another"
+        ) from error

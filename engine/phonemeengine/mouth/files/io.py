@@ -64,9 +64,7 @@ def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:
         raise MeshError(f"{path.name}: {error}") from error
 
 
-def save_morph_targets(
-    face: MorphTargets, path: str | os.PathLike[str], figure: MorphMesh | None = None
-) -> None:
+def save_morph_targets(face: MorphTargets, path: str | os.PathLike[str], figure: MorphMesh | None = None) -> None:
     """Save movestates: .3dm, .3dma, or .glb, which holds the mesh too if it is given, else just points.
 
     The old file stays until the new one is complete.
