@@ -93,7 +93,7 @@ def export(
     try:
         with atomic_write(target) as file:
             file.writelines(exporter.chunks_of(said))
-    except (OSError, ValueError) as error:
+    except OSError as error:
         raise ExportError(
-            f"{printable_name(target)}: cannot be written ({reason_of(error)}); choose another"
+            f"{printable_name(target)}: cannot be written ({reason_of(error)}); name another"
         ) from error

@@ -1,5 +1,6 @@
 """Opens and saves files of meshes and movestates; the ending says the format."""
 
+import os
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
