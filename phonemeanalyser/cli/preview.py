@@ -50,9 +50,9 @@ def preview(words: list[str]) -> int:
         actor = AnimationPlayer(figure, _animation_of(reader, options))
         if options.out.suffix.lower() == ".gif" and (reason := why_no_gif(len(actor), options.fps)):
             raise RenderingError(reason)
-        with OffscreenRenderer(figure, options.size) as photographer:
+        with OffscreenRenderer(figure, options.size) as offscreen:
             background = colour_of({"light": LIGHT, "dark": DARK}[options.theme].window)
-            _write(options, reader, len(actor), _pictures_of(actor, figure, photographer, background))
+            _write(options, reader, len(actor), _pictures_of(actor, figure, offscreen, background))
     return 0
 
 
@@ -89,13 +89,13 @@ def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation
 
 
 def _pictures_of(
-    actor: AnimationPlayer, figure: MorphMesh, photographer: OffscreenRenderer, background: tuple[float, float, float]
+    actor: AnimationPlayer, figure: MorphMesh, offscreen: OffscreenRenderer, background: tuple[float, float, float]
 ) -> Iterator[UInt8Array]:
     """Take the pictures with a progress bar."""
     camera = Camera.facing(figure.mesh).orbit(ASIDE, ABOVE)
     scenes = tqdm(actor.scenes(), total=len(actor), unit="frame", disable=None, leave=False, file=sys.stderr)
     for positions, pose in scenes:
-        yield photographer.picture(camera, positions, pose, background=background)
+        yield offscreen.picture(camera, positions, pose, background=background)
 
 
 def _write(options: argparse.Namespace, reader: SoundReader, n_frames: int, pictures: Iterable[UInt8Array]) -> None:

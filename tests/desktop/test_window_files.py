@@ -171,7 +171,7 @@ def test_unusual_sounds_are_opened_without_complaint(desktop, window, qtbot, tmp
     for name, write in ODD_FILES.items():
         window.dialogs.open_sound(write(tmp_path))
         assert not window.banner.isVisible(), (name, window.banner.label.text())
-        desktop.session.follow(0.3)
+        desktop.session.analyse_until(0.3)
         window.drawing.refresh_all()
         assert desktop.session.history.n > 0, name
 

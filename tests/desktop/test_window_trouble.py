@@ -92,7 +92,7 @@ def test_a_recogniser_that_fails_while_it_listens_lets_the_microphone_go_with_a_
     def refuse(_ear: MicrophoneAnalyser, _block: object) -> None:
         raise EngineError("it cannot be recognised; choose another recogniser")
 
-    monkeypatch.setattr(MicrophoneAnalyser, "follow", refuse)
+    monkeypatch.setattr(MicrophoneAnalyser, "analyse", refuse)
     booth.give(mic, noise(0.1))
     booth.until(lambda: booth.banner == "it cannot be recognised; choose another recogniser")
     assert not booth.desktop.session.playing

@@ -166,7 +166,7 @@ def held(monkeypatch):
         assert go_on.wait(60)
         yield from analyses_of(*arguments)
 
-    monkeypatch.setattr(phoneme_writer, "analyses_of", slowly)
+    monkeypatch.setattr(phoneme_writer, "analyse_blocks", slowly)
     yield go_on
     go_on.set()
 

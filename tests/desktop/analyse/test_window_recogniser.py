@@ -133,7 +133,7 @@ def test_the_dock_shows_what_the_recogniser_in_use_is_tuned_by(loudness, desktop
 def test_a_sensitivity_is_dragged_while_its_live_value_shows(desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
     choose(window, "learned")
-    desktop.session.follow(3.7)
+    desktop.session.analyse_until(3.7)
     window.drawing.refresh_all()
     history = desktop.session.history
     named = Phoneme(int(history.newest.recognised[-1]))

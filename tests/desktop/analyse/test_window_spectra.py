@@ -141,7 +141,7 @@ def test_the_waveform_cursor_reads_out_time_and_amplitude(window, qtbot):
 
 def test_other_settings_change_the_axis(desktop, window):
     desktop.preset.set_setting("quantise", 1)
-    desktop.session.follow(0.5)
+    desktop.session.analyse_until(0.5)
     window.drawing.refresh_all()
     x, _ = curve(window.analysis.spectrum)
     assert len(x) == 1024
@@ -205,7 +205,7 @@ def test_a_spectrum_s_values_are_a_table_with_units(view):
 def test_curves_stand_beside_the_mean_in_its_table(desktop, window, monkeypatch, tmp_path):
     choose_save(window, monkeypatch, tmp_path / "tone")
     desktop.preset.set_setting("quantise", 1)
-    desktop.session.follow(0.3)
+    desktop.session.analyse_until(0.3)
     window.drawing.refresh_all()
     rows = copied(window.analysis.averaged.menu, QPoint(9, 9))
     assert rows[0][3:] == ["1 tone, amplitude (linear)"]
@@ -302,7 +302,7 @@ def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, monke
 def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qtbot, monkeypatch, tmp_path):
     choose_save(window, monkeypatch, tmp_path / "tone")
     window.dialogs.open_sound(wav(tmp_path, noise(SECONDS, 0.1), "noise.wav"))
-    desktop.session.follow(0.8)
+    desktop.session.analyse_until(0.8)
     choose_save(window, monkeypatch, tmp_path / "hiss.csv")
     choose_load(window, monkeypatch, tmp_path / "tone.csv", tmp_path / "hiss.csv")
     window.drawing.refresh_all()

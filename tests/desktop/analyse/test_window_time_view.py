@@ -126,7 +126,7 @@ def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbo
     window.analysis.time_view.colours.setCurrentText(GREY)
     sound = np.concatenate((tone(ON_BIN, 62.0), tone(3 * ON_BIN, 2.0)))
     for analysis in analyse_blocks(np.array_split(sound, 30), desktop.preset.preset):
-        desktop.session.findings.gather(analysis)
+        desktop.session.findings.add(analysis)
         window.analysis.time_view.refresh()
     assert desktop.session.history.n > CAPACITY + 300
     eyes = TimeEyes(window)
@@ -185,7 +185,7 @@ def test_left_of_what_was_heard_there_is_nothing_to_read(window, qtbot):
 
 def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
     press(window, Qt.Key.Key_F)
-    desktop.session.follow(1.0)
+    desktop.session.analyse_until(1.0)
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -0.5, ON_BIN)
     label = window.analysis.time_view._cursor_label
@@ -200,10 +200,10 @@ def test_under_a_still_mouse_the_read_out_follows_the_moving_picture(desktop, wi
     qtbot.waitUntil(label.isVisible, timeout=30_000)
     assert float(label.text().split(" s")[0]) == pytest.approx(1.0, abs=0.025)
     findings, session = desktop.session.findings, desktop.session
-    findings.follow(session.path, session.channel, 96)
+    findings.add_file_start(session.path, session.channel, 96)
     window.drawing.refresh_all()
     assert label.text() == ""  # it lies in the gap before what begins anew
-    findings.follow(session.path, session.channel, 30)
+    findings.add_file_start(session.path, session.channel, 30)
     window.drawing.refresh_all()
     assert float(label.text().split(" s")[0]) == pytest.approx(0.36, abs=0.025)
 

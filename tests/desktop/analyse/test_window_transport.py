@@ -141,7 +141,7 @@ def test_the_channel_box_chooses_what_is_analysed(desktop, qtbot, tmp_path):
         assert desktop.session.channel is channel
         assert window.transport.channel.currentText() == channel.value
         desktop.session.clear()
-        desktop.session.follow(0.5)
+        desktop.session.analyse_until(0.5)
         levels[channel] = desktop.session.history.extremes("volume")[0]
         press(window, Qt.Key.Key_Down)
     assert levels == pytest.approx({Channel.MIX: 0.25, Channel.LEFT: 0.5, Channel.RIGHT: 0}, abs=0.01)
@@ -200,13 +200,13 @@ def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(des
 def test_frozen_views_catch_up_even_when_the_sound_has_stopped(desktop, window, qtbot):
     press(window, Qt.Key.Key_F)
     still = window.analysis.time_view.grab().toImage()
-    desktop.session.follow(2)
+    desktop.session.analyse_until(2)
     press(window, Qt.Key.Key_F)
     qtbot.waitUntil(lambda: window.analysis.time_view.grab().toImage() != still)
 
 
 def test_clear_empties_the_views(desktop, window):
-    desktop.session.follow(2)
+    desktop.session.analyse_until(2)
     window.drawing.refresh_all()
     eyes = TimeEyes(window)
     assert eyes.colour(eyes.sonagram, -1, 1000) != eyes.colour(eyes.sonagram, -3, 1000)

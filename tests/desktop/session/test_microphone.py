@@ -204,15 +204,15 @@ def test_closing_finishes_the_recording(studio: Studio, mic: HandDrivenMicrophon
     studio.hear(mic, known(0, 40)[:, 0])
     studio.model.close()
     np.testing.assert_array_equal(samples_in(studio.take), known(0, 40))
-    assert studio.model.unfinished() == []
+    assert studio.model.interrupted_recordings() == []
 
 
 def test_what_a_dead_process_left_is_found_until_it_is_forgotten(studio: Studio, tmp_path: Path) -> None:
     words = [sys.executable, "-c", CUT_OFF, str(tmp_path / "cut off.wav"), str(studio.journal)]
     assert subprocess.run(words, check=False).returncode == 9
-    (found,) = studio.model.unfinished()
+    (found,) = studio.model.interrupted_recordings()
     assert found.path == tmp_path / "cut off.wav"
     assert found.seconds >= 0.9
     found.forget()
-    assert studio.model.unfinished() == []
+    assert studio.model.interrupted_recordings() == []
     assert (samples_in(found.path) == 0.25).all()
