@@ -6,8 +6,7 @@ import os
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
-from types import TracebackType
-from typing import BinaryIO, Self
+from typing import BinaryIO
 
 import numpy as np
 
@@ -18,6 +17,7 @@ from phonemeengine.audio.libsndfile import Decoder, DecodingError
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import AudioError
 from phonemeengine.files import printable_name
+from phonemeengine.lifetime import Closing
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, Channel
 
 SUFFIXES = frozenset(
@@ -45,7 +45,7 @@ MP3_SLACK = 0.1
 """An MP3 file may lack this much of the length it announces, seconds: encoders count their padding differently."""
 
 
-class SoundReader:
+class SoundReader(Closing):
     """Reads a sound file as a stream at 44.1 kHz; never holds the whole file.
 
     A file of one or two channels keeps them. One of more is reduced to a single channel: the mean of all, or one.
@@ -173,14 +173,6 @@ class SoundReader:
         """Let go of the file."""
         self._file.close()
         self._raw.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     @property
     def _warm_up(self) -> float:

@@ -9,8 +9,6 @@ import time
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
-from types import TracebackType
-from typing import Self
 
 import numpy as np
 
@@ -20,6 +18,7 @@ from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput, Input
 from phonemeengine.audio.level import Level, PeakMeter
 from phonemeengine.errors import DeviceError
+from phonemeengine.lifetime import Closing
 from phonemeengine.live.microphone_analyser import Latency, MicrophoneAnalyser
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.status import NOT_LISTENING, QUIET, Status, status_of
@@ -38,7 +37,7 @@ READ_TIMEOUT = 0.1
 """Seconds that the thread waits for sound before it looks whether all is well."""
 
 
-class Listener:
+class Listener(Closing):
     """Listens to a microphone and recognises what it hears, from the moment it is made until it is closed.
 
     A device that is missing, vanishes, stands still or comes back never raises: `status` says what is going on, and
@@ -197,14 +196,6 @@ class Listener:
         self._closing = True
         self._pause.set()
         self._thread.join(CLOSE_TIMEOUT if self._source is not None else OPEN_TIMEOUT)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     # -- the thread ---------------------------------------------------------------------------------------
 

@@ -8,8 +8,6 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from types import TracebackType
-from typing import Self
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
@@ -17,12 +15,13 @@ from phonemeengine.audio.gaps import Gap, gaps_in_words
 from phonemeengine.audio.recording import Recording
 from phonemeengine.errors import RecordingError
 from phonemeengine.files import free_path
+from phonemeengine.lifetime import Closing
 from phonemeengine.paths import journal_folder, recordings_folder
 from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
 
 
-class Recorder:
+class Recorder(Closing):
     """Records what a listener hears.
 
     The file is begun with the first block. A microphone that comes back goes on in the same file, where the gap is
@@ -120,14 +119,6 @@ class Recorder:
         with self._turning:
             self._closed = True
         self._finish(self._recording, self._phonemes)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     def _fitting(self, n: int, rate: int) -> int:
         """Return how many of `n` samples are still to be recorded."""

@@ -2,8 +2,6 @@
 
 import os
 from collections import deque
-from types import TracebackType
-from typing import Self
 
 import numpy as np
 
@@ -12,6 +10,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.audio.output import AHEAD, Output, open_output
 from phonemeengine.dsp.spectrum import SpectrumAnalyser
+from phonemeengine.lifetime import Closing
 from phonemeengine.live.player import STEP, Player
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, AnalysisSettings, Channel
@@ -53,7 +52,7 @@ class RecentSamples:
         return window
 
 
-class Sound:
+class Sound(Closing):
     """Plays a sound file and says what is heard: `poll` gives the phoneme and the intensity.
 
     No call waits for sound or disk, once the file is open.
@@ -155,14 +154,6 @@ class Sound:
     def close(self) -> None:
         """Stop, and let file and device go."""
         self._player.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     def _open_device(self, n_channels: int) -> Output:
         """Open what is played on; a subclass plays elsewhere."""

@@ -94,6 +94,5 @@ def export(
         with atomic_write(target) as file:
             file.writelines(exporter.chunks_of(said))
     except OSError as error:
-        raise ExportError(
-            f"{printable_name(target)}: cannot be written ({reason_of(error)}); name another"
-        ) from error
+        words = f"{printable_name(target)}: cannot be written ({reason_of(error)}); name another file"
+        raise ExportError(words) from error

@@ -1,5 +1,6 @@
 """Writing speech in one format, as somebody wishes."""
 
+import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -30,8 +31,8 @@ class ExportOptions:
     rate: float | None = None
     minimum: float = MINIMUM
     anticipation: float | None = None
-    table: str | Path | None = None
-    mesh: Path | None = None
+    table: str | os.PathLike[str] | None = None
+    mesh: str | os.PathLike[str] | None = None
     life: IdleMotion = field(default_factory=IdleMotion)
 
 
@@ -55,6 +56,7 @@ class Exporter:
         self.name, self.format = name, FORMATS[name]
         self._wishes = wishes or ExportOptions()
         self.life = self._wishes.life
+        self._mesh = None if self._wishes.mesh is None else Path(self._wishes.mesh)
         self._table = load_table(self._wishes.table or self.format.table)
         self._rate = self._checked_rate()
         self._check_table()
@@ -70,7 +72,7 @@ class Exporter:
             minimum=max(wishes.minimum, 1 / self._rate) if self._rate else wishes.minimum,
             anticipation=self.format.anticipation if anticipation is None else anticipation,
         )
-        return Export(speech, self._table, cues, self._rate, self.life, wishes.mesh)
+        return Export(speech, self._table, cues, self._rate, self.life, self._mesh)
 
     def chunks_of(self, speech: Transcript) -> Iterator[bytes]:
         """Return the file, in parts as they are made."""
@@ -119,9 +121,8 @@ class Exporter:
             )
 
     def _check_mesh(self) -> None:
-        given = self._wishes.mesh
-        if given is not None and not self.format.moves_mesh:
-            raise ExportError(f"{self.name} moves no mesh; leave {given.name} out, or choose gltf")
+        if self._mesh is not None and not self.format.moves_mesh:
+            raise ExportError(f"{self.name} moves no mesh; leave {self._mesh.name} out, or choose gltf")
 
 
 def _encoded(parts: Iterable[str]) -> Iterator[bytes]:
