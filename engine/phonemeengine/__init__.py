@@ -59,7 +59,7 @@ _PAGE = {
     "live.recorder": "Recorder",
     "audio.stream": "devices",
     "audio.devices": "Device InputChoice",
-    "audio.files": "SoundReader",
+    "audio.files": "SOUND_SUFFIXES SoundReader",
     "audio.level": "Level",
     "live.status": "Status",
     "live.microphone_analyser": "Latency",
@@ -92,7 +92,9 @@ _PAGE = {
     # What is recognised with
     "presets.files": "load_preset save_preset",
     "presets.preset": "Preset",
-    "settings": "BIN_WIDTH AnalysisSettings Channel Decimation Filter WindowFunction",
+    "settings": (
+        "BIN_WIDTH FRAME_PERIOD HOP SAMPLE_RATE WINDOW AnalysisSettings Channel Decimation Filter WindowFunction"
+    ),
     "features.variables": "Kind Spectrum Variable",
     "recognition.phoneme_data": "PhonemeData Thresholds",
     "recognition.rules": "Condition Rule",
@@ -123,7 +125,7 @@ _PAGE = {
         "MouthError PresetError RecogniserError RecordingError SettingsError TakeError UnknownPhonemeError"
     ),
 }
-_ALIASES = {"score": "score_corpus"}
+_ALIASES = {"SOUND_SUFFIXES": "SUFFIXES", "score": "score_corpus"}
 _HOMES = {name: module for module, names in _PAGE.items() for name in names.split()}
 
 __all__ = ["__version__", *_HOMES]  # noqa: PLE0604 - all of them are names

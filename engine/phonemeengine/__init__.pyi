@@ -2,6 +2,7 @@
 
 from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, recognise_window
 from phonemeengine.audio.devices import Device, InputChoice
+from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
@@ -74,13 +75,29 @@ from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.segments import Segment
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.recognition.trace import RuleComparison, Trace
-from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Channel, Decimation, Filter, WindowFunction
+from phonemeengine.settings import (
+    BIN_WIDTH,
+    FRAME_PERIOD,
+    HOP,
+    SAMPLE_RATE,
+    WINDOW,
+    AnalysisSettings,
+    Channel,
+    Decimation,
+    Filter,
+    WindowFunction,
+)
 
 __all__ = [
     "BIN_WIDTH",
     "FORMATS",
+    "FRAME_PERIOD",
+    "HOP",
     "MOUTH_SHAPES",
+    "SAMPLE_RATE",
     "SENTENCES",
+    "SOUND_SUFFIXES",
+    "WINDOW",
     "AddedNoise",
     "Analyser",
     "Analysis",
