@@ -17,6 +17,8 @@ from tests.conftest import ROOT, SPEECH
 
 EXAMPLES = ROOT / "examples"
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
+GAME = {"SDL_VIDEODRIVER": "dummy", "PYGAME_HIDE_SUPPORT_PROMPT": "1"}
+"""No window, and no greeting."""
 BROKEN = 'raise OSError("PortAudio library not found")'
 
 
@@ -85,7 +87,6 @@ def test_without_portaudio_the_microphone_s_program_says_one_sentence(tmp_path: 
 
 @pytest.mark.parametrize("program", ["push_samples.py", "drive_face.py", "pygame_mouth.py"])
 def test_a_sound_that_is_not_there_is_one_sentence(program: str) -> None:
-    quiet = {"SDL_VIDEODRIVER": "dummy", "PYGAME_HIDE_SUPPORT_PROMPT": "1"}
-    assert run(program, "missing.wav", code=1, **quiet) == [
+    assert run(program, "missing.wav", code=1, **GAME) == [
         "missing.wav: there is no such file; check its name and folder"
     ]
