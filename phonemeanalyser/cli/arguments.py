@@ -2,6 +2,7 @@
 
 import argparse
 import math
+from pathlib import Path
 
 from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.mouth.morpher import Detail
@@ -22,6 +23,11 @@ def add_mouth(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--detail", choices=[d.value for d in Detail], default=Detail.PHONEMES.value, help="what the mouth follows"
     )
+
+
+def add_log(parser: argparse.ArgumentParser) -> None:
+    """Let the user keep what happens."""
+    parser.add_argument("--log", type=Path, metavar="FILE", help="append what happens to a file, to send in")
 
 
 def add_overwrite(parser: argparse.ArgumentParser) -> None:

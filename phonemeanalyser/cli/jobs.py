@@ -1,5 +1,6 @@
 """Files that a command works through, one after the other: where each goes, and what is said of those that fail."""
 
+import logging
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -18,6 +19,8 @@ from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 
 BLOCK = 5 * SAMPLE_RATE
 """Samples that are read at a time."""
+
+_log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,7 @@ def run_all(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
                 act(job)
             except EngineError as error:
                 progress.write(f"phonemeanalyser: {error}", file=sys.stderr)
+                _log.warning("%s", error)
                 failures += 1
             progress.update()
     return failures

@@ -6,13 +6,14 @@ import math
 import os
 import sys
 from collections.abc import Callable, Sequence
-from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
 
-from phonemeanalyser.cli.arguments import add_channel
+from phonemeanalyser.cli.arguments import add_channel, add_log
 from phonemeanalyser.cli.display import why_no_qt, why_no_window
 from phonemeanalyser.cli.listen import list_devices, listen, record
+from phonemeanalyser.logs import logged_to
+from phonemeengine import __version__
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.errors import EngineError
@@ -30,11 +31,14 @@ NO_DISPLAY = 3
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the program; returns the exit code: 0, 1 something failed, 2 wrong usage, 3 no display."""
-    words = list(sys.argv[1:] if arguments is None else arguments)
+    shared = argparse.ArgumentParser(prog="phonemeanalyser", add_help=False, allow_abbrev=False)
+    add_log(shared)
+    options, words = shared.parse_known_args(arguments)
     try:
-        if words and words[0] in COMMANDS:
-            return COMMANDS[words[0]](words[1:])
-        return _window(words)
+        with logged_to(options.log):
+            if words and words[0] in COMMANDS:
+                return COMMANDS[words[0]](words[1:])
+            return _window(words)
     except EngineError as error:
         print(f"phonemeanalyser: {error}", file=sys.stderr)
         return 1
@@ -50,12 +54,13 @@ def _window(words: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="phonemeanalyser",
         description="Calibrate real-time phoneme recognition for lip sync.",
-        epilog=f"Commands: {', '.join(COMMANDS)}; for each, phonemeanalyser COMMAND --help",
+        epilog=f"Commands: {', '.join(COMMANDS)}; for each, phonemeanalyser COMMAND --help; each takes --log, too",
     )
     parser.add_argument("file", type=Path, nargs="?", help="sound file to open (default: the last, or a demo)")
     parser.add_argument("--preset", type=Path, help="preset (.toml) or PhonemeData file to begin with")
     add_channel(parser, None)
-    parser.add_argument("--version", action="version", version=f"%(prog)s {version('phonemeanalyser')}")
+    add_log(parser)
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     options = parser.parse_args(words)
     if reason := why_no_window(os.environ):
         print(f"phonemeanalyser: {reason}", file=sys.stderr)

@@ -4,6 +4,7 @@ The thread opens, reads, analyses and hands over to a recording; whoever shows t
 or `poll`, and never waits for sound.
 """
 
+import logging
 import threading
 import time
 from collections import deque
@@ -35,6 +36,8 @@ OPEN_TIMEOUT = 0.5
 """The same while none is: a sound system that hangs when it is asked for one holds nobody up."""
 READ_TIMEOUT = 0.1
 """Seconds that the thread waits for sound before it looks whether all is well."""
+
+_log = logging.getLogger(__name__)
 
 
 class Listener(Closing):
@@ -211,11 +214,13 @@ class Listener(Closing):
                     self._listen(self._source)
         except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
             self._error = error
+            _log.exception("listening has failed")
         finally:
             if self._ear is None:
                 self._lost_before = self.lost_seconds
             self._gap_is_loss = False
             self._let_go("not listening")
+            _log.info("listening has ended; %.2f s lost, %d frames dropped", self.lost_seconds, self.n_dropped)
 
     def _warm_up(self) -> None:
         """Analyse silence, so that the first sound need not wait for what is imported at the first use."""
@@ -233,9 +238,13 @@ class Listener(Closing):
 
     def _open(self) -> None:
         try:
-            self._source = self._open_input(self.choice)
+            self._source = source = self._open_input(self.choice)
+            _log.info("%s is open: %d Hz, %d channels", source.name, source.rate, source.n_channels)
         except DeviceError as error:
-            self._refusal = f"{error}; trying again every 2 s"
+            refusal = f"{error}; trying again every 2 s"
+            if refusal != self._refusal:
+                _log.warning("%s", refusal)
+            self._refusal = refusal
             self._pause.wait(RETRY_PERIOD)
             self._pause.clear()
 
@@ -284,6 +293,8 @@ class Listener(Closing):
         self._next_frame = analysis.start + len(analysis)
         self._waiting.append(analysis)
         if len(self._waiting) > MOST_WAITING:
+            if self.n_dropped == 0:
+                _log.warning("frames are dropped, since nobody takes them")
             with suppress(IndexError):  # `take` may have come first
                 self.n_dropped += len(self._waiting.popleft())
         self._newest = analysis
@@ -297,6 +308,7 @@ class Listener(Closing):
     def _let_go(self, refusal: str) -> None:
         source, self._refusal = self._source, refusal
         if source is not None:
+            _log.info("%s is let go: %s", source.name, refusal)
             if self._ear is not None:
                 self._lost_before += self._ear.lost_seconds
                 self._next_frame += round(self._ear.lost_seconds / FRAME_PERIOD)  # the numbers follow the clock

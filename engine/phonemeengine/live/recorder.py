@@ -1,6 +1,7 @@
 """What is recorded while a microphone is heard: a file, and its phonemes beside it if that is wanted."""
 
 import csv
+import logging
 import math
 import os
 import threading
@@ -19,6 +20,8 @@ from phonemeengine.lifetime import Closing
 from phonemeengine.paths import journal_folder, recordings_folder
 from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
+
+_log = logging.getLogger(__name__)
 
 
 class Recorder(Closing):
@@ -131,6 +134,7 @@ class Recorder(Closing):
         n_silent = self._fitting(round(seconds * recording.rate), recording.rate) if self._fill_gaps else 0
         gap = Gap(self._n_given, seconds, n_silent)
         self.gaps.append(gap)
+        _log.warning("%s has a gap of %.2f s", recording.path, seconds)
         recording.skip(seconds, n_silent)
         self._n_given += n_silent
         if self._phonemes is not None:
@@ -149,6 +153,7 @@ class Recorder(Closing):
             self._phonemes = self._table(path, began) if self._with_phonemes else None
         except RecordingError as error:
             self._refusal = str(error)
+            _log.error("%s", error)
             return None
         return self._recording
 
