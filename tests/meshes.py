@@ -1,7 +1,6 @@
 """Meshes whose shape is known: a cube of edge 2 about the origin, in every format."""
 
 import base64
-import io
 import json
 
 import numpy as np
@@ -123,10 +122,9 @@ GLTF_TEXT = json.dumps(GLTF).encode()
 
 
 def format_obj(mesh: Mesh) -> bytes:
-    """Write the positions, normals and triangles of a mesh as an .obj file."""
-    out = io.StringIO()
-    out.write(f"o {mesh.name or 'mesh'}\n")
-    out.writelines(f"v {x!s} {y!s} {z!s}\n" for x, y, z in mesh.positions)
-    out.writelines(f"vn {x!s} {y!s} {z!s}\n" for x, y, z in mesh.normals)
-    out.writelines(f"f {a}//{a} {b}//{b} {c}//{c}\n" for a, b, c in (mesh.triangles + np.uint32(1)).tolist())
-    return out.getvalue().encode()
+    """The positions, normals and triangles of a mesh as an .obj file."""
+    lines = [f"o {mesh.name or 'mesh'}"]
+    lines += [f"v {x!s} {y!s} {z!s}" for x, y, z in mesh.positions]
+    lines += [f"vn {x!s} {y!s} {z!s}" for x, y, z in mesh.normals]
+    lines += [f"f {a}//{a} {b}//{b} {c}//{c}" for a, b, c in (mesh.triangles + np.uint32(1)).tolist()]
+    return "\n".join([*lines, ""]).encode()

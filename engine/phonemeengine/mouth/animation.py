@@ -12,7 +12,7 @@ from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 
 LOWEST_RATE, HIGHEST_RATE = 1.0, 240.0
 """Frames per second."""
@@ -42,7 +42,7 @@ class Animation:
 
 
 def animation_of(
-    speech: Utterance, cues: Sequence[Cue], table: MouthTable, rate: float, idle: IdleMotion | None = None
+    speech: Transcript, cues: Sequence[Cue], table: MouthTable, rate: float, idle: IdleMotion | None = None
 ) -> Animation:
     """Animate a face: its mouth moves along the cues with the loudness of the sound.
 
@@ -73,7 +73,7 @@ def animation_of(
     return Animation(rate, table.movestates, weights, head)
 
 
-def _faces(speech: Utterance, cues: Sequence[Cue], performer: Performer, times: Float64Array) -> Iterator[FaceState]:
+def _faces(speech: Transcript, cues: Sequence[Cue], performer: Performer, times: Float64Array) -> Iterator[FaceState]:
     """Have a performer say the speech, which it hears as it goes on, and look at it at some times."""
     performer.follow(cues)
     frames = zip(speech.times.tolist(), speech.intensities.tolist(), speech.pitches.tolist(), strict=True)

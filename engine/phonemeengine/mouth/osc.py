@@ -26,6 +26,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
+from phonemeengine.lifetime import Closing
 from phonemeengine.mouth.performer import Performer
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
@@ -70,7 +71,7 @@ class OscSettings:
     table: MouthTable
 
 
-class OscMouth:
+class OscMouth(Closing):
     """Sends what a performer shows, from a thread of its own, until it is closed; nobody waits for the network.
 
     Parameters

@@ -130,6 +130,8 @@ class Performer:
         self._heard: deque[TimedFrame] = deque([SILENT], maxlen=REMEMBERED)
         self._coming: deque[TimedFrame] = deque()
         self._changes: deque[TimedFrame] = deque(maxlen=REMEMBERED)
+        self._runs: list[_Onset] = []
+        self._movements: deque[_PlannedMovement] = deque()
         self._closes_at = math.inf
         self._restart()
 
@@ -236,7 +238,7 @@ class Performer:
         """Have a new mouth say what was heard."""
         self._morpher = Morpher(self.table, detail=self.idle.detail, seed=self.idle.seed)
         self._runs = [_Onset(-math.inf, Phoneme.SILENCE)]
-        self._movements: deque[_PlannedMovement] = deque()
+        self._movements.clear()
         self._begun = -math.inf
         self._add_runs([*self._heard, *self._coming])
         self._plan(-math.inf)

@@ -23,7 +23,7 @@ from phonemeengine.mouth.movestate import movestate_of
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import load_table
-from phonemeengine.mouth.utterance import utterance_of
+from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.conftest import STEP
@@ -488,7 +488,7 @@ def test_film_window_and_network_move_alike(stage: Stage, receiver: Receiver, qt
     assert path is not None
     with SoundReader(path) as reader:
         analyses = analyse_blocks(reader.blocks(SAMPLE_RATE), session.preset.in_force, pitch=True)
-        utterance = utterance_of(analyses, "", reader.duration)
+        utterance = transcript_of(analyses, "", reader.duration)
     cues = cues_of(utterance.runs, talking.table, anticipation=MOST_ANTICIPATION)
     film = animation_of(utterance, cues, talking.table, SAMPLE_RATE / STEP, MOUTH_ALONE)
     talking.osc.set_address(f"127.0.0.1:{receiver.address.port}")

@@ -66,7 +66,7 @@ class TestAMesh:
         (parse_gltf(GLTF_TEXT), 2, (10, 0, 0)),
         (parse_gltf(format_glb(morph_mesh_of_cube())), 1, (0, 0, 0)),
     ],
-    ids=["obj", "obj of ours", "x", "x in frames", "gltf", "glb of ours"],
+    ids=["obj", "obj with normals", "x", "x in frames", "gltf", "glb of ours"],
 )
 class TestEveryFormat:
     def test_has_the_cube_where_it_is_with_its_vertices_in_order(

@@ -12,7 +12,7 @@ from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import CLOSE_AFTER, MOUTH_ALONE, FaceState, IdleMotion, Performer, TimedFrame
 from phonemeengine.mouth.table import load_table
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import segments_of
 from phonemeengine.settings import FRAME_PERIOD
@@ -26,7 +26,7 @@ ENOUGH_AHEAD = 0.4
 Weights = NDArray[np.float32]
 
 
-def said(utterance: Utterance) -> list[TimedFrame]:
+def said(utterance: Transcript) -> list[TimedFrame]:
     """The frames of what was said, whose time begins with the sound."""
     ends = np.array([run.end for run in utterance.runs]) - 1e-9
     columns = (utterance.times, utterance.intensities, utterance.pitches)
@@ -37,7 +37,7 @@ def said(utterance: Utterance) -> list[TimedFrame]:
     ]
 
 
-def babble(seed: int, seconds: float = 20.0) -> Utterance:
+def babble(seed: int, seconds: float = 20.0) -> Transcript:
     """Speech of nobody: phonemes of 10 to 200 ms, any loudness and pitch; each begins on a frame."""
     generator, codes = np.random.default_rng(seed), [0] * 30
     while len(codes) < seconds / FRAME_PERIOD:
@@ -45,10 +45,10 @@ def babble(seed: int, seconds: float = 20.0) -> Utterance:
     loud = generator.random(len(codes), np.float32)
     f0 = generator.choice(np.array([0, 90, 130], np.float32), len(codes))
     runs = tuple(segments_of([(np.array(codes, np.uint8), loud)], len(codes) * FRAME_PERIOD))
-    return Utterance("babble", len(codes) * FRAME_PERIOD, runs, loud, f0)
+    return Transcript("babble", len(codes) * FRAME_PERIOD, runs, loud, f0)
 
 
-def film_of(utterance: Utterance, idle: IdleMotion | None = None) -> Animation:
+def film_of(utterance: Transcript, idle: IdleMotion | None = None) -> Animation:
     cues = cues_of(utterance.runs, ARKIT, anticipation=MOST_ANTICIPATION)
     return animation_of(utterance, cues, ARKIT, RATE, idle)
 

@@ -8,7 +8,7 @@ from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.cues import Cue, joined_by_shape
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Export:
     mesh : the file of the face that shall move, where the format holds one; None for the program's own head.
     """
 
-    speech: Utterance
+    speech: Transcript
     table: MouthTable
     cues: tuple[Cue, ...]
     rate: float

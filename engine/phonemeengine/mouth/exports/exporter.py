@@ -1,5 +1,6 @@
 """Writing speech in one format, with options."""
 
+import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,7 +12,7 @@ from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import load_table
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 
 
 @dataclass(frozen=True)
@@ -31,8 +32,8 @@ class ExportOptions:
     rate: float | None = None
     minimum: float = MINIMUM
     anticipation: float | None = None
-    table: str | Path | None = None
-    mesh: Path | None = None
+    table: str | os.PathLike[str] | None = None
+    mesh: str | os.PathLike[str] | None = None
     idle: IdleMotion = field(default_factory=IdleMotion)
 
 
@@ -56,13 +57,14 @@ class Exporter:
         self.name, self.format = name, FORMATS[name]
         self._options = options or ExportOptions()
         self.idle = self._options.idle
+        self._mesh = None if self._options.mesh is None else Path(self._options.mesh)
         self._table = load_table(self._options.table or self.format.table)
         self._rate = self._checked_rate()
         self._check_table()
         self._check_mesh()
-        self.export_of(Utterance("", 0.0))
+        self.export_of(Transcript("", 0.0))
 
-    def export_of(self, speech: Utterance) -> Export:
+    def export_of(self, speech: Transcript) -> Export:
         """Clean the cues of speech, and put together what the format writes."""
         options, anticipation = self._options, self._options.anticipation
         cues = cues_of(
@@ -71,9 +73,9 @@ class Exporter:
             minimum=max(options.minimum, 1 / self._rate) if self._rate else options.minimum,
             anticipation=self.format.anticipation if anticipation is None else anticipation,
         )
-        return Export(speech, self._table, cues, self._rate, self.idle, options.mesh)
+        return Export(speech, self._table, cues, self._rate, self.idle, self._mesh)
 
-    def chunks_of(self, speech: Utterance) -> Iterator[bytes]:
+    def chunks_of(self, speech: Transcript) -> Iterator[bytes]:
         """Return the file, in parts as they are made."""
         written = self.format.write(self.export_of(speech))
         if isinstance(written, bytes):
@@ -120,9 +122,8 @@ class Exporter:
             )
 
     def _check_mesh(self) -> None:
-        given = self._options.mesh
-        if given is not None and not self.format.moves_mesh:
-            raise ExportError(f"{self.name} moves no mesh; leave {given.name} out, or choose gltf")
+        if self._mesh is not None and not self.format.moves_mesh:
+            raise ExportError(f"{self.name} moves no mesh; leave {self._mesh.name} out, or choose gltf")
 
 
 def _encoded(parts: Iterable[str]) -> Iterator[bytes]:

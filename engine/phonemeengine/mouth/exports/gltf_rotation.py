@@ -68,14 +68,14 @@ def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Rotation)
     ExportError : the scene is damaged.
     """
     try:
-        scene = _Scene(document)
+        scene = _NodeTree(document)
         with np.errstate(over="raise", invalid="raise"):
             return [turning for node in scene.nodes_that_turn(faces) if (turning := scene.turning_of(node, turns))]
     except (TypeError, KeyError, IndexError, ValueError, AttributeError, ArithmeticError) as error:
         raise ExportError("the mesh is a damaged glTF file; export it anew from your modelling program") from error
 
 
-class _Scene:
+class _NodeTree:
     """The nodes of a document, and which lies below which."""
 
     def __init__(self, document: dict[str, Any]) -> None:
