@@ -1,5 +1,7 @@
 """The heads of a window: on its pages, once they are there, and in a dock."""
 
+from collections.abc import Callable
+
 from phonemeanalyser.desktop.talk.head_view import HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 
@@ -10,20 +12,21 @@ class Heads:
     def __init__(self, talking: TalkModel) -> None:
         self._talking = talking
         self._views: dict[str, HeadView] = {}
+        self._refreshes: dict[str, Callable[[], None]] = {}
 
-    def add(self, name: str, view: HeadView) -> HeadView:
-        """Move this one too, which is called so in every window."""
-        self._views[name] = view
+    def add(self, name: str, view: HeadView, refresh: Callable[[], None] | None = None) -> HeadView:
+        """Move this one too, which is called so in every window; `refresh` draws more than the head alone."""
+        self._views[name], self._refreshes[name] = view, refresh or view.refresh
         return view
 
     def move(self, *, frozen: bool) -> None:
         """Have the head say what is heard, where it is seen."""
-        seen = [view for view in self._views.values() if view.isVisible()]
+        seen = [name for name, view in self._views.items() if view.isVisible()]
         self._talking.watch(bool(seen) and not frozen)
         self._talking.tick()
-        for view in seen:
+        for name in seen:
             if not frozen:
-                view.refresh()
+                self._refreshes[name]()
 
     def copy_view_from(self, other: "Heads") -> None:
         """Show the heads from where another window shows them."""
