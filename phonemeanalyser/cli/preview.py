@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, add_mouth
+from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_preset, add_theme, size_in
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, open_sound
 from phonemeanalyser.cli.output_files import write_whole_file
 from phonemeanalyser.colours import DARK, LIGHT
@@ -28,8 +28,8 @@ from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
-from phonemeengine.mouth.utterance import utterance_of
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.mouth.transcript import transcript_of
+from phonemeengine.presets.files import load_preset
 from phonemeengine.settings import SAMPLE_RATE
 
 SMALLEST, LARGEST = 16, 4096
@@ -41,18 +41,35 @@ BLOCK = SAMPLE_RATE // 10
 """Samples of the sound that are encoded at a time."""
 
 
-def preview(words: list[str]) -> int:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is shown, and how."""
+    parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
+    parser.add_argument(
+        "-o", "--out", type=Path, required=True, metavar="OUT", help=".mp4, .gif or a folder for .png"
+    )
+    parser.add_argument("--fps", type=float, default=RATE, metavar="N", help=f"frames per second ({RATE:g})")
+    size = size_in((SMALLEST, SMALLEST), (LARGEST, LARGEST))
+    parser.add_argument("--size", type=size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
+    add_preset(parser)
+    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
+    add_mouth(parser)
+    add_channel(parser)
+    add_theme(parser)
+    parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
+    parser.add_argument("--movestates", type=Path, metavar="F", help="its movestates: .3dm or .3dma")
+
+
+def run(options: argparse.Namespace) -> int:
     """Make the clip that the command line asks for."""
-    options = _options(words)
     _check_target(options.out, options.size)
     figure = subdivided(_figure_of(options.mesh, options.movestates))
     with open_sound(Job(options.file, options.out), options.channel) as reader:
         actor = AnimationPlayer(figure, _animation_of(reader, options))
         if options.out.suffix.lower() == ".gif" and (reason := why_no_gif(len(actor), options.fps)):
             raise RenderingError(reason)
-        with OffscreenRenderer(figure, options.size) as photographer:
+        with OffscreenRenderer(figure, options.size) as offscreen:
             background = colour_of({"light": LIGHT, "dark": DARK}[options.theme].window)
-            _write(options, reader, len(actor), _pictures_of(actor, figure, photographer, background))
+            _write(options, reader, len(actor), _pictures_of(actor, figure, offscreen, background))
     return 0
 
 
@@ -82,20 +99,20 @@ def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation
     life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     table, preset = load_table(options.table), load_preset(options.preset)
     name = printable_name(options.file)
-    speech = utterance_of(analyse_with_progress(reader, preset, pitch=life.head), name, reader.duration)
+    speech = transcript_of(analyse_with_progress(reader, preset, pitch=life.head), name, reader.duration)
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
     return animation_of(speech, cues, table, options.fps, life)
 
 
 def _pictures_of(
-    actor: AnimationPlayer, figure: MorphMesh, photographer: OffscreenRenderer, background: tuple[float, float, float]
+    actor: AnimationPlayer, figure: MorphMesh, offscreen: OffscreenRenderer, background: tuple[float, float, float]
 ) -> Iterator[UInt8Array]:
     """Take the pictures with a progress bar."""
     camera = Camera.facing(figure.mesh).orbit(ASIDE, ABOVE)
     scenes = tqdm(actor.scenes(), total=len(actor), unit="frame", disable=None, leave=False, file=sys.stderr)
     for positions, pose in scenes:
-        yield photographer.picture(camera, positions, pose, background=background)
+        yield offscreen.picture(camera, positions, pose, background=background)
 
 
 def _write(options: argparse.Namespace, reader: SoundReader, n_frames: int, pictures: Iterable[UInt8Array]) -> None:
@@ -113,36 +130,3 @@ def _write(options: argparse.Namespace, reader: SoundReader, n_frames: int, pict
 def _blocks_of(reader: SoundReader) -> Iterator[Float32Array]:
     while len(block := reader.read(BLOCK)):
         yield block
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser preview", description="Make a clip in which a head says a sound file."
-    )
-    parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
-    parser.add_argument(
-        "-o", "--out", type=Path, required=True, metavar="OUT", help=".mp4, .gif or a folder for .png"
-    )
-    parser.add_argument("--fps", type=float, default=RATE, metavar="N", help=f"frames per second ({RATE:g})")
-    parser.add_argument("--size", type=_size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
-    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
-    add_mouth(parser)
-    add_channel(parser)
-    parser.add_argument("--theme", choices=["light", "dark"], default="light")
-    parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
-    parser.add_argument("--movestates", type=Path, metavar="F", help="its movestates: .3dm or .3dma")
-    parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
-    parser.add_argument("--no-head", action="store_true", help="keep the head still")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
-    return parser.parse_args(words)
-
-
-def _size(text: str) -> tuple[int, int]:
-    try:
-        width, height = (int(part) for part in text.lower().split("x"))
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"must be like 640x640, got {text!r}") from None
-    if not (SMALLEST <= width <= LARGEST and SMALLEST <= height <= LARGEST):
-        raise argparse.ArgumentTypeError(f"must lie in {SMALLEST}..{LARGEST} both ways, got {text!r}")
-    return width, height

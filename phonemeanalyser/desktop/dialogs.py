@@ -11,7 +11,7 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
-from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.preset import PRESET_FILTER, PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 from phonemeengine.errors import EngineError
@@ -24,7 +24,6 @@ from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY_PRESETS, load_pr
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
-PRESET_FILTER = "Presets (*.toml *.phonemedata *.txt)"
 CURVE_FILTER = "Curves (*.csv)"
 LABEL_FILTERS = {
     "Praat TextGrid (*.TextGrid)": ".TextGrid",

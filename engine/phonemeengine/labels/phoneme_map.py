@@ -5,28 +5,25 @@ sound of *see* in ARPAbet and that of *she* in SAMPA: what else stands in the fi
 written in, and a name that is then still doubtful counts as unknown.
 """
 
+import os
 import tomllib
 from collections import abc
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import tomli_w
-
 from phonemeengine.errors import CorpusError, UnknownPhonemeError
 from phonemeengine.files import printable_name
 from phonemeengine.labels.label import Label, RawLabel
 from phonemeengine.labels.phone_sets import AFFRICATE, PhoneClass, own_phone_class, phone_classes_in
-from phonemeengine.labels.table import rows_of, table_of
-from phonemeengine.labels.text_io import read_text, write_text
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.labels.table import rows_of
+from phonemeengine.labels.text_io import read_text
+from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 
 FORMAT = "phonemeanalyser mapping 1"
 COLUMNS = ("name", "phoneme")
 CLOSURE = 0.45
 """Share of an affricate that is closure, as in the corpus format."""
-
-_OWN = {phoneme.label: phoneme for phoneme in Phoneme}
 
 
 @dataclass(frozen=True)
@@ -70,38 +67,26 @@ def labels_named(marks: Iterable[RawLabel], senses: abc.Mapping[str, PhoneClass]
     return tuple(label for mark in marks for label in _labels_of(mark, senses[mark.name]))
 
 
-def load_phoneme_map(path: Path) -> PhonemeMap:
+def load_phoneme_map(path: str | os.PathLike[str]) -> PhonemeMap:
     """Load a mapping: TOML with lines ``name = "phoneme"`` in a table ``[phonemes]``, or CSV with name and phoneme.
 
     Raises
     ------
     CorpusError : it cannot be read, or names no phoneme of ours.
     """
+    path = Path(path)
     file = printable_name(path)
     text = read_text(path)
     entries = _entries_of_csv(text, file) if path.suffix.lower() == ".csv" else _entries_of_toml(text, file)
     return PhonemeMap({name: _phoneme_of(name, phoneme, file) for name, phoneme in entries.items()})
 
 
-def save_phoneme_map(mapping: PhonemeMap, path: Path) -> None:
-    """Save a mapping as CSV where the name ends in ``.csv``, else as TOML.
-
-    Raises
-    ------
-    CorpusError : the file cannot be written.
-    """
-    entries = {name: phoneme.label for name, phoneme in mapping.phonemes.items()}
-    if path.suffix.lower() == ".csv":
-        write_text(table_of(COLUMNS, entries.items()), path)
-    else:
-        write_text(tomli_w.dumps({"format": FORMAT, "phonemes": entries}), path)
-
-
 def _phoneme_of(name: str, phoneme: object, file: str) -> Phoneme:
-    found = _OWN.get(phoneme.strip().lower()) if isinstance(phoneme, str) else None
+    found = PHONEMES_BY_LABEL.get(phoneme.strip().lower()) if isinstance(phoneme, str) else None
     if found is None:
         raise CorpusError(
-            f"{file}: {name!r:.40} must stand for one of {', '.join(_OWN)}, found {phoneme!r:.40}; correct it"
+            f"{file}: {name!r:.40} must stand for one of {', '.join(PHONEMES_BY_LABEL)}, found {phoneme!r:.40}; "
+            "correct it"
         )
     return found
 

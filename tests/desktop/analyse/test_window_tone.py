@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.window import MainWindow
-from phonemeengine.audio.tone.settings import VOWELS, ToneKind
+from phonemeengine.audio.tone.settings import VOWEL_FORMANTS, ToneKind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH
 from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, type_number
@@ -120,7 +120,7 @@ def test_a_vowel_has_its_harmonics_and_is_recognised(desktop, window, heard):
 def test_a_vowel_of_the_list_brings_its_formants_to_the_ear(desktop, window, heard):
     choose(window.transport.tone.kind, "vowel")
     choose(window.transport.tone.vowel, "u")
-    assert desktop.session.tone.formants == VOWELS["u"]
+    assert desktop.session.tone.formants == VOWEL_FORMANTS["u"]
     heard()
     x, y = window.analysis.spectrum.item.curves[0].getData()
     below, above = y[(x > 200) & (x < 900)].max(), y[(x > 1100) & (x < 1500)].max()

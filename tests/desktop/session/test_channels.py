@@ -9,7 +9,7 @@ import pytest
 import soundfile
 from PySide6.QtCore import Qt
 
-from phonemeanalyser.cli import main as cli
+from phonemeanalyser.cli import listen as cli
 from phonemeanalyser.cli.main import main
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.scores.corpus import read_recordings

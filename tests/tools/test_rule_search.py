@@ -1,0 +1,75 @@
+"""Rules grown from labelled frames: what divides the phonemes is found, and stays readable."""
+
+import numpy as np
+import pytest
+
+from phonemeengine.features.measure import Features
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Rule, RuleRecogniser
+from tools.fit.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
+
+N = 4000
+
+
+def grown(names: tuple[str, ...], values: np.ndarray, truth: np.ndarray, most: int = 20) -> tuple[Rule, ...]:
+    search = RuleSearch(Features(names, values.astype(np.float32)), truth, np.ones(len(truth)), names)
+    return search.rules_of(search.grow(most))
+
+
+def uniform(n: int, columns: int) -> np.ndarray:
+    return np.random.default_rng(7).uniform(0, 1, (n, columns))
+
+
+def test_the_variable_and_the_limit_that_divide_two_phonemes_are_found():
+    values = uniform(N, 3)
+    truth = np.where(values[:, 1] > 0.25, Phoneme.A, Phoneme.SILENCE).astype(np.uint8)
+    quiet, loud = grown(("x", "y", "z"), values, truth, 2)
+    assert (quiet.phoneme, loud.phoneme) == (Phoneme.SILENCE, Phoneme.A)
+    assert [(c.variable, c.sign) for rule in (quiet, loud) for c in rule.conditions] == [("y", "<"), ("y", ">")]
+    assert quiet.conditions[0].limit == pytest.approx(0.25, abs=0.02)
+
+
+def test_a_corner_takes_one_rule_of_two_comparisons():
+    values = uniform(N, 2)
+    truth = np.where((values > 0.5).all(axis=1), Phoneme.I, Phoneme.M).astype(np.uint8)
+    features = Features(("x", "y"), values.astype(np.float32))
+    rules = grown(("x", "y"), values, truth, 3)
+    assert sum(rule.phoneme is Phoneme.I for rule in rules) == 1
+    answers = RuleRecogniser(rules, Thresholds()).phonemes_of(features)
+    assert np.mean(answers == truth) > 0.97
+
+
+def test_rules_stay_few_and_short_even_where_nothing_divides():
+    values = uniform(N, 12)
+    truth = np.random.default_rng(3).choice([Phoneme.A, Phoneme.E, Phoneme.O], N).astype(np.uint8)
+    rules = grown(tuple("abcdefghijkl"), values, truth, 40)
+    assert len(rules) <= 40
+    assert max(len(rule.conditions) for rule in rules) <= MOST_CONDITIONS
+
+
+def test_neighbours_that_say_the_same_are_one_rule():
+    values = np.floor(20 * uniform(N, 1))
+    truth = np.where(values[:, 0] > 9, Phoneme.A, Phoneme.SILENCE).astype(np.uint8)
+    assert len(grown(("x",), values, truth, 30)) == 2
+
+
+def test_a_count_lies_never_on_a_limit():
+    values = np.floor(20 * uniform(N, 1))
+    truth = np.where(values[:, 0] > 9, Phoneme.A, Phoneme.SILENCE).astype(np.uint8)
+    rules = RuleRecogniser(grown(("x",), values, truth), Thresholds())
+    answers = rules.phonemes_of(Features(("x",), values.astype(np.float32)))
+    np.testing.assert_array_equal(answers, truth)
+
+
+def test_frames_without_a_known_label_teach_nothing():
+    values = uniform(N, 1)
+    truth = np.where(values[:, 0] > 0.5, Phoneme.A, Phoneme.UNIDENTIFIED).astype(np.uint8)
+    assert [rule.phoneme for rule in grown(("x",), values, truth)] == [Phoneme.A]
+
+
+def test_a_leaf_takes_the_phoneme_that_the_macro_f1_gains_most_by():
+    counts = np.zeros((2, len(Phoneme)))
+    counts[0, Phoneme.A] = 90
+    counts[1, [Phoneme.A, Phoneme.P]] = 12, 10  # more a than p, but there is no other p to be had
+    assert best_phonemes(counts) == [Phoneme.A, Phoneme.P]

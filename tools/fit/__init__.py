@@ -1,0 +1,1 @@
+"""Fits the presets that ship with the program to labelled speech."""
