@@ -14,7 +14,7 @@ import pytest
 import soundfile
 import soxr
 
-from phonemeanalyser.cli.main import DEMO
+from phonemeanalyser.cli.window import DEMO
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.live.microphone_analyser import for_live_use

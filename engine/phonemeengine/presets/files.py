@@ -29,6 +29,7 @@ FACTORY_PRESET_OF = {
 """The factory preset that was tuned with each of the program's own recognisers."""
 LARGEST_FILE = 1 << 20
 PHONEME_DATA_SUFFIXES = (".phonemedata", ".txt")
+PRESET_SUFFIXES = (".toml", *PHONEME_DATA_SUFFIXES)
 
 
 def load_preset(path: str | os.PathLike[str]) -> Preset:
@@ -100,8 +101,7 @@ def _names() -> dict[str, Path]:
 def own_presets() -> tuple[Path, ...]:
     """Return the preset files in the user's own folder, by name."""
     folder = presets_folder()
-    suffixes = (".toml", *PHONEME_DATA_SUFFIXES)
-    found = [path for path in folder.iterdir() if path.suffix.lower() in suffixes] if folder.is_dir() else []
+    found = [path for path in folder.iterdir() if path.suffix.lower() in PRESET_SUFFIXES] if folder.is_dir() else []
     return tuple(sorted(found, key=lambda path: path.name.lower()))
 
 

@@ -184,7 +184,8 @@ def _halved(array: Float32Array) -> Float32Array:
 def _checked(array: NDArray[Any], shape: tuple[int | None, ...]) -> Float32Array:
     """Return an array as float32, after looking at its shape and its numbers."""
     fits = array.ndim == len(shape) and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True))
-    if not fits or array.dtype.kind != "f" or array.size > MOST_CHANNELS**2 * TAPS or not np.all(np.isfinite(array)):
+    known = array.dtype in {np.dtype(np.float16), np.dtype(np.float32)}
+    if not (fits and known and array.size <= MOST_CHANNELS**2 * TAPS and np.all(np.isfinite(array))):
         raise ModelError("its arrays do not fit together; get it anew, or train it again")
     return array.astype(np.float32)
 

@@ -22,7 +22,7 @@ TABS_WIDTH = 250
 """In less room than this nobody reads a list."""
 
 
-class BenchView(QWidget):
+class WorkbenchView(QWidget):
     """Lays out distributions, matrix, lists, fit, comparison and lanes.
 
     Signals
@@ -38,28 +38,20 @@ class BenchView(QWidget):
         super().__init__()
         self._calibration = calibration
         self._theme = theme
-        bench = calibration.bench
-        self.variables = VariablesPanel(bench, theme)
-        self.spread = DistributionView(bench, theme)
+        workbench = calibration.workbench
+        self.variables = VariablesPanel(workbench, theme)
+        self.distribution = DistributionView(workbench, theme)
         self.confusion = ConfusionView(theme)
         self.figures, self.cell = QLabel(), QLabel()
-        self.stretches = SegmentList("stretches of the cell", "")
+        self.segments = SegmentList("stretches of the cell", "")
         self.fit = FitPanel(calibration.fit, theme)
-        self.rival = ComparePanel(calibration.rival, theme)
+        self.compare = ComparePanel(calibration.comparison, theme)
         self.tabs = QTabWidget()
-        self.lanes = TimelineView(theme)
+        self.timeline = TimelineView(theme)
         self.rows, self.columns = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()
         self._connect()
         self._show_confusion()
-
-    def refresh(self) -> None:
-        """Show how far the work in the background is."""
-        self.variables.refresh()
-        self.fit.refresh()
-        self.rival.refresh()
-        if self._calibration.bench.busy:
-            self.figures.setText(f"measuring … {100 * self._calibration.bench.share:.0f} %")
 
     def _lay_out(self) -> None:
         upper = QWidget()
@@ -67,14 +59,14 @@ class BenchView(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(0)
         row.addWidget(self.variables)
-        row.addWidget(self.spread, 1)
+        row.addWidget(self.distribution, 1)
         listed = QWidget()
         column = QVBoxLayout(listed)
         column.setContentsMargins(6, 6, 6, 4)
         self.cell.setWordWrap(True)
         column.addWidget(self.cell)
-        column.addWidget(self.stretches, 1)
-        for widget, name in ((listed, "Stretches"), (Scrolled(self.fit), "Fit"), (Scrolled(self.rival), "Compare")):
+        column.addWidget(self.segments, 1)
+        for widget, name in ((listed, "Stretches"), (Scrolled(self.fit), "Fit"), (Scrolled(self.compare), "Compare")):
             self.tabs.addTab(widget, name)
         self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.tabs.setMinimumWidth(TABS_WIDTH)
@@ -96,40 +88,48 @@ class BenchView(QWidget):
         whole.setSpacing(0)
         whole.addWidget(self.rows, 1)
         whole.addWidget(self.figures)
-        whole.addWidget(self.lanes)
+        whole.addWidget(self.timeline)
 
     def _connect(self) -> None:
         calibration = self._calibration
-        calibration.bench.confusion_changed.connect(self._show_confusion)
-        calibration.bench.confusion_changed.connect(self.spread.show_lines)
-        calibration.bench.measured.connect(self.fit.show_state)
+        calibration.workbench.confusion_changed.connect(self._show_confusion)
+        calibration.workbench.confusion_changed.connect(self.distribution.show_lines)
+        calibration.workbench.measured.connect(self.fit.show_state)
+        calibration.workbench.measuring.changed.connect(self._show_measuring)
         calibration.preset.changed.connect(self.fit.show_state)
-        calibration.rival.changed.connect(self._show_matrix)
-        self.rival.difference.toggled.connect(lambda _on: self._show_matrix())
+        calibration.comparison.changed.connect(self._show_matrix)
+        self.compare.difference.toggled.connect(lambda _on: self._show_matrix())
         self.confusion.chosen.connect(self._choose_cell)
-        self.lanes.chosen.connect(self._play_passage)
-        for view in (self.stretches, self.rival):
+        self.timeline.chosen.connect(self._play_segment)
+        for view in (self.segments, self.compare):
             view.play_asked.connect(calibration.play)
-        self.stretches.play_asked.connect(self._show_place)
-        for plot in (self.spread, self.confusion, self.lanes):
+        self.segments.play_asked.connect(self._show_place)
+        for plot in (self.distribution, self.confusion, self.timeline):
             plot.menu.save_asked.connect(self.picture_asked)
 
     # -- what is shown ------------------------------------------------------------------------------------
 
     def _show_confusion(self) -> None:
-        bench = self._calibration.bench
-        self.lanes.show_confusion(bench.confusion, [u.path.stem for u in bench.utterances])
+        workbench = self._calibration.workbench
+        self.timeline.show_confusion(workbench.confusion, [u.path.stem for u in workbench.utterances])
         self._show_matrix()
         self._show_figures()
         self._show_cell()
 
     def _show_matrix(self) -> None:
-        own, rival = self._calibration.bench.confusion, self._calibration.rival
-        against = rival.confusion if self.rival.difference.isChecked() and rival.comparison is not None else None
+        own, comparison = self._calibration.workbench.confusion, self._calibration.comparison
+        against = (
+            comparison.confusion if self.compare.difference.isChecked() and comparison.result is not None else None
+        )
         self.confusion.show_counts(own.counts if own else None, against.counts if against else None)
 
+    def _show_measuring(self) -> None:
+        measuring = self._calibration.workbench.measuring
+        if measuring.busy:
+            self.figures.setText(f"measuring … {100 * measuring.progress:.0f} %")
+
     def _show_figures(self) -> None:
-        confusion = self._calibration.bench.confusion
+        confusion = self._calibration.workbench.confusion
         if confusion is None:
             self.figures.setText(f"<span style='color:{self._theme.faint}'>nothing is loaded yet</span>")
             return
@@ -153,27 +153,27 @@ class BenchView(QWidget):
         self._show_cell()
 
     def _show_cell(self) -> None:
-        bench, cell = self._calibration.bench, self.confusion.cell
-        if cell is None or bench.confusion is None:
+        workbench, cell = self._calibration.workbench, self.confusion.cell
+        if cell is None or workbench.confusion is None:
             self.cell.setText("Click a cell of the matrix to list what is in it.")
-            self.stretches.show_rows(())
+            self.segments.show_rows(())
             return
         truth, answer = self.confusion.phonemes_of(cell)
-        found = bench.passages(truth, answer)
+        found = workbench.segments_in(truth, answer)
         seconds = sum(p.end - p.start for p in found)
         self.cell.setText(
             f"<b>{truth.label}</b> recognised as <b>{answer.label}</b>: {len(found)} stretches, {seconds:.2f} s"
         )
-        paths = [u.path for u in bench.utterances]
-        self.stretches.show_rows([SegmentRow(paths[p.recording], p.start, p.end) for p in found[:1000]])
+        paths = [u.path for u in workbench.utterances]
+        self.segments.show_rows([SegmentRow(paths[p.recording], p.start, p.end) for p in found[:1000]])
 
-    def _play_passage(self, recording: int, start: float, end: float) -> None:
-        self._calibration.play(self._calibration.bench.utterances[recording].path, start, end)
+    def _play_segment(self, recording: int, start: float, end: float) -> None:
+        self._calibration.play(self._calibration.workbench.utterances[recording].path, start, end)
 
     def _show_place(self, path: Path, start: float, _end: float) -> None:
-        paths = [u.path for u in self._calibration.bench.utterances]
+        paths = [u.path for u in self._calibration.workbench.utterances]
         if path in paths:
-            self.lanes.show_frame(paths.index(path), start)
+            self.timeline.show_frame(paths.index(path), start)
 
 
 def _percent(share: float) -> str:

@@ -47,7 +47,7 @@ class StatusLine:
     def _microphone_parts(self) -> list[str]:
         microphone = self._session.microphone
         latency = microphone.latency
-        lost = f"{microphone.lost_seconds:.2f} s lost" if microphone.active else ""
+        lost = f"{microphone.listener.lost_seconds:.2f} s lost" if microphone.active else ""
         if latency is None:
             self.latency_ms = None
             self.right.setToolTip("")

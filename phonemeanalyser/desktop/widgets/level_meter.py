@@ -1,6 +1,7 @@
 """How loud the microphone is: peak, held peak, and a light for clipping."""
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QRectF, Qt
@@ -8,8 +9,8 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.painting import set_size
-from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.theme import Theme
+from phonemeengine.audio.level import Level
 
 LOWEST_DB, LOUD_DB = -60.0, -6.0
 MARKS_DB = (-48, -36, -24, -12, 0)
@@ -19,11 +20,16 @@ FORGOTTEN = 60.0
 
 
 class LevelMeterView(QWidget):
-    """Paints the level from -60 to 0 dB below full scale."""
+    """Paints the level from -60 to 0 dB below full scale.
 
-    def __init__(self, microphone: Microphone, theme: Theme) -> None:
+    Parameters
+    ----------
+    read_level : tells what it is now.
+    """
+
+    def __init__(self, read_level: Callable[[], Level], theme: Theme) -> None:
         super().__init__()
-        self._microphone = microphone
+        self._read_level = read_level
         self._theme = theme
         self.setMinimumSize(200, 28)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -36,7 +42,7 @@ class LevelMeterView(QWidget):
     def paintEvent(self, _event: Any) -> None:
         """Paint bar, held peak, scale and light."""
         painter = QPainter(self)
-        level = self._microphone.level
+        level = self._read_level()
         track = QRectF(2, 4, self.width() - LIGHT_WIDTH - 8, 10)
         painter.fillRect(track, QColor(self._theme.line))
         x = self._x_of(level.peak, track)

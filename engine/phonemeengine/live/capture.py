@@ -1,4 +1,4 @@
-"""What the microphone hears while somebody wants it: the sound of a take."""
+"""What a microphone hears while somebody wants its samples: the sound of a take."""
 
 import threading
 

@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
-from phonemeanalyser.desktop.background_model import BackgroundModel
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
 from phonemeengine.calibration.scores.confusion import ConfusedSegment, Confusion
 from phonemeengine.calibration.scores.corpus import Utterance
@@ -24,6 +24,8 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.progress import Progress
 
 Pair = tuple[Phoneme, Phoneme | None]
+ANSWER_MS = 16
+"""After a change of the preset, until the answers are others: a threshold that is dragged changes all the time."""
 
 
 @dataclass(frozen=True)
@@ -44,19 +46,23 @@ class Line:
     value: float
 
 
-class BenchModel(BackgroundModel):
-    """Measures what is loaded, and follows the preset: what a threshold changes is known at the next `see`.
+class WorkbenchModel(QObject):
+    """Measures what is loaded, and follows the preset: what a threshold changes is known a picture later.
 
-    It is busy while recordings are being measured.
+    Attributes
+    ----------
+    measuring, looking, searching : the work on recordings, on distributions and rankings, and on suggestions.
 
     Signals
     -------
+    error : a sentence for the user.
     measured : another workbench is there, or none.
     confusion_changed : the answers are others.
     distribution_changed : the distribution of the chosen variable, or the ranking, is another.
     suggested : variables were found that are worth adding, or none.
     """
 
+    error = Signal(str)
     measured = Signal()
     confusion_changed = Signal()
     distribution_changed = Signal()
@@ -64,7 +70,7 @@ class BenchModel(BackgroundModel):
 
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
-        self.workbench: LabelledFeatures | None = None
+        self.features: LabelledFeatures | None = None
         self.confusion: Confusion | None = None
         self.distribution: Distribution | None = None
         self.ranking: tuple[RankedVariable, ...] = ()
@@ -73,23 +79,14 @@ class BenchModel(BackgroundModel):
         self.variable = "m_szsch1"
         self._preset = preset
         self._utterances: tuple[Utterance, ...] = ()
-        self._stale = False
         self._ranked_for: LabelledFeatures | None = None
         self._looked_with: Mapping[Phoneme, float] = {}
-        self._measuring, self._looking, self._searching = self._room(), self._room(), self._room()
+        self.measuring, self.looking, self.searching = (TaskQueue(self.error.emit) for _ in range(3))
+        self._answering = QTimer(self, singleShot=True, interval=ANSWER_MS)
+        self._answering.timeout.connect(self._answer)
         preset.changed.connect(self._follow_preset)
 
     # -- what there is ------------------------------------------------------------------------------------
-
-    @property
-    def searching(self) -> bool:
-        """Whether variables are being searched for."""
-        return self._searching.busy
-
-    @property
-    def search_share(self) -> float:
-        """How much of the search is done, 0..1."""
-        return self._searching.share
 
     @property
     def utterances(self) -> tuple[Utterance, ...]:
@@ -127,7 +124,7 @@ class BenchModel(BackgroundModel):
         """End a drag: undo takes it back as a whole."""
         self._preset.end_edit()
 
-    def passages(self, truth: Phoneme, answer: Phoneme) -> list[ConfusedSegment]:
+    def segments_in(self, truth: Phoneme, answer: Phoneme) -> list[ConfusedSegment]:
         """Return the stretches of a cell of the confusion matrix, the longest first."""
         found = self.confusion.frames_in(truth, answer) if self.confusion else ()
         return sorted(found, key=lambda p: p.start - p.end)
@@ -151,84 +148,83 @@ class BenchModel(BackgroundModel):
 
     def suggest(self, one: Phoneme, other: Phoneme | None) -> None:
         """Search for variables that part two phonemes, or one from all others."""
-        bench, preset = self.workbench, self._preset.in_force
-        if bench is None:
+        features, preset = self.features, self._preset.in_force
+        if features is None:
             self.error.emit("There is nothing to search in yet; record takes or load labelled recordings first.")
             return
-        self._searching.instead(
-            lambda progress: suggested_variables(bench, preset, one, other, progress), self._take_suggestions
+        self.searching.replace(
+            lambda progress: suggested_variables(features, preset, one, other, progress), self._take_suggestions
         )
 
-    def cancel_search(self) -> None:
-        """End the search for variables."""
-        self._searching.cancel()
-
-    def see(self) -> None:
-        """Take note of what was measured, and answer anew where the preset is another."""
-        super().see()
-        if self._stale:
-            self._stale = False
-            self._answer()
+    def close(self) -> None:
+        """End all work."""
+        self._answering.stop()
+        for queue in (self.measuring, self.looking, self.searching):
+            queue.close()
 
     # -- the work -----------------------------------------------------------------------------------------
 
     def _follow_preset(self) -> None:
-        if self.workbench is not None and self._must_measure():
+        if self.features is not None and self._must_measure():
             self._measure()
         elif self._others_sensitivities() != self._looked_with:
             self._look()
-        self._stale = True
+        self._answer_soon()
 
     def _must_measure(self) -> bool:
         try:
-            return self.workbench is not None and self.workbench.needs_measuring(self._preset.in_force)
+            return self.features is not None and self.features.needs_measuring(self._preset.in_force)
         except EngineError:
             return False
 
     def _measure(self) -> None:
-        utterances, preset, known = self._utterances, self._preset.in_force, self.workbench
+        utterances, preset, known = self._utterances, self._preset.in_force, self.features
         if not utterances:
-            self._measuring.cancel()
+            self.measuring.cancel()
             self._take_up(None)
             return
-        self._measuring.instead(
+        self.measuring.replace(
             lambda progress: LabelledFeatures(utterances, preset, known=known, progress=progress), self._take_up
         )
 
-    def _take_up(self, workbench: LabelledFeatures | None) -> None:
-        self.workbench = workbench
-        if self.preview is not None and (workbench is None or self.preview.variable.name in workbench.variables):
+    def _take_up(self, features: LabelledFeatures | None) -> None:
+        self.features = features
+        if self.preview is not None and (features is None or self.preview.variable.name in features.variables):
             self.variable, self.preview = self.preview.variable.name, None
-        self._stale = True
+        self._answer_soon()
         self.measured.emit()
         self._look()
 
+    def _answer_soon(self) -> None:
+        if not self._answering.isActive():
+            self._answering.start()
+
     def _answer(self) -> None:
-        if self.workbench is None:
+        if self.features is None:
             self.confusion = None
         elif self._must_measure():
             return
         else:
             try:
-                self.confusion = self.workbench.confusion(self._preset.in_force)
+                self.confusion = self.features.confusion(self._preset.in_force)
             except EngineError as error:
                 self.error.emit(str(error))
                 return
         self.confusion_changed.emit()
 
     def _look(self) -> None:
-        bench, variable = self.workbench, self.variable
-        if bench is None or not bool(np.any(bench.labels.certain)):
+        features, variable = self.features, self.variable
+        if features is None or not bool(np.any(features.labels.certain)):
             self.distribution, self.ranking = None, ()
             self.distribution_changed.emit()
             return
-        if variable not in bench.variables:
-            variable = self.variable = bench.variables[0]
-        ranking = self.ranking if self._ranked_for is bench else ()
+        if variable not in features.variables:
+            variable = self.variable = features.variables[0]
+        ranking = self.ranking if self._ranked_for is features else ()
         sensitivities = self._looked_with = self._others_sensitivities()
-        self._looking.instead(
-            lambda progress: _looked_at(bench, variable, sensitivities, ranking, progress),
-            lambda found: self._take_look(bench, found),
+        self.looking.replace(
+            lambda progress: _looked_at(features, variable, sensitivities, ranking, progress),
+            lambda found: self._take_look(features, found),
         )
 
     def _others_sensitivities(self) -> Mapping[Phoneme, float]:
@@ -238,9 +234,9 @@ class BenchModel(BackgroundModel):
         own = Phoneme(DEFICITS.index(self.variable))
         return {p: s for p, s in self._preset.in_force.sensitivities.items() if p is not own}
 
-    def _take_look(self, bench: LabelledFeatures, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
+    def _take_look(self, features: LabelledFeatures, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
         self.distribution, self.ranking = found
-        self._ranked_for = bench
+        self._ranked_for = features
         self.distribution_changed.emit()
 
     def _take_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
@@ -252,10 +248,12 @@ class BenchModel(BackgroundModel):
 
 
 def _looked_at(
-    bench: LabelledFeatures,
+    features: LabelledFeatures,
     variable: str,
     sensitivities: Mapping[Phoneme, float],
     ranking: tuple[RankedVariable, ...],
     progress: Progress,
 ) -> tuple[Distribution, tuple[RankedVariable, ...]]:
-    return distribution_of(bench, variable, sensitivities), ranking or ranked_variables(bench, progress=progress)
+    return distribution_of(features, variable, sensitivities), ranking or ranked_variables(
+        features, progress=progress
+    )

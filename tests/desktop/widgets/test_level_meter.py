@@ -1,7 +1,6 @@
 """The level meter's pixels and words."""
 
 from collections.abc import Callable
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,8 +8,8 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.session.level_meter import LIGHT_WIDTH, LOWEST_DB, LevelMeterView, words_of
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme
+from phonemeanalyser.desktop.widgets.level_meter import LIGHT_WIDTH, LOWEST_DB, LevelMeterView, words_of
 from phonemeengine.audio.level import Level
 
 WIDTH = 500
@@ -28,7 +27,7 @@ def theme(request: pytest.FixtureRequest) -> Theme:
 @pytest.fixture
 def picture(qapp: QApplication, qtbot: QtBot, theme: Theme) -> Callable[[Level], QImage]:
     def paint(level: Level) -> QImage:
-        meter = LevelMeterView(SimpleNamespace(level=level), theme)
+        meter = LevelMeterView(lambda: level, theme)
         qtbot.addWidget(meter)
         meter.resize(WIDTH, 28)
         return meter.grab().toImage()
@@ -83,7 +82,7 @@ def test_the_light_tells_how_long_ago_it_clipped() -> None:
 
 
 def test_the_words_of_the_light_fit_into_it(qapp: QApplication, qtbot: QtBot) -> None:
-    meter = LevelMeterView(SimpleNamespace(level=Level()), DARK)
+    meter = LevelMeterView(Level, DARK)
     qtbot.addWidget(meter)
     font = meter.font()
     font.setPixelSize(10)

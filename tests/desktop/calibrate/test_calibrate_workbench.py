@@ -11,9 +11,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop import dialogs
-from phonemeanalyser.desktop.calibrate.bench_view import BenchView
 from phonemeanalyser.desktop.calibrate.confusion_view import SAID, TAKEN
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
+from phonemeanalyser.desktop.calibrate.workbench_view import WorkbenchView
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.features.variables import Kind
@@ -42,7 +42,7 @@ def loaded(calibrator: Calibrator, tmp_path: Path) -> Calibrator:
     return calibrator
 
 
-def bench_of(calibrator: Calibrator) -> BenchView:
+def bench_of(calibrator: Calibrator) -> WorkbenchView:
     return calibrator.page.workbench
 
 
@@ -82,10 +82,10 @@ def test_recordings_are_measured_and_counted_as_the_engine_counts_them(loaded: C
 
 def test_takes_count_beside_the_recordings_and_the_cross_forgets_these(loaded: Calibrator):
     loaded.keep(Phoneme.A)
-    assert len(loaded.model.bench.utterances) == 3
+    assert len(loaded.model.workbench.utterances) == 3
     click(loaded.page.takes.clear)
     loaded.settle()
-    assert len(loaded.model.bench.utterances) == 1
+    assert len(loaded.model.workbench.utterances) == 1
 
 
 def test_unknown_names_are_asked_for_and_then_read(calibrator: Calibrator, tmp_path: Path):
@@ -126,7 +126,7 @@ def test_the_matrix_follows_a_threshold_while_it_is_dragged(loaded: Calibrator, 
     show(loaded, "m_szsch1")
     preset, bench = loaded.booth.desktop.preset, bench_of(loaded)
     before, counts = preset.preset, bench.confusion.counts
-    highest = float(loaded.model.bench.distribution.edges[-1])
+    highest = float(loaded.model.workbench.distribution.edges[-1])
     drag_line(loaded, "szsch_szsch1", highest, release=False)
     loaded.settle()
     during = preset.preset
@@ -134,8 +134,8 @@ def test_the_matrix_follows_a_threshold_while_it_is_dragged(loaded: Calibrator, 
     assert not np.array_equal(bench.confusion.counts, counts)
     expected = LabelledFeatures(read_recordings(tmp_path / "corpus"), during).confusion(during)
     np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
-    np.testing.assert_array_equal(bench.lanes.lanes.confusion.answers, expected.answers)
-    QTest.mouseRelease(bench.spread, LEFT)
+    np.testing.assert_array_equal(bench.timeline.lanes.confusion.answers, expected.answers)
+    QTest.mouseRelease(bench.distribution, LEFT)
     press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
     loaded.settle()
     assert preset.preset == before  # one drag, one undo
@@ -144,7 +144,7 @@ def test_the_matrix_follows_a_threshold_while_it_is_dragged(loaded: Calibrator, 
 
 def test_arrow_keys_move_the_chosen_threshold(loaded: Calibrator):
     show(loaded, "m_szsch1")
-    spread, preset = bench_of(loaded).spread, loaded.booth.desktop.preset
+    spread, preset = bench_of(loaded).distribution, loaded.booth.desktop.preset
     spread.setFocus()
     before = {line.name: line.value for line in spread.lines}
     QTest.keyClick(spread, Qt.Key.Key_Right)
@@ -163,7 +163,7 @@ def test_limits_of_own_rules_are_lines_that_can_be_dragged(loaded: Calibrator):
     preset.edit(replace(preset.preset, recogniser="rules", rules=own), "own rules")
     loaded.settle()
     show(loaded, "zero_crossings")
-    spread = bench_of(loaded).spread
+    spread = bench_of(loaded).distribution
     assert [line.value for line in spread.lines] == [300.0]
     assert [line.label for line in spread.lines] == ["sz, a"]
     drag_line(loaded, spread.lines[0].name, 150.0)
@@ -177,16 +177,16 @@ def test_a_sensitivity_is_a_line_that_can_be_dragged_and_the_matrix_follows(load
     preset.set_recogniser("templates")
     loaded.settle()
     show(loaded, "deficit_a")
-    distribution = loaded.model.bench.distribution
+    distribution = loaded.model.workbench.distribution
     assert distribution is not None
     assert distribution.spreads[Phoneme.A].median < min(
         s.median for p, s in distribution.spreads.items() if p is not Phoneme.A
     )
-    before = loaded.model.bench.confusion
+    before = loaded.model.workbench.confusion
     drag_line(loaded, "sensitivity_a", 8.0)
     loaded.settle()
     assert preset.preset.sensitivities[Phoneme.A] == pytest.approx(8.0, abs=0.5)
-    after = loaded.model.bench.confusion
+    after = loaded.model.workbench.confusion
     assert before is not None
     assert after is not None
     assert np.count_nonzero(after.answers == Phoneme.A) > np.count_nonzero(before.answers == Phoneme.A)
@@ -197,9 +197,9 @@ def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrato
     choose(variables.one, "i")
     choose(variables.other, "u")
     click(variables.search)
-    loaded.until(lambda: loaded.model.bench.suggestions)
+    loaded.until(lambda: loaded.model.workbench.suggestions)
     loaded.settle()
-    best = loaded.model.bench.suggestions[0].variable
+    best = loaded.model.workbench.suggestions[0].variable
     assert variables.table.item(0, 0).text() == f"+ {best.low:.0f}–{best.high:.0f} Hz {best.kind}"
     table = variables.table
     QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
@@ -207,13 +207,13 @@ def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrato
     loaded.settle()
     assert preset.preset.variables == (best,)
     assert best.kind in set(Kind)
-    assert best.name in {r.variable for r in loaded.model.bench.ranking}
+    assert best.name in {r.variable for r in loaded.model.workbench.ranking}
     press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
     assert preset.preset.variables == ()
 
 
 def test_a_suggestion_shows_its_range_and_its_distribution_before_it_is_added(loaded: Calibrator):
-    bench, variables, spread = loaded.model.bench, bench_of(loaded).variables, bench_of(loaded).spread
+    bench, variables, spread = loaded.model.workbench, bench_of(loaded).variables, bench_of(loaded).distribution
     choose(variables.one, "i")
     choose(variables.other, "u")
     click(variables.search)
@@ -246,7 +246,7 @@ def test_a_suggestion_says_where_the_recogniser_cannot_use_it(loaded: Calibrator
     choose(variables.one, "i")
     choose(variables.other, "u")
     click(variables.search)
-    loaded.until(lambda: loaded.model.bench.suggestions)
+    loaded.until(lambda: loaded.model.workbench.suggestions)
     loaded.settle()
     assert variables.words.isVisible()
     recogniser = loaded.booth.desktop.preset.preset.recogniser
@@ -261,13 +261,13 @@ def test_matrix_and_lanes_are_copied_as_tables_and_saved_as_pictures(loaded: Cal
     rows = copied(bench.confusion.menu, QPoint(9, 9))
     assert rows[0][:2] == ["said", "recognised as silence (frames of 10 ms)"]
     assert sum(int(cell) for row in rows[1:] for cell in row[1:]) == bench.confusion.counts.sum()
-    rows = copied(bench.lanes.menu, QPoint(9, 9))
+    rows = copied(bench.timeline.menu, QPoint(9, 9))
     assert rows[0] == ["recording", "time (s)", "said", "recognised"]
     assert len(rows) > 50
     monkeypatch.setattr(
         dialogs.QFileDialog, "getSaveFileName", lambda *a, **_k: (str(tmp_path / Path(a[2]).name), "")
     )
-    for plot in (bench.spread, bench.confusion, bench.lanes):
+    for plot in (bench.distribution, bench.confusion, bench.timeline):
         choose_entry(plot.menu, "Save Picture…")
     saved = sorted(path.name for path in tmp_path.glob("*.png"))
     assert saved == ["confusion matrix.png", "distribution.png", "said and recognised.png"]
@@ -284,9 +284,9 @@ def test_a_cell_lists_its_stretches_and_a_click_plays_one_to_its_end(loaded: Cal
     )
     box = bench.confusion.cell_rect(SAID.index(truth), TAKEN.index(answer))
     QTest.mouseClick(bench.confusion, LEFT, pos=box.center().toPoint())
-    rows = bench.stretches.rows
+    rows = bench.segments.rows
     assert sum(round((row.end - row.start) * 100) for row in rows) == counts[truth, answer]
-    table = bench.stretches
+    table = bench.segments
     QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
     session = loaded.booth.desktop.session
     assert session.path == rows[0].path
@@ -297,13 +297,13 @@ def test_a_cell_lists_its_stretches_and_a_click_plays_one_to_its_end(loaded: Cal
 
 def test_a_click_in_the_lanes_plays_what_was_said_there(loaded: Calibrator):
     bench, session = bench_of(loaded), loaded.booth.desktop.session
-    lanes = bench.lanes.lanes
+    lanes = bench.timeline.lanes
     second = lanes.confusion.edges[1]
     lanes.scale = 1.0
-    bench.lanes.show_frame(1, 0.5)
+    bench.timeline.show_frame(1, 0.5)
     x = 76 + (second + 50 - lanes.first) * lanes.scale
-    QTest.mouseClick(bench.lanes, LEFT, pos=QPoint(round(x), 20))
-    assert session.path == loaded.model.bench.utterances[1].path
+    QTest.mouseClick(bench.timeline, LEFT, pos=QPoint(round(x), 20))
+    assert session.path == loaded.model.workbench.utterances[1].path
     assert session.position == pytest.approx(0.15, abs=0.06)  # a begins at 0.3 s
 
 
@@ -326,7 +326,7 @@ def test_a_fit_is_shown_accepted_and_undone(loaded: Calibrator):
     click(fit.accept, 10)
     loaded.settle()
     assert preset.preset.thresholds == report.preset.thresholds
-    assert loaded.model.bench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
+    assert loaded.model.workbench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
     press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
     assert preset.preset == before
 
@@ -343,26 +343,26 @@ def test_a_fit_that_is_cancelled_changes_nothing(loaded: Calibrator):
 
 
 def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(loaded: Calibrator):
-    rival = bench_of(loaded).rival
+    compare = bench_of(loaded).compare
     bench_of(loaded).tabs.setCurrentIndex(2)
-    choose_preset(rival.box, "thesis-anti-aliased")
-    loaded.until(lambda: loaded.model.rival.comparison is not None)
+    choose_preset(compare.box, "thesis-anti-aliased")
+    loaded.until(lambda: loaded.model.comparison.result is not None)
     loaded.settle()
     other = load_preset(FACTORY / "thesis-anti-aliased.toml")
-    expected = LabelledFeatures(loaded.model.bench.utterances, other).confusion(other)
-    np.testing.assert_array_equal(loaded.model.rival.confusion.counts, expected.counts)
-    assert rival.figures.item(0, 1).text() == f"{expected.macro_f1:.1%}"
-    own = loaded.model.bench.confusion
+    expected = LabelledFeatures(loaded.model.workbench.utterances, other).confusion(other)
+    np.testing.assert_array_equal(loaded.model.comparison.confusion.counts, expected.counts)
+    assert compare.figures.item(0, 1).text() == f"{expected.macro_f1:.1%}"
+    own = loaded.model.workbench.confusion
     right = own.answers == own.labels.phonemes
     others = expected.answers == own.labels.phonemes
-    assert int(loaded.model.rival.comparison.only_one.sum()) == int(np.sum(right & ~others))
-    click(rival.difference)
+    assert int(loaded.model.comparison.result.only_one.sum()) == int(np.sum(right & ~others))
+    click(compare.difference)
     share = bench_of(loaded).confusion.share(0, 0)
     shares = [c.counts[0, 0] / c.counts[0].sum() for c in (own, expected)]
     assert share == pytest.approx(shares[0] - shares[1])
-    before = loaded.model.rival.comparison
+    before = loaded.model.comparison.result
     loaded.booth.desktop.preset.tune("silence_energy", 0.0)
-    loaded.until(lambda: loaded.model.rival.comparison is not before)
+    loaded.until(lambda: loaded.model.comparison.result is not before)
 
 
 def choose_preset(box: object, name: str) -> None:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from phonemeanalyser.desktop.painting import set_size
+from phonemeanalyser.desktop.painting import format_clock, set_size
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import Theme
 
@@ -81,7 +81,7 @@ class PositionSlider(QWidget):
             if x > self.width() - 24:
                 break
             painter.fillRect(QRectF(x, 14, 1, 4), QColor(self._theme.faint))
-            painter.drawText(QRectF(x + 2, 17, 50, 12), clock_of(k * spacing, spacing < 1))
+            painter.drawText(QRectF(x + 2, 17, 50, 12), format_clock(k * spacing, spacing < 1))
 
     def _seek(self, event: QMouseEvent) -> None:
         share = min(max((event.position().x() - 6) / max(1, self.width() - 12), 0.0), 1.0)
@@ -89,11 +89,3 @@ class PositionSlider(QWidget):
 
     def _x_of(self, seconds: float) -> float:
         return 6 + seconds / max(self._session.duration, 1e-6) * (self.width() - 12)
-
-
-def clock_of(seconds: float, fine: bool) -> str:
-    """Write seconds as 1:02:03.4, without hours where there are none."""
-    minutes, rest = divmod(seconds, 60)
-    hours, minutes = divmod(int(minutes), 60)
-    tail = f"{int(rest * 10) / 10:04.1f}" if fine else f"{int(rest):02d}"
-    return f"{hours}:{minutes:02d}:{tail}" if hours else f"{minutes}:{tail}"
