@@ -42,7 +42,8 @@ def test_no_class_is_called_as_another_one() -> None:
 
 
 def test_no_public_name_hides_one_of_python() -> None:
-    known = {name for module in PYTHON_S_OWN for name in dir(importlib.import_module(module))}
+    modules_of_python = map(importlib.import_module, PYTHON_S_OWN)
+    known = {name for module in modules_of_python for name in getattr(module, "__all__", dir(module))}
     public = [
         (name, str(path)) for path, module in modules() for name in names_in(module) if not name.startswith("_")
     ]

@@ -9,7 +9,7 @@ from types import ModuleType
 
 from phonemeanalyser.cli.arguments import add_log
 from phonemeanalyser.logs import logged_to
-from phonemeengine.errors import EngineError
+from phonemeengine import EngineError
 
 COMMANDS = {
     "adapt": "Calibrate a preset to the takes or labelled recordings of one voice, or to a room alone.",
