@@ -39,7 +39,7 @@ class FrameBlock:
 
     Attributes
     ----------
-    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters.
+    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters, bin k at k x 21.53 Hz.
     mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
     waveforms : float32, shape (n_frames, n_samples): the windows after the filters of the time domain.
     features : the measured variables.
@@ -49,6 +49,9 @@ class FrameBlock:
     mel: Float32Array | None
     waveforms: Float32Array
     features: Features
+
+    def __len__(self) -> int:
+        return len(self.spectra)
 
     def part(self, frames: slice) -> "FrameBlock":
         """Return some of the frames of the block, as a block."""
