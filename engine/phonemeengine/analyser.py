@@ -212,8 +212,7 @@ class Analyser:
         phonemes = recognised = recognition.phonemes
         levels = measured.features["volume"]
         if recognition.scores is not None:
-            columns = measured.features.with_columns(self._recogniser.scores, recognition.scores)
-            measured = replace(measured, features=columns)
+            measured = measured.with_columns(self._recogniser.scores, recognition.scores)
         if settings.statistics:
             wavers = self._statistics.has_change(recognised)
             deficits = self._recogniser.deficits(measured.features) if wavers else None

@@ -58,6 +58,10 @@ class FrameBlock:
         mel = None if self.mel is None else self.mel[frames]
         return FrameBlock(self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames))
 
+    def with_columns(self, names: tuple[str, ...], values: Float32Array) -> "FrameBlock":
+        """Return the same with more features, shape (n_frames, n_more)."""
+        return FrameBlock(self.spectra, self.mel, self.waveforms, self.features.with_columns(names, values))
+
 
 class FrontEnd:
     """The filters of one front end, from raw frames to measured variables; remembers the time smoothing.
