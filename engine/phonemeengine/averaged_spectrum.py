@@ -8,7 +8,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CurveError
-from phonemeengine.files import atomic_write
+from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.settings import BIN_WIDTH
 
 FORMAT = "phonemeanalyser curve 1"
@@ -111,7 +111,7 @@ def save_averaged_spectrum(curve: AveragedSpectrum, path: Path) -> None:
         with atomic_write(path) as file:
             file.write("".join(line + "\n" for line in lines).encode(errors="replace"))
     except OSError as error:
-        raise CurveError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
+        raise CurveError(f"{path.name}: cannot be written ({reason_of(error)}); choose another folder") from error
 
 
 def load_averaged_spectrum(path: Path) -> AveragedSpectrum:
@@ -128,7 +128,7 @@ def load_averaged_spectrum(path: Path) -> AveragedSpectrum:
     except UnicodeDecodeError as error:
         raise CurveError(f"{path.name}: this is not a text file; choose one saved by Save Curve") from error
     except OSError as error:
-        raise CurveError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
+        raise CurveError(f"{path.name}: cannot be read ({reason_of(error)}); check the file") from error
     try:
         return _parse(lines)
     except ValueError as error:

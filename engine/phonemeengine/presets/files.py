@@ -7,7 +7,7 @@ from importlib import resources
 from pathlib import Path
 
 from phonemeengine.errors import EngineError, ModelError, PresetError
-from phonemeengine.files import atomic_write
+from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
 from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
@@ -56,7 +56,7 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
         if path.name == str(path) and not path.suffix and not path.exists():
             known = ", ".join(sorted(_names()))
             raise PresetError(f"{path}: there is no such preset; name a file, or one of {known}") from None
-        raise PresetError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
+        raise PresetError(f"{path.name}: cannot be read ({reason_of(error)}); check the file") from error
     try:
         if path.suffix.lower() == ".toml":
             return preset_from_toml(text, path.parent)
@@ -164,4 +164,4 @@ def _write(path: Path, content: bytes) -> None:
         with atomic_write(path) as file:
             file.write(content)
     except OSError as error:
-        raise PresetError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
+        raise PresetError(f"{path.name}: cannot be written ({reason_of(error)}); choose another folder") from error

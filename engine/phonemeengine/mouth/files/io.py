@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from phonemeengine.errors import MeshError
-from phonemeengine.files import atomic_write
+from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
@@ -104,7 +104,7 @@ def _content_of(path: Path, largest: int) -> bytes:
             )
         return path.read_bytes()
     except OSError as error:
-        raise MeshError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
+        raise MeshError(f"{path.name}: cannot be read ({reason_of(error)}); check the file") from error
 
 
 def _beside(folder: Path) -> Beside:
@@ -127,4 +127,4 @@ def _write(path: Path, content: bytes) -> None:
         with atomic_write(path) as file:
             file.write(content)
     except OSError as error:
-        raise MeshError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
+        raise MeshError(f"{path.name}: cannot be written ({reason_of(error)}); choose another folder") from error
