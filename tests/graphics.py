@@ -38,7 +38,7 @@ def context() -> Iterator[moderngl.Context]:
 
 
 @pytest.fixture
-def photographer() -> Iterator[Callable[..., OffscreenRenderer]]:
+def offscreen() -> Iterator[Callable[..., OffscreenRenderer]]:
     """Makes photographers of figures, who leave at the end."""
     context_or_skip().release()
     made: list[OffscreenRenderer] = []

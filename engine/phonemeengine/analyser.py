@@ -7,24 +7,30 @@ frames, and the result does not depend on how the sound was cut.
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import Framer
+from phonemeengine.errors import SettingsError
 from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.intensity import intensities_of
-from phonemeengine.recognition.recogniser import NEED_WAVEFORM, Recogniser, recogniser_of
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.smoothing import PhonemeSmoother
+from phonemeengine.recognition.spec import Recogniser, recogniser_of, spec_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
 BLOCK = 512
 """Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
+
+HELD_FRAMES = 5
+"""Frames for which a single window is taken to last: with fewer or more, the network is right less often."""
 
 PRE_ROLL = 100
 """Frames before a place in a sound that are analysed unseen, so that the filters know their past."""
@@ -141,7 +147,7 @@ class Analyser:
         self._preset = preset
         self._framer = Framer()
         self._path = self._path_of(preset)
-        self._recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        self._recogniser = recogniser_of(preset.recogniser, preset.config)
         self._statistics = _statistics_of(preset)
         self._waiting = LookAheadBuffer()
         self._unasked = False
@@ -165,8 +171,8 @@ class Analyser:
         EngineError : its recogniser cannot be made; everything stays as it was.
         """
         old, recogniser = self._preset, self._recogniser
-        if (preset.recogniser, preset.tuning) != (old.recogniser, old.tuning):
-            recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        if (preset.recogniser, preset.config) != (old.recogniser, old.config):
+            recogniser = recogniser_of(preset.recogniser, preset.config)
         self._preset = preset
         if self._path_key(preset) != self._path_key(old):
             self._change_path(preset)
@@ -178,10 +184,6 @@ class Analyser:
     def push(self, samples: Float32Array) -> Analysis:
         """Take the next samples (float32, shape (n,), 44.1 kHz, ±1) and analyse the frames they complete."""
         return self._analyse(self._framer.cut_frames(samples))
-
-    def push_windows(self, windows: Float32Array) -> Analysis:
-        """Analyse windows that the caller cut, shape (n, 2048), as if they followed each other every 10 ms."""
-        return self._analyse(windows)
 
     def finish(self) -> Analysis:
         """Analyse the last frames, with silence after the end of the sound."""
@@ -202,7 +204,7 @@ class Analyser:
         return concatenate_analyses(found) if found else self._recognise(self._path.nothing())
 
     def _recognise(self, measured: FrameBlock) -> Analysis:
-        recognition = self._recogniser.recognise(measured.features)
+        recognition = self._recogniser.recognise(measured.windows, measured.features)
         if self._recogniser.look_ahead:
             measured = self._waiting.delay(measured, len(recognition.phonemes))
         return self._completed(measured, recognition)
@@ -223,19 +225,21 @@ class Analyser:
         return Analysis(start, measured, recognised, phonemes, intensities, settings)
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
-        if self._phonemes_only and preset.recogniser in NEED_WAVEFORM:
+        if self._leaves_features_out(preset):
             return LevelFrontEnd()
         return FrontEnd(preset.settings, preset.variables, pitch=self._pitch)
 
     def _path_key(self, preset: Preset) -> object:
-        hears = self._phonemes_only and preset.recogniser in NEED_WAVEFORM
-        return hears, preset.settings, preset.variables
+        return self._leaves_features_out(preset), preset.settings, preset.variables
+
+    def _leaves_features_out(self, preset: Preset) -> bool:
+        return self._phonemes_only and not spec_of(preset.recogniser).needs_features
 
     def _change_path(self, preset: Preset) -> None:
         old, self._path = self._path, self._path_of(preset)
         waiting = self._waiting.clear()
         if waiting is not None:
-            self._waiting.delay(self._path.measure(waiting.features.windows), 0)
+            self._waiting.delay(self._path.measure(waiting.windows), 0)
         self._path.resume(old)
 
     def _change_recogniser(self, recogniser: Recogniser) -> None:
@@ -254,6 +258,45 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
         intensities=np.concatenate([a.intensities for a in analyses]),
         settings=analyses[-1].settings,
     )
+
+
+class Reading(NamedTuple):
+    """A phoneme, and how loud it is, 0..1."""
+
+    phoneme: Phoneme = Phoneme.SILENCE
+    intensity: float = 0.0
+
+
+def latest_reading(newest: Analysis | None) -> Reading:
+    """Return the last frame of a block; silence where there is none yet."""
+    if newest is None or len(newest) == 0:
+        return Reading()
+    return Reading(Phoneme(int(newest.phonemes[-1])), float(newest.intensities[-1]))
+
+
+def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
+    """Return the phoneme and the intensity of one analysis buffer at once, as the engine of the thesis did.
+
+    Nothing is waited for and nothing remembered. Recognisers that look at frames alone (``thesis``, ``extended``,
+    ``templates``) answer as in running speech, but for its calming; the network ``learned`` lives on what came
+    before, takes the window for a sound that holds, and is right far less often than with `Analyser.push`.
+
+    Parameters
+    ----------
+    buffer : 2048 samples, mono, 44.1 kHz, ±1, shape (2048,); the answer is about their middle.
+    preset : what to recognise with.
+
+    Raises
+    ------
+    SettingsError : the buffer has another shape.
+    EngineError : the preset's recogniser cannot be used.
+    """
+    window = np.asarray(buffer, np.float32)
+    if window.shape != (WINDOW,):
+        raise SettingsError(f"an analysis buffer has the shape ({WINDOW},), got {window.shape}; give one of mono")
+    at_once = replace(preset, settings=replace(preset.settings, look_ahead=0.0))
+    held = np.repeat(window[np.newaxis], HELD_FRAMES, axis=0)
+    return latest_reading(Analyser(at_once, phonemes_only=True)._analyse(held))
 
 
 def _statistics_key(preset: Preset) -> object:

@@ -28,7 +28,7 @@ from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
-from phonemeengine.mouth.utterance import utterance_of
+from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.presets.files import load_preset
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -67,9 +67,9 @@ def run(options: argparse.Namespace) -> int:
         actor = AnimationPlayer(figure, _animation_of(reader, options))
         if options.out.suffix.lower() == ".gif" and (reason := why_no_gif(len(actor), options.fps)):
             raise RenderingError(reason)
-        with OffscreenRenderer(figure, options.size) as photographer:
+        with OffscreenRenderer(figure, options.size) as offscreen:
             background = colour_of({"light": LIGHT, "dark": DARK}[options.theme].window)
-            _write(options, reader, len(actor), _pictures_of(actor, figure, photographer, background))
+            _write(options, reader, len(actor), _pictures_of(actor, figure, offscreen, background))
     return 0
 
 
@@ -99,20 +99,20 @@ def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation
     life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     table, preset = load_table(options.table), load_preset(options.preset)
     name = printable_name(options.file)
-    speech = utterance_of(analyse_with_progress(reader, preset, pitch=life.head), name, reader.duration)
+    speech = transcript_of(analyse_with_progress(reader, preset, pitch=life.head), name, reader.duration)
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
     return animation_of(speech, cues, table, options.fps, life)
 
 
 def _pictures_of(
-    actor: AnimationPlayer, figure: MorphMesh, photographer: OffscreenRenderer, background: tuple[float, float, float]
+    actor: AnimationPlayer, figure: MorphMesh, offscreen: OffscreenRenderer, background: tuple[float, float, float]
 ) -> Iterator[UInt8Array]:
     """Take the pictures with a progress bar."""
     camera = Camera.facing(figure.mesh).orbit(ASIDE, ABOVE)
     scenes = tqdm(actor.scenes(), total=len(actor), unit="frame", disable=None, leave=False, file=sys.stderr)
     for positions, pose in scenes:
-        yield photographer.picture(camera, positions, pose, background=background)
+        yield offscreen.picture(camera, positions, pose, background=background)
 
 
 def _write(options: argparse.Namespace, reader: SoundReader, n_frames: int, pictures: Iterable[UInt8Array]) -> None:

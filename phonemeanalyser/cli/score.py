@@ -15,10 +15,11 @@ from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset, printable
 from phonemeanalyser.reports.text import text_of
+from phonemeengine.calibration.scores import evaluation
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, AddedNoise, NoiseAdder, NoiseKind
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
-from phonemeengine.calibration.scores.evaluation import CorpusScores, score_corpus
+from phonemeengine.calibration.scores.evaluation import CorpusScores
 from phonemeengine.errors import AudioError, CorpusError, PresetError
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
 from phonemeengine.presets.files import load_preset
@@ -73,7 +74,7 @@ def run(options: argparse.Namespace) -> int:
     for named in presets:
         adder = None if noise is None else NoiseAdder(noise, utterances)
         scored.append(ScoredPreset(named.title, _scored(utterances, named, options.lag / 1000, adder, troubles)))
-        utterances = tuple(answers.utterance for answers in scored[-1].scores.answers)
+        utterances = tuple(p.utterance for p in scored[-1].scores.predictions)
     comparison = compare(*(preset.scores for preset in scored)) if len(scored) > 1 else None
     report = Report(options.corpus, tuple(scored), comparison, noise, tuple(troubles.sentences))
     _write(report, options.kind or KINDS.get((options.out or Path()).suffix.lower(), "text"), options.by, options.out)
@@ -96,18 +97,18 @@ def _recordings_in(
 ) -> tuple[Utterance, ...]:
     if not folder.exists():
         raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")
-    utterances = read_recordings(folder, mapping, channel=channel, passed_over=troubles.push)
+    utterances = read_recordings(folder, mapping, channel=channel, on_skipped=troubles.push)
     say_cut_off(utterances)
     return utterances
 
 
 def _scored(
-    utterances: Sequence[Utterance], named: Named, lag: float, adder: NoiseAdder | None, troubles: _Troubles
+    utterances: Sequence[Utterance], named: Named, delay: float, adder: NoiseAdder | None, troubles: _Troubles
 ) -> CorpusScores:
     with tqdm(
         utterances, desc=named.title, unit="recording", leave=False, delay=1, disable=None, file=sys.stderr
     ) as progress:
-        return score_corpus(progress, named.preset, lag=lag, noise=adder, passed_over=troubles.push)
+        return evaluation.score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push)
 
 
 def _presets_of(first: Path, against: Path | None) -> list[Named]:

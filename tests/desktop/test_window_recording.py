@@ -207,7 +207,7 @@ def test_closing_the_window_finishes_the_recording(booth: Booth, mic: HandDriven
     assert booth.window.close()
     booth.desktop.session.close()
     np.testing.assert_array_equal(samples_in(booth.studio.take)[:, 0], known(0, 50))
-    assert booth.studio.model.unfinished() == []
+    assert booth.studio.model.interrupted_recordings() == []
 
 
 def test_the_recordings_folder_is_chosen_shown_and_kept(

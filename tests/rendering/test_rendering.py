@@ -26,10 +26,10 @@ from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
-from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined, photographer, seen
+from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined, offscreen, seen
 from tests.meshes import cube, figure_of_cube
 
-__all__ = ["context", "photographer"]  # fixtures
+__all__ = ["context", "offscreen"]  # fixtures
 Hire = Callable[..., OffscreenRenderer]
 
 
@@ -55,10 +55,10 @@ def irises(picture: Picture) -> NDArray[np.int_]:
     return np.argwhere((blue > red + 12) & seen(picture))
 
 
-def test_closed_lips_hide_the_dark_of_the_mouth_and_open_ones_show_it(head: MorphMesh, photographer: Hire):
+def test_closed_lips_hide_the_dark_of_the_mouth_and_open_ones_show_it(head: MorphMesh, offscreen: Hire):
     camera = Camera.facing(head.mesh)
     shown = {
-        phoneme: photographer(head).picture(camera, saying(head, phoneme), background=LIGHT)
+        phoneme: offscreen(head).picture(camera, saying(head, phoneme), background=LIGHT)
         for phoneme in (Phoneme.SILENCE, Phoneme.M, Phoneme.E, Phoneme.A)
     }
     mouth = slice(140, 190), slice(90, 150)
@@ -69,19 +69,19 @@ def test_closed_lips_hide_the_dark_of_the_mouth_and_open_ones_show_it(head: Morp
     assert np.array_equal(shown[Phoneme.M][forehead], shown[Phoneme.SILENCE][forehead])
 
 
-def test_from_the_other_side_the_head_is_its_mirror_image(head: MorphMesh, photographer: Hire):
+def test_from_the_other_side_the_head_is_its_mirror_image(head: MorphMesh, offscreen: Hire):
     camera, shown = Camera.facing(head.mesh), []
     for side in (1, -1):
-        picture = photographer(head).picture(camera.orbit(side * 0.7, 0.1), head.mesh.positions, background=DARK)
+        picture = offscreen(head).picture(camera.orbit(side * 0.7, 0.1), head.mesh.positions, background=DARK)
         shown.append(seen(picture))
     right, left = shown[0], shown[1][:, ::-1]
     assert (right & left).sum() > 0.985 * (right | left).sum()
     assert (right & left[:, ::-1]).sum() < 0.9 * (right | left[:, ::-1]).sum()
 
 
-def test_nobody_looks_through_an_open_mouth(head: MorphMesh, photographer: Hire):
+def test_nobody_looks_through_an_open_mouth(head: MorphMesh, offscreen: Hire):
     positions, camera = saying(head, Phoneme.A), Camera.facing(head.mesh).zoom(6)
-    hired = photographer(head, (320, 320))
+    hired = offscreen(head, (320, 320))
     for azimuth in (-1.2, -0.6, 0.0, 0.6, 1.2):
         for elevation in (-0.5, 0.0, 0.5):
             picture = hired.picture(camera.orbit(azimuth, elevation), positions, background=MAGENTA)
@@ -90,8 +90,8 @@ def test_nobody_looks_through_an_open_mouth(head: MorphMesh, photographer: Hire)
             assert np.array_equal(binary_fill_holes(head_alone)[face], head_alone[face])
 
 
-def test_wires_let_the_background_through_and_reach_no_farther_than_the_skin(head: MorphMesh, photographer: Hire):
-    hired, camera = photographer(head, (640, 640)), Camera.facing(head.mesh)
+def test_wires_let_the_background_through_and_reach_no_farther_than_the_skin(head: MorphMesh, offscreen: Hire):
+    hired, camera = offscreen(head, (640, 640)), Camera.facing(head.mesh)
     skin, wires = (
         seen(hired.picture(camera, head.mesh.positions, background=LIGHT, wireframe=wireframe))
         for wireframe in (False, True)
@@ -102,9 +102,9 @@ def test_wires_let_the_background_through_and_reach_no_farther_than_the_skin(hea
 
 @pytest.mark.parametrize("size", [(16, 16), (101, 57), (57, 101), (640, 480)])
 def test_a_picture_has_the_size_that_was_asked_for_and_all_of_the_head(
-    size: tuple[int, int], head: MorphMesh, photographer: Hire
+    size: tuple[int, int], head: MorphMesh, offscreen: Hire
 ):
-    picture = photographer(head, size).picture(Camera.facing(head.mesh), head.mesh.positions, background=DARK)
+    picture = offscreen(head, size).picture(Camera.facing(head.mesh), head.mesh.positions, background=DARK)
     assert picture.shape == (size[1], size[0], 3)
     shown = seen(picture)
     edges = np.concatenate((shown[0], shown[-1], shown[:, 0], shown[:, -1]))
@@ -113,16 +113,16 @@ def test_a_picture_has_the_size_that_was_asked_for_and_all_of_the_head(
     assert max(np.ptp(rows) / size[1], np.ptp(columns) / size[0]) > 0.45
 
 
-def test_pictures_may_change_their_size(head: MorphMesh, photographer: Hire):
+def test_pictures_may_change_their_size(head: MorphMesh, offscreen: Hire):
     camera, positions = Camera.facing(head.mesh), head.mesh.positions
-    hired = photographer(head, (64, 48))
+    hired = offscreen(head, (64, 48))
     for size in ((80, 101), (64, 48)):
         hired.resize(size)
-        wanted = photographer(head, size).picture(camera, positions, background=DARK)
+        wanted = offscreen(head, size).picture(camera, positions, background=DARK)
         assert np.array_equal(hired.picture(camera, positions, background=DARK), wanted)
 
 
-def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: MorphMesh, photographer: Hire):
+def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: MorphMesh, offscreen: Hire):
     """Teeth, which are the whitest of all but the eyes, are painted magenta."""
     with np.load(HEAD, allow_pickle=False) as file:
         teeth = np.isin(file["part"], (2, 5))
@@ -130,7 +130,7 @@ def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: MorphMesh, pho
     colours[teeth] = MAGENTA
     painted = replace(head, mesh=replace(head.mesh, colours=colours))
     for figure in (painted, subdivided(painted)):
-        hired, camera = photographer(figure, (300, 300)), Camera.facing(figure.mesh).zoom(10).pan(0.0, -0.16)
+        hired, camera = offscreen(figure, (300, 300)), Camera.facing(figure.mesh).zoom(10).pan(0.0, -0.16)
         n_seen = {
             phoneme: max(
                 _n_magenta(hired.picture(camera.orbit(azimuth, 0.0), saying(figure, phoneme), background=DARK))
@@ -149,21 +149,21 @@ def _n_magenta(picture: Picture) -> int:
 
 
 @pytest.mark.parametrize("colour", ["#1f2228", "#f3f4f6", "#000000", "#ffffff"])
-def test_the_background_has_exactly_the_colour_of_the_theme(colour: str, head: MorphMesh, photographer: Hire):
-    picture = photographer(head, (64, 64)).picture(
+def test_the_background_has_exactly_the_colour_of_the_theme(colour: str, head: MorphMesh, offscreen: Hire):
+    picture = offscreen(head, (64, 64)).picture(
         Camera.facing(head.mesh), head.mesh.positions, background=colour_of(colour)
     )
     assert bytes(picture[0, 0]).hex() == bytes(picture[-1, -1]).hex() == colour[1:]
 
 
-def test_the_same_head_looks_the_same_in_every_picture(head: MorphMesh, photographer: Hire):
+def test_the_same_head_looks_the_same_in_every_picture(head: MorphMesh, offscreen: Hire):
     camera, positions = Camera.facing(head.mesh).orbit(0.3, 0.1), saying(head, Phoneme.O)
-    hired = photographer(head)
+    hired = offscreen(head)
     first = hired.picture(camera, positions, background=DARK)
     other = hired.picture(camera, saying(head, Phoneme.I), background=DARK)
     again = hired.picture(camera, saying(head, Phoneme.O), background=DARK)
     assert np.array_equal(first, again)
-    assert np.array_equal(first, photographer(head).picture(camera, positions, background=DARK))
+    assert np.array_equal(first, offscreen(head).picture(camera, positions, background=DARK))
     assert not np.array_equal(first, other)
 
 
@@ -172,9 +172,9 @@ def test_the_same_head_looks_the_same_in_every_picture(head: MorphMesh, photogra
     [(HeadPose(yaw=15), 1, 1), (HeadPose(yaw=-15), 1, -1), (HeadPose(pitch=12), 0, -1), (HeadPose(pitch=-12), 0, 1)],
 )
 def test_a_head_that_turns_takes_its_eyes_along(
-    pose: HeadPose, axis: int, sign: int, head: MorphMesh, photographer: Hire
+    pose: HeadPose, axis: int, sign: int, head: MorphMesh, offscreen: Hire
 ):
-    hired, camera = photographer(head), Camera.facing(head.mesh)
+    hired, camera = offscreen(head), Camera.facing(head.mesh)
     ahead, turned = (
         irises(hired.picture(camera, head.mesh.positions, how, background=LIGHT)).mean(axis=0)
         for how in (HeadPose(), pose)
@@ -182,16 +182,16 @@ def test_a_head_that_turns_takes_its_eyes_along(
     assert sign * (turned - ahead)[axis] > 5
 
 
-def test_a_head_that_rolls_to_its_left_shoulder_lowers_its_left_eye(head: MorphMesh, photographer: Hire):
+def test_a_head_that_rolls_to_its_left_shoulder_lowers_its_left_eye(head: MorphMesh, offscreen: Hire):
     camera = Camera.facing(head.mesh)
-    picture = photographer(head).picture(camera, head.mesh.positions, HeadPose(roll=12), background=LIGHT)
+    picture = offscreen(head).picture(camera, head.mesh.positions, HeadPose(roll=12), background=LIGHT)
     rows, columns = irises(picture).T
     left_eye = columns > columns.mean()  # it is on the viewer's right
     assert rows[left_eye].mean() > rows[~left_eye].mean() + 5
 
 
-def test_the_neck_stays_where_it_is_when_the_head_turns(head: MorphMesh, photographer: Hire):
-    hired, camera = photographer(head), Camera.facing(head.mesh)
+def test_the_neck_stays_where_it_is_when_the_head_turns(head: MorphMesh, offscreen: Hire):
+    hired, camera = offscreen(head), Camera.facing(head.mesh)
     ahead, turned = (
         seen(hired.picture(camera, head.mesh.positions, how, background=LIGHT))
         for how in (HeadPose(), HeadPose(15, 8, 5))
@@ -202,16 +202,16 @@ def test_the_neck_stays_where_it_is_when_the_head_turns(head: MorphMesh, photogr
 
 
 @pytest.mark.parametrize("azimuth", [-1.2, 1.2])
-def test_the_side_that_the_light_comes_from_is_the_bright_one(azimuth: float, photographer: Hire):
-    hired = photographer(MorphMesh(ball()))
+def test_the_side_that_the_light_comes_from_is_the_bright_one(azimuth: float, offscreen: Hire):
+    hired = offscreen(MorphMesh(ball()))
     camera = Camera.facing(ball())
     picture = hired.picture(camera, ball().positions, background=DARK, light=Light(azimuth, 0.0)).astype(float)
     left, right = picture[60:180, 60:120].mean(), picture[60:180, 120:180].mean()
     assert (right - left) * azimuth > 10
 
 
-def test_without_light_everything_is_black_but_the_background(photographer: Hire):
-    picture = photographer(MorphMesh(ball())).picture(
+def test_without_light_everything_is_black_but_the_background(offscreen: Hire):
+    picture = offscreen(MorphMesh(ball())).picture(
         Camera.facing(ball()), ball().positions, background=LIGHT, light=Light(strength=0.0)
     )
     assert picture[120, 120].max() == 0
@@ -222,34 +222,34 @@ LARGE, SMALL = ball(), ball(0.2)
 ASKANCE = replace(Camera.facing(LARGE), azimuth=0.9)
 
 
-def darkened(photographer: Hire, *, fine: bool) -> NDArray[np.int_]:
+def darkened(offscreen: Hire, *, fine: bool) -> NDArray[np.int_]:
     """Tell by how much a small ball between a large one and the light darkens it; the camera looks past it."""
     scene = joined(LARGE, replace(SMALL, positions=SMALL.positions + np.float32((0.0, 0.0, 1.6))))
     aside = scene.positions.copy()
     aside[len(LARGE) :] -= np.float32((0.0, 0.0, 3.4))
-    hired, light = photographer(MorphMesh(scene)), Light(azimuth=-0.9, elevation=0.0)
+    hired, light = offscreen(MorphMesh(scene)), Light(azimuth=-0.9, elevation=0.0)
     shadowed, plain = (
         hired.picture(ASKANCE, positions, background=DARK, light=light, fine=fine).astype(int).sum(axis=2)
         for positions in (scene.positions, aside)
     )
-    alone = seen(photographer(MorphMesh(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
+    alone = seen(offscreen(MorphMesh(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
     return np.where(alone, plain - shadowed, 0)
 
 
-def test_the_edge_of_a_shadow_is_soft_in_a_fine_picture(photographer: Hire):
+def test_the_edge_of_a_shadow_is_soft_in_a_fine_picture(offscreen: Hire):
     """Its soft edge is the part of it that is neither dark nor bright."""
     shares = []
     for fine in (False, True):
-        dark = darkened(photographer, fine=fine)
+        dark = darkened(offscreen, fine=fine)
         shadow = dark > 0.1 * dark.max()
         shares.append((dark[shadow] < 0.8 * dark.max()).mean())
     assert shares[1] > 1.5 * shares[0]
 
 
 @pytest.mark.parametrize("fine", [False, True])
-def test_what_stands_in_the_light_casts_a_shadow(photographer: Hire, fine: bool):
-    dark = darkened(photographer, fine=fine)
-    alone = seen(photographer(MorphMesh(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
+def test_what_stands_in_the_light_casts_a_shadow(offscreen: Hire, fine: bool):
+    dark = darkened(offscreen, fine=fine)
+    alone = seen(offscreen(MorphMesh(LARGE)).picture(ASKANCE, LARGE.positions, background=DARK))
     rows, columns = np.argwhere(dark > 60).T
     middle, radius = 119.5, np.ptp(np.argwhere(alone)[:, 0]) / 2
     assert len(rows) > 100
@@ -257,22 +257,22 @@ def test_what_stands_in_the_light_casts_a_shadow(photographer: Hire, fine: bool)
     assert columns.mean() == pytest.approx(middle - radius * math.sin(0.9), abs=0.15 * radius)
 
 
-def test_what_is_seen_from_its_back_is_dark(photographer: Hire):
+def test_what_is_seen_from_its_back_is_dark(offscreen: Hire):
     """A box without its front: its inside is seen, and it is neither the background nor in the light."""
     whole = cube()
     box = mesh_of(whole.positions, whole.triangles[2:])
-    picture = photographer(MorphMesh(box), (120, 120)).picture(Camera.facing(box), box.positions, background=MAGENTA)
+    picture = offscreen(MorphMesh(box), (120, 120)).picture(Camera.facing(box), box.positions, background=MAGENTA)
     assert picture[60, 60].max() < 50
-    closed = photographer(MorphMesh(whole), (120, 120)).picture(
+    closed = offscreen(MorphMesh(whole), (120, 120)).picture(
         Camera.facing(whole), whole.positions, background=MAGENTA
     )
     assert closed[60, 60].min() > 120
 
 
-def test_any_mesh_can_be_drawn_from_any_side(photographer: Hire):
+def test_any_mesh_can_be_drawn_from_any_side(offscreen: Hire):
     figure = figure_of_cube()
     camera = Camera.facing(figure.mesh)
-    hired = photographer(figure, (120, 120))
+    hired = offscreen(figure, (120, 120))
     areas = [
         int(seen(hired.picture(camera.orbit(azimuth, elevation), figure.mesh.positions, background=DARK)).sum())
         for azimuth in (0.0, math.pi / 2, math.pi)
@@ -295,25 +295,25 @@ def test_a_renderer_leaves_its_framebuffer_bound_and_can_be_made_again(context, 
         renderer.release()
 
 
-def test_a_mesh_without_triangles_is_refused(photographer: Hire):
+def test_a_mesh_without_triangles_is_refused(offscreen: Hire):
     with pytest.raises(RenderingError, match="the mesh has no triangles, so there is nothing to be seen"):
-        photographer(MorphMesh(mesh_of([(0, 0, 0), (1, 1, 1)])))
+        offscreen(MorphMesh(mesh_of([(0, 0, 0), (1, 1, 1)])))
 
 
 @pytest.mark.parametrize("scale", [1e-4, 1e5])
-def test_the_unit_of_a_mesh_does_not_matter(scale: float, head: MorphMesh, photographer: Hire):
+def test_the_unit_of_a_mesh_does_not_matter(scale: float, head: MorphMesh, offscreen: Hire):
     mesh = head.mesh
     other = mesh_of(mesh.positions * np.float32(scale), mesh.triangles, colours=mesh.colours)
     shown = [
-        photographer(MorphMesh(one)).picture(Camera.facing(one).orbit(0.4, 0.0), one.positions, background=DARK)
+        offscreen(MorphMesh(one)).picture(Camera.facing(one).orbit(0.4, 0.0), one.positions, background=DARK)
         for one in (mesh, other)
     ]
     assert np.mean(np.abs(shown[0].astype(int) - shown[1]) > 8) < 0.01
 
 
-def test_a_picture_too_large_for_the_driver_is_refused_in_one_sentence(head: MorphMesh, photographer: Hire):
+def test_a_picture_too_large_for_the_driver_is_refused_in_one_sentence(head: MorphMesh, offscreen: Hire):
     with pytest.raises(RenderingError, match=r"make them smaller$"):
-        photographer(head, (200_000, 200_000))
+        offscreen(head, (200_000, 200_000))
 
 
 def test_a_machine_without_opengl_is_told_in_one_sentence(monkeypatch: pytest.MonkeyPatch):

@@ -53,8 +53,8 @@ def _window(context: moderngl.Context, size: int, renderer: str) -> Figure:
 def _preview(renderer: str) -> Figure:
     head = subdivided(load_head())
     talking, camera = _Talking(MovestateSet(head.mesh, head.states)), Camera.facing(head.mesh)
-    with OffscreenRenderer(head, (640, 640)) as photographer:
-        seconds = _processor_time(lambda: photographer.picture(camera, talking.positions(), background=GREY))
+    with OffscreenRenderer(head, (640, 640)) as offscreen:
+        seconds = _processor_time(lambda: offscreen.picture(camera, talking.positions(), background=GREY))
     return Figure(f"preview 640x640 by {renderer}", f"{seconds * 1e3:.1f} ms", "16.7 ms", seconds / FRAME)
 
 

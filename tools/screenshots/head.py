@@ -31,10 +31,10 @@ def visemes(theme: str) -> UInt8Array:
     face, table = MovestateSet(figure.mesh, figure.states), load_table("arkit")
     camera = Camera.facing(figure.mesh).orbit(AZIMUTH, ELEVATION).zoom(STEPS).pan(0.0, DOWN)
     shown = []
-    with OffscreenRenderer(figure, (SIZE, SIZE)) as photographer:
+    with OffscreenRenderer(figure, (SIZE, SIZE)) as offscreen:
         for phoneme in SAID:
             face.set_percentages(dict(zip(table.movestates, 100.0 * table.weights()[phoneme], strict=True)))
-            picture = photographer.picture(camera, face.morphed(), HeadPose(), background=colour_of(colours.window))
+            picture = offscreen.picture(camera, face.morphed(), HeadPose(), background=colour_of(colours.window))
             shown.append(_labelled(picture, phoneme.label, colours.text))
     rows = [np.concatenate(shown[k : k + N_COLUMNS], axis=1) for k in range(0, len(shown), N_COLUMNS)]
     return np.concatenate(rows)

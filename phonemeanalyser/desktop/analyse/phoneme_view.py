@@ -36,7 +36,7 @@ class PhonemeView(QWidget):
         self.phoneme = self.recognised = Phoneme.SILENCE
         self.intensity = 0.0
         self.changes: float | None = None
-        self.deaf = False
+        self.input_silent = False
         self.meters: dict[str, str] = {}
         self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
@@ -56,7 +56,7 @@ class PhonemeView(QWidget):
     def refresh(self) -> None:
         """Show the newest frame."""
         self.input_silent = self._session.input_silent
-        newest = None if self.deaf else self._session.history.newest
+        newest = None if self.input_silent else self._session.history.newest
         if newest is None:
             self.phoneme = self.recognised = Phoneme.SILENCE
             self.intensity, self.meters = 0.0, {}
@@ -67,9 +67,9 @@ class PhonemeView(QWidget):
             self.meters = {name: form.format(values[variable]) for name, variable, form in METERS}
             if values["f0"] == 0:
                 self.meters["f(g)"] = "–"
-        self.changes = None if self.deaf else self._session.history.changes_per_s(FLICKER_SECONDS)
-        self.trace = None if self.deaf else self._session.explain()
-        self.setAccessibleName("nothing comes" if self.deaf else self.phoneme.label)
+        self.changes = None if self.input_silent else self._session.history.changes_per_s(FLICKER_SECONDS)
+        self.trace = None if self.input_silent else self._session.explain()
+        self.setAccessibleName("nothing comes" if self.input_silent else self.phoneme.label)
         self.update()
 
     def paintEvent(self, _event: Any) -> None:
@@ -86,7 +86,7 @@ class PhonemeView(QWidget):
         colour = QColor(PHONEME_COLOURS[self.phoneme])
         painter.fillRect(box, QColor(colour.red(), colour.green(), colour.blue(), 50))
         painter.fillRect(QRectF(box.left(), box.top(), 5, box.height()), colour)
-        name = "nothing comes" if self.deaf else self.phoneme.label
+        name = "nothing comes" if self.input_silent else self.phoneme.label
         draw_text(painter, box, name, self._theme.text, 42 if len(name) < 4 else 30, CENTRED)
 
     def _paint_intensity(self, painter: QPainter, box: QRectF) -> None:

@@ -25,8 +25,8 @@ from phonemeengine.presets.files import (
 )
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recogniser import Recogniser, recogniser_of
 from phonemeengine.recognition.rules import Rule
+from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import Filter
 
 PRESET_FILTER = f"Presets ({' '.join('*' + suffix for suffix in PRESET_SUFFIXES)})"
@@ -84,11 +84,13 @@ class PresetModel(QObject):
     -------
     changed : the preset in force is another one.
     file_changed : the file's name, or whether there are unsaved changes.
-    refused : a sentence for the user: the recogniser in use does not take that number.
+    loaded : another file is in hand, and the history of changes begins anew.
+    rejected : a sentence for the user: the recogniser in use does not take that number.
     """
 
     changed = Signal()
     file_changed = Signal()
+    loaded = Signal()
     rejected = Signal(str)
 
     def __init__(self, path: Path = DEFAULT_PRESET) -> None:
@@ -153,6 +155,7 @@ class PresetModel(QObject):
         self.path = path
         self.undo_stack.clear()
         self._apply(preset)
+        self.loaded.emit()
         self.file_changed.emit()
 
     def lost_in(self, path: Path) -> tuple[str, ...]:
@@ -195,6 +198,11 @@ class PresetModel(QObject):
             self.undo_stack.push(_Edit(self._apply_edit, self.preset, preset, what, self._run))
             self.file_changed.emit()
 
+    def revert(self) -> None:
+        """Return to what the preset's file says, in one change."""
+        self.end_edit()
+        self.edit(self._saved, "return to the file")
+
     def end_edit(self) -> None:
         """End a run of changes that undo takes back together, such as a drag."""
         self._run += 1
@@ -216,7 +224,7 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, settings=settings), f"{step.replace('_', ' ')} {'on' if on else 'off'}")
 
     def reset_filter(self, step: Filter) -> None:
-        """Return a filter back what the preset's file says."""
+        """Reset a filter to what the preset's file says."""
         saved = self._saved.settings
         changes: dict[str, Any] = {name: getattr(saved, name) for name in FILTER_PARAMETERS[step]}
         filters = self.preset.settings.filters
@@ -225,7 +233,7 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, settings=settings), f"reset of {step.replace('_', ' ')}")
 
     def reset_settings(self, names: tuple[str, ...]) -> None:
-        """Return some fields of the settings back what the preset's file says."""
+        """Reset some fields of the settings to what the preset's file says."""
         changes: dict[str, Any] = {name: getattr(self._saved.settings, name) for name in names}
         settings = replace(self.preset.settings, **changes)
         self.edit(replace(self.preset, settings=settings), f"reset of {names[0].replace('_', ' ')}")
@@ -255,7 +263,8 @@ class PresetModel(QObject):
 
     def saved_value(self, name: str) -> float | None:
         """Return a control's value as the preset's file has it; None where the file's rules are others."""
-        if self.preset.recogniser == "rules" and _shape(self._saved.rules) != _shape(self.preset.rules):
+        has_limits = Tuning.RULES in spec_of(self.preset.recogniser).tuned_by
+        if has_limits and _shape(self._saved.rules) != _shape(self.preset.rules):
             return None
         return self.controls[name].read(self._saved)
 
@@ -289,7 +298,7 @@ class PresetModel(QObject):
         return recogniser
 
     def _make(self, preset: Preset) -> tuple[object, Recogniser]:
-        recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        recogniser = recogniser_of(preset.recogniser, preset.config)
         recogniser.used_thresholds  # noqa: B018 - one of another package is made by being asked
         return _recogniser_key(preset), recogniser
 
@@ -322,7 +331,7 @@ def _joined(source: Preset, preset: Preset, first: Preset) -> Preset:
 
 
 def _recogniser_key(preset: Preset) -> object:
-    return preset.recogniser, preset.tuning
+    return preset.recogniser, preset.config
 
 
 def _shape(rules: tuple[Rule, ...]) -> object:

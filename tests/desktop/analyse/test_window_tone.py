@@ -29,7 +29,7 @@ def heard(desktop, window, qtbot):
     def wait(n: int = 30) -> np.ndarray:
         until = desktop.session.history.n + n + 10  # what was written before a change is still to be heard
         qtbot.waitUntil(lambda: desktop.session.history.n >= until)
-        window.drawing.refresh_all()
+        window.redraw.refresh_all()
         return desktop.session.history.newest.spectra
 
     return wait
@@ -113,8 +113,8 @@ def test_white_noise_is_flat_and_pink_noise_falls(desktop, window, heard):
 def test_a_vowel_has_its_harmonics_and_is_recognised(desktop, window, heard):
     choose(window.transport.tone.kind, "vowel")
     heard()
-    assert window.phoneme.phoneme is Phoneme.A
-    assert float(window.phoneme.meters["f(g)"].removesuffix(" Hz")) == pytest.approx(120, abs=2)
+    assert window.analysis.phoneme.phoneme is Phoneme.A
+    assert float(window.analysis.phoneme.meters["f(g)"].removesuffix(" Hz")) == pytest.approx(120, abs=2)
 
 
 def test_a_vowel_of_the_list_brings_its_formants_to_the_ear(desktop, window, heard):
@@ -141,11 +141,11 @@ def test_a_sweep_rises(desktop, window, heard):
 def test_the_level_is_what_is_measured_and_the_volume_only_what_is_heard(desktop, window, heard):
     type_number(window.transport.tone.numbers["level"], "-20")
     heard()
-    assert float(window.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
+    assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
     press(window, Qt.Key.Key_Down, CONTROL)
     heard()
     assert desktop.session.volume == -3
-    assert float(window.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
+    assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
 
 
 def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
@@ -167,7 +167,7 @@ def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
 
 def test_a_file_has_what_a_tone_has_not(desktop, window):
     transport = window.transport
-    assert not any(widget.isVisible() for widget in (transport.loop, transport.channel, transport.time_line))
+    assert not any(widget.isVisible() for widget in (transport.loop, transport.channel, transport.position_slider))
     assert transport.volume.isVisible()
     assert transport.tone.isVisible()
     assert " / " not in transport.time.text()

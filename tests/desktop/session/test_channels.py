@@ -147,11 +147,11 @@ def test_the_window_offers_the_channels_that_the_file_has(desktop, qtbot, eight,
 def test_the_chosen_one_of_eight_is_analysed_and_said_to_be(desktop, qtbot, eight):
     window = shown(desktop, qtbot, eight)
     choose(window, "4")
-    desktop.session.follow(0.8)
+    desktop.session.analyse_until(0.8)
     assert desktop.session.history.extremes("volume")[0] == 0
     choose(window, str(SPOKEN))
     desktop.session.clear()
-    desktop.session.follow(0.8)
+    desktop.session.analyse_until(0.8)
     assert desktop.session.history.extremes("volume")[0] > 0.1
     assert "44 100 Hz, 8 channels, only channel 5 of 8 is used" in window.status.left.text()
 
@@ -171,7 +171,7 @@ def test_the_choice_is_there_after_another_start(desktop, qtbot, eight):
     choose(window, "7")
     desktop.set_theme("dark")  # makes another window, from what the first one kept
     desktop.session.set_channel(Channel.MIX)
-    desktop.window.state.restore(desktop.session, desktop.window.analysis.time_view)
+    desktop.window.state.restore(desktop.session, desktop.window.analysis.scroll_view)
     assert desktop.window.transport.channel.currentText() == "7"
 
 

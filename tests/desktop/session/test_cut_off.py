@@ -57,7 +57,7 @@ def test_the_window_says_it_and_plays_what_is_there(desktop, qtbot, cut, sound):
     assert window.banner.label.text() == f"truncated.wav: {SENTENCE}"
     assert window._banner_bar.isVisible()
     assert desktop.session.duration == pytest.approx(1.8, abs=0.001)
-    desktop.session.follow(1.8)
+    desktop.session.analyse_until(1.8)
     assert desktop.session.history.n == 180
     window.dialogs.open_any(sound)
     assert not window._banner_bar.isVisible()

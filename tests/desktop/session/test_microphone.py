@@ -55,7 +55,7 @@ def test_what_is_heard_is_what_the_analysis_of_a_file_finds(studio: Studio, mic:
     np.testing.assert_array_equal(found.phonemes, expected.phonemes)
     np.testing.assert_allclose(found.features.values, expected.features.values, rtol=1e-3, atol=1e-4)
     assert len(np.unique(found.phonemes)) > 3
-    assert studio.model.seconds == pytest.approx(len(HEARD) / 44_100)
+    assert studio.model.listener.seconds == pytest.approx(len(HEARD) / 44_100)
     assert (studio.told, studio.failed) == ([], [])
 
 
@@ -84,7 +84,7 @@ def test_another_choice_lets_the_old_microphone_go_and_is_no_trouble(
     assert studio.model.words == "Headset · ALSA, 48 000 Hz"
     assert [choice.label for choice in studio.openers.asked] == ["", "Headset"]
     assert (studio.told, studio.failed) == ([], [])
-    assert studio.model.lost_seconds == 0
+    assert studio.model.listener.lost_seconds == 0
 
 
 def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicrophone) -> None:
@@ -93,7 +93,7 @@ def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicropho
     assert not studio.model.active
     assert mic.closed.wait(60)
     assert studio.model.take_analyses() == []
-    assert studio.model.level.peak == 0
+    assert studio.model.listener.level.peak == 0
 
 
 # -- the list of devices ------------------------------------------------------------------------------
@@ -204,15 +204,15 @@ def test_closing_finishes_the_recording(studio: Studio, mic: HandDrivenMicrophon
     studio.hear(mic, known(0, 40)[:, 0])
     studio.model.close()
     np.testing.assert_array_equal(samples_in(studio.take), known(0, 40))
-    assert studio.model.unfinished() == []
+    assert studio.model.interrupted_recordings() == []
 
 
 def test_what_a_dead_process_left_is_found_until_it_is_forgotten(studio: Studio, tmp_path: Path) -> None:
     words = [sys.executable, "-c", CUT_OFF, str(tmp_path / "cut off.wav"), str(studio.journal)]
     assert subprocess.run(words, check=False).returncode == 9
-    (found,) = studio.model.unfinished()
+    (found,) = studio.model.interrupted_recordings()
     assert found.path == tmp_path / "cut off.wav"
     assert found.seconds >= 0.9
     found.forget()
-    assert studio.model.unfinished() == []
+    assert studio.model.interrupted_recordings() == []
     assert (samples_in(found.path) == 0.25).all()
