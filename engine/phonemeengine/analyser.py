@@ -225,12 +225,11 @@ class Analyser:
         return self._phonemes_only and not spec_of(preset.recogniser).needs_features
 
     def _change_path(self, preset: Preset) -> None:
-        last = self._path.smoother.last
-        self._path = self._path_of(preset)
+        old, self._path = self._path, self._path_of(preset)
         waiting = self._waiting.clear()
         if waiting is not None:
             self._waiting.delay(self._path.measure(waiting.windows), 0)
-        self._path.smoother.last = last
+        self._path.resume(old)
 
     def _change_recogniser(self, recogniser: Recogniser) -> None:
         """Have the new one asked, with the next frames, about those of which the old one has not said anything."""
@@ -277,6 +276,11 @@ def analyse_blocks(
     analysis = analyser.finish()
     if len(analysis):
         yield analysis
+
+
+def analyse_file(reader: SoundReader, preset: Preset, *, pitch: bool = False) -> Iterator[Analysis]:
+    """Analyse the rest of a sound file, a few seconds at a time."""
+    return analyse_blocks(reader.blocks(BLOCK * HOP), preset, pitch=pitch)
 
 
 def analyse_range(

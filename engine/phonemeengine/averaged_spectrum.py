@@ -1,7 +1,6 @@
 """Averaged spectra: accumulated, kept as small text files, compared on one frequency axis."""
 
 import math
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +8,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CurveError
+from phonemeengine.files import atomic_write
 from phonemeengine.settings import BIN_WIDTH
 
 FORMAT = "phonemeanalyser curve 1"
@@ -107,13 +107,10 @@ def save_averaged_spectrum(curve: AveragedSpectrum, path: Path) -> None:
     lines = [f"# {FORMAT}", *(f"# {key}: {' '.join(str(value).split())}" for key, value in header.items())]
     lines.append(",".join(COLUMNS))
     lines += [f"{f:.9g},{a:.9g}" for f, a in zip(curve.frequencies, curve.amplitudes, strict=True)]
-    part = path.with_name(path.name + ".part")
     try:
-        part.write_bytes("".join(line + "\n" for line in lines).encode(errors="replace"))
-        part.replace(path)
+        with atomic_write(path) as file:
+            file.write("".join(line + "\n" for line in lines).encode(errors="replace"))
     except OSError as error:
-        with suppress(OSError):
-            part.unlink()
         raise CurveError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
 
 

@@ -1,4 +1,4 @@
-"""Files on the disk: how they are spoken of, free names, and which of them this program wrote itself.
+"""Files on the disk: written whole or not at all, how they are spoken of, free names, and which are our own.
 
 A file that is there already is replaced only by one of the same kind that this program wrote. Each format says what
 its own files look like; where those of other programs look alike, none counts as ours.
@@ -6,8 +6,10 @@ its own files look like; where those of other programs look alike, none counts a
 
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import BinaryIO
 
 Owns = Callable[[bytes], bool]
 """Says of the content of a file whether a format of this program wrote it; when in doubt, it did not."""
@@ -17,6 +19,34 @@ LARGEST = 1 << 30
 
 JSON_TEXT = rb'"(?:[^"\\]|\\.)*"'
 """A text in JSON, as a regular expression."""
+
+
+@contextmanager
+def atomic_write(path: Path, *, durable: bool = False) -> Iterator[BinaryIO]:
+    """Open a file, buffered and for writing bytes, that takes the place of `path` once the block has ended well.
+
+    Until then, and if anything fails, what was at `path` stays as it is. A link is replaced, not followed.
+
+    Parameters
+    ----------
+    durable : wait until the disk has the content before the old file goes, so that a power cut costs neither.
+
+    Raises
+    ------
+    OSError, ValueError : it cannot be written; nothing is left behind.
+    """
+    part = path.with_name(f"{path.name}.{os.urandom(4).hex()}.part")
+    try:
+        with part.open("x+b") as file:
+            yield file
+            file.flush()
+            if durable:
+                os.fsync(file.fileno())
+        part.replace(path)
+    except BaseException:
+        with suppress(OSError, ValueError):
+            part.unlink(missing_ok=True)
+        raise
 
 
 def begins_like(pattern: bytes) -> Owns:

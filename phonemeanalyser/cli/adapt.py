@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeanalyser.cli.arguments import add_channel
+from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset
 from phonemeanalyser.cli.jobs import say_cut_off
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
@@ -15,7 +15,7 @@ from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
 from phonemeengine.calibration.takes.room_noise import measure_room
 from phonemeengine.errors import PresetError, TakeError
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
 
@@ -24,9 +24,32 @@ MOST_ROOM = 60.0
 """Seconds of a room's sound that are read."""
 
 
-def adapt(words: list[str]) -> int:
-    """Run the command; returns its exit code."""
-    options = _options(words)
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is learned from, and what is made of it."""
+    parser.epilog = (
+        "The learned recogniser is adapted, rules get thresholds, templates become those of the voice. What gets "
+        "worse than before by more than 0.01 (mouth shapes, silence) on what is held back is refused."
+    )
+    parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help="takes, or labelled recordings")
+    parser.add_argument("-o", "--out", type=Path, required=True, metavar="PRESET", help="the new preset, .toml")
+    add_preset(parser, words="preset to begin with (default: learned)")
+    parser.add_argument(
+        "--held-back", type=Path, nargs="+", default=[], metavar="FILE",
+        help="labelled recordings of the voice to judge by, never learned from (default: quarters of the others)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--room", type=Path, metavar="SOUND", help="seconds of the room in which nobody speaks (default: the takes')"
+    )
+    add_map(parser)
+    add_channel(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Calibrate; returns the exit code."""
+    if options.out.suffix.lower() != ".toml":
+        raise PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")
+    if not options.folders and options.room is None:
+        options.parser.error("give a FOLDER of takes, or --room with the sound of a room")
     preset = load_preset(options.preset)
     room = _sound_of(options.room, options.channel) if options.room else None
     if options.folders:
@@ -82,33 +105,3 @@ def _sound_of(path: Path, channel: Channel) -> Float32Array:
     with SoundReader(path, channel) as reader:
         n = min(reader.n_samples, round(MOST_ROOM * reader.n_samples / max(reader.duration, MOST_ROOM)))
         return np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])[:n]
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser adapt",
-        description="Calibrate a preset to the takes or labelled recordings of one voice, or to a room alone: the "
-        "learned recogniser is adapted, rules get thresholds, templates become those of the voice. What gets worse "
-        "than before by more than 0.01 (mouth shapes, silence) on what is held back is refused.",
-    )
-    parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help="takes, or labelled recordings")
-    parser.add_argument("-o", "--out", type=Path, required=True, metavar="PRESET", help="the new preset, .toml")
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset to begin with (default: learned)")
-    parser.add_argument(
-        "--held-back", type=Path, nargs="+", default=[], metavar="FILE",
-        help="labelled recordings of the voice to judge by, never learned from (default: quarters of the others)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--room",
-        type=Path,
-        metavar="SOUND",
-        help="seconds of the room in which nobody speaks (default: the takes')",
-    )
-    parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
-    add_channel(parser)
-    options = parser.parse_args(words)
-    if options.out.suffix.lower() != ".toml":
-        raise PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")
-    if not options.folders and options.room is None:
-        parser.error("give a FOLDER of takes, or --room with the sound of a room")
-    return options

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, number
+from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, add_preset, add_sounds, number
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
 from phonemeengine.errors import EngineError
@@ -14,14 +14,28 @@ from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.mouth.utterance import utterance_of
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
 
 
-def export(words: list[str]) -> int:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is exported, and how."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = _formats()
+    add_sounds(parser)
+    parser.add_argument("--format", choices=FORMATS, required=True, dest="kind", metavar="F", help="see below")
+    add_preset(parser)
+    parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
+    parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
+    add_mouth(parser)
+    parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
+    add_channel(parser)
+    add_overwrite(parser)
+
+
+def run(options: argparse.Namespace) -> int:
     """Export sound files as the command line asks; 1 where one could not be."""
-    options = _options(words)
     life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     wishes = ExportOptions(options.fps, options.minimum, options.anticipation, options.table, options.mesh, life)
     exporter = Exporter(options.kind, wishes)
@@ -45,29 +59,6 @@ def _export(job: Job, channel: Channel, preset: Preset, exporter: Exporter, guar
         print_whole(lambda file: file.writelines([text]))
     else:
         write_whole_bytes(job.target, parts, guard)
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser export",
-        description="Write what sound files say as mouth cues and movements for other programs.",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog=_formats(),
-    )
-    parser.add_argument("inputs", type=Path, nargs="+", metavar="FILE", help="sound files, or folders of them")
-    parser.add_argument("-o", "--out", type=Path, help="folder, or a file for one (default: print)")
-    parser.add_argument("--format", choices=FORMATS, required=True, dest="kind", metavar="F", help="see below")
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
-    parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
-    parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
-    add_mouth(parser)
-    parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
-    parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
-    parser.add_argument("--no-head", action="store_true", help="keep the head still")
-    add_channel(parser)
-    add_overwrite(parser)
-    return parser.parse_args(words)
 
 
 def _formats() -> str:

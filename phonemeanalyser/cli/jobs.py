@@ -8,16 +8,13 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeengine.analyser import Analysis, analyse_blocks
+from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SUFFIXES, SoundReader
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.errors import AudioError, EngineError
 from phonemeengine.files import printable_name
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
-
-BLOCK = 5 * SAMPLE_RATE
-"""Samples that are read at a time."""
+from phonemeengine.settings import FRAME_PERIOD, Channel
 
 
 @dataclass(frozen=True)
@@ -107,7 +104,7 @@ def analyse_with_progress(reader: SoundReader, preset: Preset, *, pitch: bool) -
     with tqdm(
         total=total, unit="s", desc=name, delay=1, leave=False, disable=None, file=sys.stderr
     ) as progress:  # fmt: skip
-        for analysis in analyse_blocks(reader.blocks(BLOCK), preset, pitch=pitch):
+        for analysis in analyse_file(reader, preset, pitch=pitch):
             progress.update(len(analysis) * FRAME_PERIOD)
             yield analysis
 

@@ -1,5 +1,6 @@
-"""Live from the command line: recognise what a microphone hears, or record it."""
+"""``phonemeanalyser listen``: recognise what a microphone hears; and record it, see `record`."""
 
+import argparse
 import json
 import math
 import os
@@ -12,17 +13,21 @@ from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
 
+from phonemeanalyser.cli.arguments import add_channel, add_preset, number_in, whole_in
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import InputChoice, chosen_input, inputs_of
+from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.audio.stream import devices
 from phonemeengine.errors import DeviceError, RecordingError
 from phonemeengine.files import free_path
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.recorder import Recorder
-from phonemeengine.mouth.osc import OscMouth, OscSettings
+from phonemeengine.mouth.osc import OscAddress, OscMouth, OscSettings
+from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.settings import FRAME_PERIOD, Channel
 
 LOOK = 0.2
 """Seconds between two looks at how it goes."""
@@ -30,6 +35,44 @@ LEAST_LOSS = 0.005
 """Seconds; less is not told."""
 PATIENCE = 3.0
 """Seconds that a microphone which gives nothing is waited for beyond the time that was asked for."""
+
+LATENCY = 0.12
+"""What commands ask of the microphone, seconds: half the processor time of the window's, for 10 ms more."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is listened to, and what is told of it."""
+    add_input(parser)
+    parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind")
+    parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
+    parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")
+    table = f"mouth table of --osc: {USUAL_TABLE} as the head's, vrm, oculus, ... or a file (default: {USUAL_TABLE})"
+    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Listen until the time is over, or Ctrl-C."""
+    if options.list_devices:
+        list_devices()
+    else:
+        osc = None if options.osc is None else OscSettings(OscAddress.of(options.osc), load_table(options.table))
+        listen(load_preset(options.preset), input_of(options), options.seconds, options.kind, osc)
+    return 0
+
+
+def add_input(parser: argparse.ArgumentParser) -> None:
+    """Let the user choose the microphone, and what recognises it for how long."""
+    parser.add_argument("--device", default="", metavar="NAME", help="microphone, by name or a part of it")
+    add_channel(parser, Channel.LEFT)
+    rate = whole_in(LOWEST_RATE, HIGHEST_RATE, "Hz")
+    parser.add_argument("--rate", type=rate, default=0, metavar="HZ", help="sample rate (default: 44100 if it can)")
+    add_preset(parser)
+    parser.add_argument("--seconds", type=number_in(0, math.inf, "s"), metavar="S", help="end after so long")
+
+
+def input_of(options: argparse.Namespace) -> InputChoice:
+    """Return the microphone that the user chose."""
+    return InputChoice(options.device, options.channel.number, options.rate, latency=LATENCY)
 
 
 def list_devices() -> None:

@@ -1,9 +1,11 @@
 """``phonemeanalyser movestates``: movestates from the files of any modelling program, and between formats."""
 
 import argparse
+import math
 from collections.abc import Iterator
 from pathlib import Path
 
+from phonemeanalyser.cli.arguments import number_in
 from phonemeanalyser.cli.output_files import print_whole
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.io import FACES, load_morph_mesh, load_morph_targets, save_morph_targets
@@ -19,9 +21,29 @@ EPILOG = (
 )
 
 
-def movestates(words: list[str]) -> int:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is to be done with movestates."""
+    parser.epilog = EPILOG
+    kinds = parser.add_subparsers(required=True, metavar="WHAT")
+    export = kinds.add_parser("export", help="make movestates of a mesh and its targets")
+    export.add_argument("base", type=Path, metavar="BASE", help="the mesh at rest; its morph targets count")
+    export.add_argument("targets", type=Path, nargs="*", metavar="TARGET", help="the mesh moved, named as the state")
+    export.add_argument("-o", "--out", type=Path, required=True, metavar="FACE", help=".3dm, .3dma or .glb")
+    export.set_defaults(act=_export)
+    info = kinds.add_parser("info", help="say what a file holds")
+    info.add_argument("file", type=Path, metavar="FILE")
+    info.set_defaults(act=_info)
+    convert = kinds.add_parser("convert", help="write movestates in another format")
+    convert.add_argument("source", type=Path, metavar="IN", help="a file, or the word head")
+    convert.add_argument("out", type=Path, metavar="OUT", help=".3dm, .3dma or .glb")
+    convert.add_argument("--mesh", type=Path, help="the mesh of IN, by whose vertices it is renumbered if need be")
+    distance = number_in(0, math.inf, "units of the mesh")
+    convert.add_argument("--tolerance", type=distance, default=TOLERANCE, help=f"of a place (default {TOLERANCE})")
+    convert.set_defaults(act=_convert)
+
+
+def run(options: argparse.Namespace) -> int:
     """Run the command; returns its exit code."""
-    options = _options(words)
     lines: list[str] = list(options.act(options))
     print_whole(lambda file: file.writelines(f"{line}\n" for line in lines))
     return 0
@@ -113,35 +135,3 @@ def _table(states: tuple[Movestate, ...]) -> Iterator[str]:
 def _many(n: int, what: str) -> str:
     plural = "vertices" if what == "vertex" else f"{what}s"
     return f"{n} {what if n == 1 else plural}"
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser movestates", description="Make, look at and convert files of movestates.", epilog=EPILOG
-    )
-    kinds = parser.add_subparsers(required=True, metavar="WHAT")
-    export = kinds.add_parser("export", help="make movestates of a mesh and its targets")
-    export.add_argument("base", type=Path, metavar="BASE", help="the mesh at rest; its morph targets count")
-    export.add_argument("targets", type=Path, nargs="*", metavar="TARGET", help="the mesh moved, named as the state")
-    export.add_argument("-o", "--out", type=Path, required=True, metavar="FACE", help=".3dm, .3dma or .glb")
-    export.set_defaults(act=_export)
-    info = kinds.add_parser("info", help="say what a file holds")
-    info.add_argument("file", type=Path, metavar="FILE")
-    info.set_defaults(act=_info)
-    convert = kinds.add_parser("convert", help="write movestates in another format")
-    convert.add_argument("source", type=Path, metavar="IN", help="a file, or the word head")
-    convert.add_argument("out", type=Path, metavar="OUT", help=".3dm, .3dma or .glb")
-    convert.add_argument("--mesh", type=Path, help="the mesh of IN, by whose vertices it is renumbered if need be")
-    convert.add_argument("--tolerance", type=_distance, default=TOLERANCE, help=f"of a place (default {TOLERANCE})")
-    convert.set_defaults(act=_convert)
-    return parser.parse_args(words)
-
-
-def _distance(text: str) -> float:
-    try:
-        distance = float(text)
-    except ValueError:
-        distance = -1.0
-    if not 0 <= distance < float("inf"):
-        raise argparse.ArgumentTypeError(f"must be 0 or more, in units of the mesh, got {text!r}")
-    return distance

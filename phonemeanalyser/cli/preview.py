@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, add_mouth
+from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_preset, add_theme, size_in
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, open_sound
 from phonemeanalyser.cli.output_files import write_whole_file
 from phonemeanalyser.colours import DARK, LIGHT
@@ -29,7 +29,7 @@ from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
 from phonemeengine.mouth.utterance import utterance_of
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.files import load_preset
 from phonemeengine.settings import SAMPLE_RATE
 
 SMALLEST, LARGEST = 16, 4096
@@ -41,9 +41,26 @@ BLOCK = SAMPLE_RATE // 10
 """Samples of the sound that are encoded at a time."""
 
 
-def preview(words: list[str]) -> int:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is shown, and how."""
+    parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
+    parser.add_argument(
+        "-o", "--out", type=Path, required=True, metavar="OUT", help=".mp4, .gif or a folder for .png"
+    )
+    parser.add_argument("--fps", type=float, default=RATE, metavar="N", help=f"frames per second ({RATE:g})")
+    size = size_in((SMALLEST, SMALLEST), (LARGEST, LARGEST))
+    parser.add_argument("--size", type=size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
+    add_preset(parser)
+    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
+    add_mouth(parser)
+    add_channel(parser)
+    add_theme(parser)
+    parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
+    parser.add_argument("--movestates", type=Path, metavar="F", help="its movestates: .3dm or .3dma")
+
+
+def run(options: argparse.Namespace) -> int:
     """Make the clip that the command line asks for."""
-    options = _options(words)
     _check_target(options.out, options.size)
     figure = subdivided(_figure_of(options.mesh, options.movestates))
     with open_sound(Job(options.file, options.out), options.channel) as reader:
@@ -113,36 +130,3 @@ def _write(options: argparse.Namespace, reader: SoundReader, n_frames: int, pict
 def _blocks_of(reader: SoundReader) -> Iterator[Float32Array]:
     while len(block := reader.read(BLOCK)):
         yield block
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser preview", description="Make a clip in which a head says a sound file."
-    )
-    parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
-    parser.add_argument(
-        "-o", "--out", type=Path, required=True, metavar="OUT", help=".mp4, .gif or a folder for .png"
-    )
-    parser.add_argument("--fps", type=float, default=RATE, metavar="N", help=f"frames per second ({RATE:g})")
-    parser.add_argument("--size", type=_size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
-    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
-    add_mouth(parser)
-    add_channel(parser)
-    parser.add_argument("--theme", choices=["light", "dark"], default="light")
-    parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
-    parser.add_argument("--movestates", type=Path, metavar="F", help="its movestates: .3dm or .3dma")
-    parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
-    parser.add_argument("--no-head", action="store_true", help="keep the head still")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
-    return parser.parse_args(words)
-
-
-def _size(text: str) -> tuple[int, int]:
-    try:
-        width, height = (int(part) for part in text.lower().split("x"))
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"must be like 640x640, got {text!r}") from None
-    if not (SMALLEST <= width <= LARGEST and SMALLEST <= height <= LARGEST):
-        raise argparse.ArgumentTypeError(f"must lie in {SMALLEST}..{LARGEST} both ways, got {text!r}")
-    return width, height

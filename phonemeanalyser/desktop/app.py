@@ -160,7 +160,7 @@ def run(file: Path | None, demo: Path, preset: Path | None = None, channel: Chan
     dialogs, unsaved = desktop.window.dialogs, UnsavedChanges(desktop.preset, _data_folder(), settings)
     keeper = SessionKeeper(app, desktop.save, unsaved)
     dialogs.restore_preset()
-    dialogs.take_up_unsaved(unsaved)
+    dialogs.restore_unsaved(unsaved)
     if preset is not None:
         dialogs.load_preset(preset)
     begin = partial(_begin, desktop, file or dialogs.last_sound() or demo, channel)
@@ -207,7 +207,7 @@ def screenshot(
             desktop.window.resize(*size)
             desktop.window.show()
             _follow(desktop.session, file, at, channel)
-            desktop.window.drawing.refresh_all()
+            desktop.window.redraw.refresh_all()
             app.processEvents()
             saved = desktop.window.grab().save(str(out), "PNG")
         finally:

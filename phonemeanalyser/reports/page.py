@@ -23,6 +23,7 @@ from phonemeengine.calibration.scores.comparison import PresetComparison
 from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD
 
 SPOKEN_FRAMES = 50
@@ -196,7 +197,7 @@ def _right(heard: Predictions) -> float:
 
 
 def _changes(heard: Predictions) -> float:
-    return float(np.count_nonzero(np.diff(heard.phonemes)) / max(1, len(heard.phonemes)) / FRAME_PERIOD)
+    return count_changes(heard.phonemes) / max(1, len(heard.phonemes)) / FRAME_PERIOD
 
 
 def _definitions() -> str:

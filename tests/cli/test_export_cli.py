@@ -8,7 +8,8 @@ import pytest
 import soundfile
 from pygltflib import GLTF2
 
-from phonemeanalyser.cli.main import DEMO, main
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.cli.window import DEMO
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.head import load_head

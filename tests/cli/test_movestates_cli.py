@@ -11,11 +11,10 @@ from pygltflib import GLTF2
 from phonemeanalyser.cli.main import main
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
-from phonemeengine.mouth.files.obj import format_obj
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh, morph_targets_of
-from tests.meshes import CORNERS, GLTF_TEXT, TRIANGLES, figure_of_cube, moved_by
+from tests.meshes import CORNERS, GLTF_TEXT, TRIANGLES, figure_of_cube, format_obj, moved_by
 
 SMILE, OPEN = moved_by((1, 3), (0.5, 0, 0.25)), moved_by((2,), (0, -1, 0))
 

@@ -50,7 +50,7 @@ def followed(desktop: Desktop, qtbot: QtBot, sound: Path = CARDS, seconds: float
     """Show the window with a sound that has been analysed up to a time."""
     window = shown(desktop, qtbot, sound)
     desktop.session.analyse_until(seconds)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     return window
 
 
@@ -58,6 +58,12 @@ def wav(folder: Path, sound: NDArray[np.float32], name: str = "sound.wav") -> Pa
     """Write a sound, shape (n,) or (n, n_channels), as a float WAV."""
     soundfile.write(folder / name, sound, SAMPLE_RATE, subtype="FLOAT")
     return folder / name
+
+
+def edits(window: MainWindow) -> list[str]:
+    """Give what undo and redo would do, as the menu says it."""
+    menu = next(action.menu() for action in window.menuBar().actions() if action.text() == "&Edit")
+    return [action.text() for action in menu.actions() if action.isEnabled()]
 
 
 def click(widget: QWidget, x: float | None = None) -> None:
@@ -138,7 +144,7 @@ class TimeEyes:
     """Looks at the time view's pixels."""
 
     def __init__(self, window: MainWindow) -> None:
-        self.view = window.analysis.time_view
+        self.view = window.analysis.scroll_view
         self.graphics = self.view.findChild(pg.GraphicsLayoutWidget)
         self.sonagram, self.lane, self.course = (self.graphics.ci.getItem(row, 0) for row in range(3))
         self.image: QImage = self.graphics.grab().toImage()

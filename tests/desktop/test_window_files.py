@@ -44,9 +44,9 @@ def test_a_sound_may_be_dropped_onto_any_view(desktop, window):
         window.analysis.spectrum,
         window.analysis.averaged,
         window.analysis.waveform,
-        window.analysis.time_view,
+        window.analysis.scroll_view,
         window.filters,
-        window.thresholds,
+        window.analysis.thresholds,
     ):
         desktop.session.open(CARDS)
         for target in [view, *(w for w in view.findChildren(QWidget) if w.isVisible())]:
@@ -172,7 +172,7 @@ def test_unusual_sounds_are_opened_without_complaint(desktop, window, qtbot, tmp
         window.dialogs.open_sound(write(tmp_path))
         assert not window.banner.isVisible(), (name, window.banner.label.text())
         desktop.session.analyse_until(0.3)
-        window.drawing.refresh_all()
+        window.redraw.refresh_all()
         assert desktop.session.history.n > 0, name
 
 
@@ -201,7 +201,7 @@ def test_a_broken_preset_gives_one_sentence_and_leaves_everything(desktop, windo
         assert desktop.preset.preset == before
         assert desktop.preset.path == THESIS_PRESET
         assert window.windowTitle() == title
-        window.banner.say("")
+        window.banner.show_error("")
 
 
 def test_the_banner_goes_by_a_click_and_after_the_next_success(desktop, window, tmp_path):

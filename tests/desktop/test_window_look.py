@@ -46,7 +46,7 @@ def test_light_is_light_and_dark_is_dark_and_neither_is_blank(desktop, qtbot):
 
 def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     window = followed(desktop, qtbot, seconds=2.0)
-    type_number(window.thresholds.rows["sz_s1"].number, "3.5")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     press(window, Qt.Key.Key_F)
     n, path = desktop.session.history.n, desktop.session.path
     next(a for a in window.menus._menus["&View"].actions() if a.text() == "Theme: dark").trigger()
@@ -55,9 +55,9 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     assert not window.isVisible()
     assert (desktop.session.history.n, desktop.session.path) == (n, path)
     assert desktop.window.isWindowModified()
-    assert desktop.window.drawing.frozen
+    assert desktop.window.redraw.frozen
     assert desktop.window.menus.actions["Freeze Views"].isChecked()
-    assert desktop.window.thresholds.rows["sz_s1"].number.value() == 3.5
+    assert desktop.window.analysis.thresholds.rows["sz_s1"].number.value() == 3.5
     qtbot.waitUntil(desktop.window.isActiveWindow)
     press(desktop.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert not desktop.window.isWindowModified()
@@ -80,7 +80,7 @@ def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
     assert desktop.session.playing
     n = desktop.session.history.n
     qtbot.waitUntil(lambda: desktop.session.history.n > n + 20)
-    assert desktop.window.phoneme.meters
+    assert desktop.window.analysis.phoneme.meters
 
 
 def test_a_theme_that_is_left_leaves_no_window_and_no_timer_behind(desktop, qtbot):
@@ -212,15 +212,15 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     window.transport.volume.setValue(-20)
     click(window.transport.loop)
     desktop.session.set_channel(Channel.LEFT)
-    window.analysis.time_view.variable.setCurrentText("m_s1")
-    window.analysis.time_view.colours.setCurrentText("magma")
-    window.analysis.time_view.low.setValue(-80)
-    window.analysis.time_view.high.setValue(-10)
+    window.analysis.scroll_view.variable.setCurrentText("m_s1")
+    window.analysis.scroll_view.colours.setCurrentText("magma")
+    window.analysis.scroll_view.low.setValue(-80)
+    window.analysis.scroll_view.high.setValue(-10)
     for switch in (
         window.analysis.spectrum.decibels,
         window.analysis.averaged.coarse,
         window.analysis.waveform.coarse,
-        window.analysis.time_view.decibels,
+        window.analysis.scroll_view.decibels,
     ):
         click(switch)
     qtbot.wait(20)
@@ -239,13 +239,13 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     assert new.transport.loop.isChecked()
     assert again.session.channel is Channel.LEFT
     assert new.transport.channel.currentText() == "left"
-    assert new.analysis.time_view.variable.currentText() == "m_s1"
-    assert new.analysis.time_view.colours.currentText() == "magma"
-    assert (new.analysis.time_view.low.value(), new.analysis.time_view.high.value()) == (-80, -10)
+    assert new.analysis.scroll_view.variable.currentText() == "m_s1"
+    assert new.analysis.scroll_view.colours.currentText() == "magma"
+    assert (new.analysis.scroll_view.low.value(), new.analysis.scroll_view.high.value()) == (-80, -10)
     assert new.analysis.spectrum.decibels.isChecked()
     assert new.analysis.averaged.coarse.isChecked()
     assert new.analysis.waveform.coarse.isChecked()
-    assert not new.analysis.time_view.decibels.isChecked()
+    assert not new.analysis.scroll_view.decibels.isChecked()
     assert not new.analysis.spectrum.coarse.isChecked()
 
 

@@ -74,12 +74,11 @@ class FrontEnd:
         variables = (*BAND_VARIABLES, *variables)
         blur = settings.frequency_smooth if settings.has(Filter.FREQUENCY_SMOOTH) else 0.0
         self.names = (*WHOLE_FRAME_VARIABLES, *(v.name for v in variables))
-        self.smoother = TimeSmoother(settings.time_smooth)
+        self._smoother = TimeSmoother(settings.time_smooth if settings.has(Filter.TIME_SMOOTH) else 0.0)
         self._pitch = pitch
         self._n_bins = settings.n_bins
         self._transform = SpectrumAnalyser(settings)
         self._shaper = FrequencyShaper(blur, _gains_of(settings), self._transform.scale[0])
-        self._smooths = settings.has(Filter.TIME_SMOOTH) and settings.time_smooth > 0
         self._denoises = settings.has(Filter.DENOISE) and settings.denoise_threshold > 0
         self._threshold = np.array(settings.denoise_threshold, np.float32)
         self._normalises = settings.has(Filter.NORMALISE)
@@ -100,19 +99,25 @@ class FrontEnd:
 
     def nothing(self) -> FrameBlock:
         """Return a block without frames."""
-        last = self.smoother.last
-        measured = self.measure(np.zeros((1, WINDOW), np.float32)).part(slice(0))
-        self.smoother.last = last
-        return measured
+        silence = np.zeros((1, WINDOW), np.float32)
+        waves = self._transform.waveforms_of(silence)
+        raw = self._transform.magnitudes_of(waves)
+        return self._measured(silence, waves, raw, raw).part(slice(0))
 
     def measure(self, frames: Float32Array) -> FrameBlock:
         """Measure raw frames, shape (n, 2048), at least one."""
         waves = self._transform.waveforms_of(frames)
         raw = self._transform.magnitudes_of(waves)
-        if self._smooths:
-            smooth = self.smoother.smooth(raw)
-        else:
-            smooth, self.smoother.last = raw, raw[-1]
+        return self._measured(frames, waves, raw, self._smoother.smooth(raw))
+
+    def resume(self, other: "FrontEnd | LevelFrontEnd") -> None:
+        """Have the time smoothing go on from where another front end stopped."""
+        if isinstance(other, FrontEnd):
+            self._smoother.resume(other._smoother)
+
+    def _measured(
+        self, frames: Float32Array, waves: Float32Array, raw: Float32Array, smooth: Float32Array
+    ) -> FrameBlock:
         spectra = self._meter.allocate(len(frames))
         self._shaper.shape(smooth, spectra[:, : self._n_bins])  # over frequency, so it may well come after time
         self._meter.fill_maxima(spectra)
@@ -144,17 +149,12 @@ class FrontEnd:
 
 
 class LevelFrontEnd:
-    """The way of a block where nobody looks at spectra and variables: its windows, and how loud each is.
-
-    Attributes
-    ----------
-    smoother : has nothing to smooth, and so nothing to remember.
-    """
+    """The way of a block where nobody looks at spectra and variables: its windows, and how loud each is."""
 
     names = ("volume",)
 
-    def __init__(self) -> None:
-        self.smoother = TimeSmoother(0)
+    def resume(self, _other: "FrontEnd | LevelFrontEnd") -> None:
+        """Remember nothing: there is nothing to smooth."""
 
     def nothing(self) -> FrameBlock:
         """Return a block without frames."""

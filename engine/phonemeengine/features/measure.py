@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
@@ -41,7 +40,7 @@ class Features:
 
     def with_columns(self, names: tuple[str, ...], values: Float32Array) -> "Features":
         """Return the same with more columns, shape (n_frames, n_more)."""
-        return Features(_longer(self.names, names), np.concatenate((self.values, values), axis=1))
+        return Features(self.names + names, np.concatenate((self.values, values), axis=1))
 
     def frame(self, k: int) -> dict[str, float]:
         """Return the values of frame `k` by name."""
@@ -59,12 +58,6 @@ def peak_levels_of(frames: Float32Array) -> Float32Array:
     """Return the largest absolute sample of each frame, shape (n_frames,)."""
     levels: Float32Array = np.maximum.reduce(np.abs(frames), axis=1)
     return levels
-
-
-@lru_cache(maxsize=64)
-def _longer(names: tuple[str, ...], more: tuple[str, ...]) -> tuple[str, ...]:
-    """Join names; the same names give the same object, by which whoever looks them up knows them again."""
-    return names + more
 
 
 class BandFeatures:

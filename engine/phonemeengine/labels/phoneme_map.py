@@ -11,22 +11,18 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import tomli_w
-
 from phonemeengine.errors import CorpusError, UnknownPhonemeError
 from phonemeengine.files import printable_name
 from phonemeengine.labels.label import Label, RawLabel
 from phonemeengine.labels.phone_sets import AFFRICATE, PhoneClass, own_phone_class, phone_classes_in
-from phonemeengine.labels.table import rows_of, table_of
-from phonemeengine.labels.text_io import read_text, write_text
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.labels.table import rows_of
+from phonemeengine.labels.text_io import read_text
+from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 
 FORMAT = "phonemeanalyser mapping 1"
 COLUMNS = ("name", "phoneme")
 CLOSURE = 0.45
 """Share of an affricate that is closure, as in the corpus format."""
-
-_OWN = {phoneme.label: phoneme for phoneme in Phoneme}
 
 
 @dataclass(frozen=True)
@@ -83,25 +79,12 @@ def load_phoneme_map(path: Path) -> PhonemeMap:
     return PhonemeMap({name: _phoneme_of(name, phoneme, file) for name, phoneme in entries.items()})
 
 
-def save_phoneme_map(mapping: PhonemeMap, path: Path) -> None:
-    """Save a mapping as CSV where the name ends in ``.csv``, else as TOML.
-
-    Raises
-    ------
-    CorpusError : the file cannot be written.
-    """
-    entries = {name: phoneme.label for name, phoneme in mapping.phonemes.items()}
-    if path.suffix.lower() == ".csv":
-        write_text(table_of(COLUMNS, entries.items()), path)
-    else:
-        write_text(tomli_w.dumps({"format": FORMAT, "phonemes": entries}), path)
-
-
 def _phoneme_of(name: str, phoneme: object, file: str) -> Phoneme:
-    found = _OWN.get(phoneme.strip().lower()) if isinstance(phoneme, str) else None
+    found = PHONEMES_BY_LABEL.get(phoneme.strip().lower()) if isinstance(phoneme, str) else None
     if found is None:
         raise CorpusError(
-            f"{file}: {name!r:.40} must stand for one of {', '.join(_OWN)}, found {phoneme!r:.40}; correct it"
+            f"{file}: {name!r:.40} must stand for one of {', '.join(PHONEMES_BY_LABEL)}, found {phoneme!r:.40}; "
+            "correct it"
         )
     return found
 

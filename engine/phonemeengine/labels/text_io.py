@@ -1,12 +1,10 @@
 """Text files of labels: read whatever encoding Praat writes, and written so that a half one never shows."""
 
 import codecs
-import os
-from contextlib import suppress
 from pathlib import Path
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.files import printable_name, reason_of
+from phonemeengine.files import atomic_write, printable_name, reason_of
 
 LARGEST = 64 << 20
 """Bytes of a label file at most: a day of labels has fewer."""
@@ -53,16 +51,10 @@ def write_text(text: str, path: Path, encoding: str = "utf-8") -> None:
     ------
     CorpusError : it cannot be written.
     """
-    part = path.with_name(path.name + ".part")
     try:
-        with part.open("wb") as file:
+        with atomic_write(path, durable=True) as file:
             file.write(text.encode(encoding, errors="replace"))
-            file.flush()
-            os.fsync(file.fileno())
-        part.replace(path)
     except (OSError, ValueError) as error:
-        with suppress(OSError, ValueError):
-            part.unlink()
         raise CorpusError(
             f"{printable_name(path)}: it cannot be written ({reason_of(error)}); choose another folder"
         ) from error

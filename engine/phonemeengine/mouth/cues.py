@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.recognition.segments import Segment
 
 MINIMUM = 0.06
@@ -20,7 +20,6 @@ ROUNDING = 1e-9
 """Seconds by which a cue may fall short of the minimum, since differences of times are rounded."""
 MOST_ANTICIPATION = 0.12
 """Seconds that the mouth may be ahead of the sound at most."""
-VOWELS = frozenset({Phoneme.I, Phoneme.A, Phoneme.E, Phoneme.U, Phoneme.O})
 
 
 @dataclass(frozen=True)

@@ -1,13 +1,13 @@
 """Preset files: TOML, and the old PhonemeData text."""
 
 import os
-from collections.abc import Sequence
-from contextlib import suppress
+from collections.abc import Iterable
 from dataclasses import replace
 from importlib import resources
 from pathlib import Path
 
 from phonemeengine.errors import EngineError, ModelError, PresetError
+from phonemeengine.files import atomic_write
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
 from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
@@ -26,6 +26,7 @@ FACTORY_PRESETS = tuple(FACTORY / f"{name}.toml" for name in _NAMES)
 THESIS_PRESETS = tuple(path for path in FACTORY_PRESETS if path.stem.startswith("thesis"))
 LARGEST_FILE = 1 << 20
 PHONEME_DATA_SUFFIXES = (".phonemedata", ".txt")
+PRESET_SUFFIXES = (".toml", *PHONEME_DATA_SUFFIXES)
 
 
 def load_preset(path: str | os.PathLike[str]) -> Preset:
@@ -96,8 +97,7 @@ def _names() -> dict[str, Path]:
 def own_presets() -> tuple[Path, ...]:
     """Return the preset files in the user's own folder, by name."""
     folder = presets_folder()
-    suffixes = (".toml", *PHONEME_DATA_SUFFIXES)
-    found = [path for path in folder.iterdir() if path.suffix.lower() in suffixes] if folder.is_dir() else []
+    found = [path for path in folder.iterdir() if path.suffix.lower() in PRESET_SUFFIXES] if folder.is_dir() else []
     return tuple(sorted(found, key=lambda path: path.name.lower()))
 
 
@@ -121,7 +121,7 @@ def beyond_phoneme_data(preset: Preset) -> tuple[str, ...]:
     """Return what of a preset a PhonemeData file cannot hold, in the user's words; empty where it holds all."""
     kept = Preset().with_phoneme_data(preset.phoneme_data)
 
-    def differ(names: Sequence[str]) -> bool:
+    def differ(names: Iterable[str]) -> bool:
         return any(getattr(preset.settings, name) != getattr(kept.settings, name) for name in names)
 
     lost = {
@@ -162,11 +162,8 @@ def _holds(path: Path, model: Model) -> bool:
 
 
 def _write(path: Path, content: bytes) -> None:
-    part = path.with_name(path.name + ".part")
     try:
-        part.write_bytes(content)
-        part.replace(path)
+        with atomic_write(path) as file:
+            file.write(content)
     except OSError as error:
-        with suppress(OSError):
-            part.unlink()
         raise PresetError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error

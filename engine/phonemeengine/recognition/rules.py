@@ -198,7 +198,7 @@ class RuleRecogniser:
 
         Shape (n_frames, n_conditions).
         """
-        if features.names is not self._names:
+        if features.names != self._names:
             self._names = features.names
             self._signed = np.zeros((len(features.names), len(self._conditions)), np.float32)
             for k, c in enumerate(self._conditions):

@@ -4,6 +4,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
@@ -72,3 +74,8 @@ def segments_of(blocks: Iterable[tuple[UInt8Array, Float32Array]], duration: flo
 def labels_of_segments(segments: Iterable[Segment]) -> tuple[Label, ...]:
     """Return stretches of recognised phonemes, in order of time, as labels."""
     return tuple(Label(s.start, s.end, s.phoneme.label, s.phoneme) for s in segments)
+
+
+def count_changes(phonemes: UInt8Array) -> int:
+    """Count how often the phoneme is another than in the frame before."""
+    return int(np.count_nonzero(phonemes[1:] != phonemes[:-1]))

@@ -6,13 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import LARGEST_FLOAT32, Float32Array
 from phonemeengine.dsp.cepstra import N_CEPSTRA, cepstra_of
 from phonemeengine.dsp.log_mel import log_mels
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import LARGEST
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import (
     NO_SENSITIVITIES,
@@ -117,7 +116,7 @@ def _check_row(name: str, row: tuple[float, ...]) -> None:
     if len(row) != N_CEPSTRA:
         raise SettingsError(f"{name} must have {N_CEPSTRA} numbers in templates, got {len(row)}")
     for value in row:
-        if not abs(value) <= LARGEST:
+        if not abs(value) <= LARGEST_FLOAT32:
             raise SettingsError(f"{name} must hold finite numbers within ±3.4e38 in templates, got {value}")
 
 

@@ -256,7 +256,7 @@ class FilterColumn(QScrollArea):
         self.bypass.blockSignals(False)
 
     def _show_unused(self) -> None:
-        """Return which steps do nothing to what is recognised; they still shape what is seen."""
+        """Show which steps do nothing to what is recognised; they still shape what is seen."""
         name = self._preset.preset.recogniser
         unused = unused_settings(self._preset.preset)
         titles = {step.value: title for step, title in TITLES.items()}

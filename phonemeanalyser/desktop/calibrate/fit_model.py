@@ -4,11 +4,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.background_model import BackgroundModel
-from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
+from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.fitting import FitReport, fit_preset
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
@@ -21,26 +21,28 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, subrange
 from phonemeengine.recognition.spec import spec_of
 
-MOST_STRETCHES = 200
+MOST_SEGMENTS = 200
 """Stretches that are listed of each preset."""
 
 
-class FitModel(BackgroundModel):
+class FitModel(QObject):
     """Fits in the background; what was found is accepted or refused.
 
     Signals
     -------
-    changed : it began, ended, was accepted or refused.
+    changed : there is a report, or none.
+    error : a sentence for the user.
     """
 
     changed = Signal()
+    error = Signal(str)
 
-    def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
+    def __init__(self, preset: PresetModel, workbench: WorkbenchModel) -> None:
         super().__init__()
         self.report: FitReport | None = None
         self._preset = preset
-        self._bench = bench
-        self._work = self._room(self._refuse)
+        self._workbench = workbench
+        self.searching = TaskQueue(self.error.emit)
 
     @property
     def why_not(self) -> str:
@@ -48,19 +50,13 @@ class FitModel(BackgroundModel):
         recogniser = self._preset.preset.recogniser
         if not spec_of(recogniser).fit:
             return f"The recogniser {recogniser} has no thresholds; the guided calibration teaches it your voice."
-        return "" if self._bench.workbench is not None else "Record takes or load labelled recordings first."
+        return "" if self._workbench.features is not None else "Record takes or load labelled recordings first."
 
     def begin(self) -> None:
         """Search for better thresholds, or for better limits of the preset's own rules."""
-        utterances, known, preset = self._bench.utterances, self._bench.workbench, self._preset.preset
+        utterances, known, preset = self._workbench.utterances, self._workbench.features, self._preset.preset
         self.report = None
-        self._work.instead(lambda progress: _fitted(utterances, known, preset, progress), self._take_report)
-        self.changed.emit()
-
-    def cancel(self) -> None:
-        """End the search; nothing has changed."""
-        self._work.cancel()
-        self.changed.emit()
+        self.searching.replace(lambda progress: _fitted(utterances, known, preset, progress), self._take_report)
 
     def accept(self) -> None:
         """Use what was found; undo brings the old preset back."""
@@ -77,36 +73,37 @@ class FitModel(BackgroundModel):
         self.report = None
         self.changed.emit()
 
+    def close(self) -> None:
+        """End all work."""
+        self.searching.close()
+
     def _take_report(self, report: FitReport) -> None:
         self.report = report
         self.changed.emit()
 
-    def _refuse(self, sentence: str) -> None:
-        self.error.emit(sentence)
-        self.changed.emit()
 
-
-class ComparisonModel(BackgroundModel):
+class ComparisonModel(QObject):
     """A second preset on the same recordings, compared with the one in use whenever that changes.
 
     Signals
     -------
     changed : there is another comparison, or none.
+    error : a sentence for the user.
     """
 
     changed = Signal()
+    error = Signal(str)
 
-    def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
+    def __init__(self, preset: PresetModel, workbench: WorkbenchModel) -> None:
         super().__init__()
         self.preset: Preset | None = None
         self.confusion: Confusion | None = None
-        self.comparison: PresetComparison | None = None
+        self.result: PresetComparison | None = None
         self._own = preset
-        self._bench = bench
-        self._measuring = self._room()
-        self._comparing = self._room()
-        bench.measured.connect(self._measure)
-        bench.confusion_changed.connect(self._compare)
+        self._workbench = workbench
+        self.measuring, self._comparing = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
+        workbench.measured.connect(self._measure)
+        workbench.confusion_changed.connect(self._compare)
 
     def shipped(self) -> tuple[Path, ...]:
         """Return the presets that come with the program."""
@@ -114,7 +111,7 @@ class ComparisonModel(BackgroundModel):
 
     def choose(self, path: Path | None) -> None:
         """Compare with the preset of a file, or with none."""
-        self.preset = self.confusion = self.comparison = None
+        self.preset = self.confusion = self.result = None
         if path is not None:
             try:
                 self.preset = load_preset(path)
@@ -123,14 +120,19 @@ class ComparisonModel(BackgroundModel):
         self._measure()
         self.changed.emit()
 
+    def close(self) -> None:
+        """End all work."""
+        for queue in (self.measuring, self._comparing):
+            queue.close()
+
     def _measure(self) -> None:
-        utterances, preset = self._bench.utterances, self.preset
+        utterances, preset = self._workbench.utterances, self.preset
         if preset is None or not utterances:
-            self._measuring.cancel()
-            self.confusion = self.comparison = None
+            self.measuring.cancel()
+            self.confusion = self.result = None
             self.changed.emit()
             return
-        self._measuring.instead(
+        self.measuring.replace(
             lambda progress: LabelledFeatures(utterances, preset, progress=progress).confusion(preset),
             self._take_confusion,
         )
@@ -140,19 +142,19 @@ class ComparisonModel(BackgroundModel):
         self._compare()
 
     def _compare(self) -> None:
-        own, other, preset = self._bench.confusion, self.confusion, self.preset
+        own, other, preset = self._workbench.confusion, self.confusion, self.preset
         if own is None or other is None or preset is None or len(own.predicted) != len(other.predicted):
             return
-        now, utterances = self._own.preset, self._bench.utterances
-        self._comparing.instead(
+        now, utterances = self._own.preset, self._workbench.utterances
+        self._comparing.replace(
             lambda _progress: compare(
-                _scores_of(now, own, utterances), _scores_of(preset, other, utterances), most=MOST_STRETCHES
+                _scores_of(now, own, utterances), _scores_of(preset, other, utterances), most=MOST_SEGMENTS
             ),
             self._take_comparison,
         )
 
     def _take_comparison(self, comparison: PresetComparison) -> None:
-        self.comparison = comparison
+        self.result = comparison
         self.changed.emit()
 
 
@@ -160,8 +162,8 @@ def _fitted(
     utterances: tuple[Utterance, ...], known: LabelledFeatures | None, preset: Preset, progress: Progress
 ) -> FitReport:
     """Fit on a workbench of its own, since the window asks the other one meanwhile."""
-    bench = LabelledFeatures(utterances, preset, known=known, progress=subrange(progress, 0.0, 0.05))
-    return fit_preset(bench, preset, subrange(progress, 0.05, 1.0))
+    features = LabelledFeatures(utterances, preset, known=known, progress=subrange(progress, 0.0, 0.05))
+    return fit_preset(features, preset, subrange(progress, 0.05, 1.0))
 
 
 def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance, ...]) -> CorpusScores:

@@ -10,7 +10,6 @@ from enum import StrEnum
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes_model import UNNAMED, TakesModel
-from phonemeanalyser.desktop.session.capture import to_mono_44k
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
@@ -23,6 +22,7 @@ from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.room_noise import RoomNoise, measure_room
 from phonemeengine.calibration.takes.spoken import keep_sentence
 from phonemeengine.errors import EngineError, TakeError
+from phonemeengine.live.capture import to_mono_44k
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.progress import Progress
 
@@ -92,12 +92,12 @@ class Phase(StrEnum):
 
 
 class GuideModel(QObject):
-    """Leads through all sounds; `tick` moves it on.
+    """Leads through all sounds; it goes on whenever sound was heard.
 
     Signals
     -------
     changed : another phase or another step.
-    failed : a sentence for the user.
+    error : a sentence for the user.
     """
 
     changed = Signal()
@@ -114,6 +114,7 @@ class GuideModel(QObject):
         self.sentence = SENTENCES[0]
         self.spoken: Utterance | None = None
         self._session = session
+        self._capture = session.microphone.capture
         self._preset = preset
         self._takes = takes
         self._awaited: list[int] = []
@@ -123,6 +124,8 @@ class GuideModel(QObject):
         self._checks = TaskQueue(self._ask_again)
         takes.added.connect(self._note_take)
         takes.error.connect(self._note_refusal)
+        takes.idle.connect(self._learn)
+        session.heard.connect(self._follow)
 
     # -- how far it is ------------------------------------------------------------------------------------
 
@@ -159,12 +162,12 @@ class GuideModel(QObject):
     def share(self) -> float:
         """How much of the sound that is asked for was heard, 0..1; of the learning, how much is done."""
         if self.phase is Phase.LEARNING:
-            return self._work.share
+            return self._work.progress
         if self.phase is Phase.SHOWING:
             return 0.0 if self.advice else 1.0
         if self.phase is not Phase.HEARING or self._voice_at is None:
             return 0.0
-        return min(1.0, (self._session.microphone.catch.seconds - self._voice_at) / self.step.seconds)
+        return min(1.0, (self._capture.seconds - self._voice_at) / self.step.seconds)
 
     # -- what the user wants ------------------------------------------------------------------------------
 
@@ -198,7 +201,7 @@ class GuideModel(QObject):
     def cancel(self) -> None:
         """End it; what was recorded stays."""
         self._forget_work()
-        self._session.microphone.catch.end()
+        self._capture.end()
         self._preset.try_out(None)
         self._show(Phase.OFF)
 
@@ -216,36 +219,31 @@ class GuideModel(QObject):
 
     def close(self) -> None:
         """End all work."""
-        self._forget_work()
-        self._checks.close()
-        self._work.close()
+        for queue in (self._checks, self._work):
+            queue.close()
 
     # -- how it goes on -----------------------------------------------------------------------------------
 
-    def tick(self) -> None:
-        """Look whether what is awaited has come."""
-        self._work.see()
-        self._checks.see()
-        catch = self._session.microphone.catch
+    def _follow(self) -> None:
+        """Look whether what is awaited was heard."""
         if self.phase is Phase.WAITING:
             self._look_for_voice()
         elif self.phase is Phase.HEARING and self._voice_at is not None:
             if self._has_ended(self._voice_at):
                 self._check()
-        elif self.phase is Phase.SHOWING and catch.seconds >= self._pause:
+        elif self.phase is Phase.SHOWING and self._capture.seconds >= self._pause:
             self._go_to(self.index if self.advice else self.index + 1, advice=self.advice)
-        elif self.phase is Phase.LEARNING and not self._takes.busy and not self._work.busy:
-            self._learn()
 
     def _go_to(self, index: int, advice: str = "") -> None:
         self.index, self.advice, self._voice_at = index, advice, None
         if index >= N_STEPS:
-            self._session.microphone.catch.end()
+            self._capture.end()
             self._show(Phase.LEARNING)
+            self._learn()
             return
         if not self._session.microphone.active:
             self._session.play()
-        self._session.microphone.catch.begin()
+        self._capture.begin()
         if self.step.phoneme is Phoneme.SILENCE:
             self._voice_at = 0.0
             self._show(Phase.HEARING)
@@ -253,7 +251,7 @@ class GuideModel(QObject):
             self._show(Phase.WAITING)
 
     def _look_for_voice(self) -> None:
-        sound, rate = self._session.microphone.catch.heard()
+        sound, rate = self._capture.heard()
         found = onset_in(sound, rate, self._least_voice)
         if found is not None:
             self._voice_at = found
@@ -265,12 +263,12 @@ class GuideModel(QObject):
             )
 
     def _has_ended(self, voice_at: float) -> bool:
-        catch = self._session.microphone.catch
+        capture = self._capture
         if self.index != READING:
-            return catch.seconds >= voice_at + self.step.seconds
-        sound, rate = catch.heard()
+            return capture.seconds >= voice_at + self.step.seconds
+        sound, rate = capture.heard()
         quiet = quiet_at_end(sound, rate, self._least_voice)
-        return quiet >= AFTER_SENTENCE or catch.seconds >= voice_at + LONGEST_SENTENCE
+        return quiet >= AFTER_SENTENCE or capture.seconds >= voice_at + LONGEST_SENTENCE
 
     @property
     def _least_voice(self) -> float:
@@ -279,7 +277,7 @@ class GuideModel(QObject):
 
     def _check_sentence(self) -> None:
         """Label the sentence, or say why it must be read again."""
-        samples, rate = self._session.microphone.catch.end()
+        samples, rate = self._capture.end()
         samples = samples[round(max(0.0, (self._voice_at or 0.0) - BEFORE_SENTENCE) * rate) :]
         room, sentence, folder = self.room.level if self.room else 0.0, self.sentence, self._takes.folder
         speaker = self._takes.speaker.strip() or UNNAMED
@@ -292,7 +290,7 @@ class GuideModel(QObject):
                 raise TakeError("No sound was kept before it; go back and say some.")
             return keep_sentence(folder, samples, rate, mono, sentence, speaker)
 
-        self._checks.instead(keep, self._take_sentence)
+        self._checks.replace(keep, self._take_sentence)
         self._show(Phase.CHECKING)
 
     def _take_sentence(self, spoken: Utterance) -> None:
@@ -306,15 +304,15 @@ class GuideModel(QObject):
         """Show for a while what came of a check."""
         self.advice = advice
         self._pause = ADVICE if advice else PRAISE
-        self._session.microphone.catch.begin()
+        self._capture.begin()
         self._show(Phase.SHOWING)
 
     def _check(self) -> None:
         if self.index == READING:
             self._check_sentence()
             return
-        catch, phoneme = self._session.microphone.catch, self.step.phoneme
-        samples, rate = catch.end()
+        phoneme = self.step.phoneme
+        samples, rate = self._capture.end()
         samples = samples[round(max(0.0, (self._voice_at or 0.0) - BEFORE) * rate) :]
         mono = to_mono_44k(samples, rate)
         report = check_take(mono, self.room.level if self.room is not None else 0.0, phoneme)
@@ -322,7 +320,9 @@ class GuideModel(QObject):
         if phoneme is Phoneme.SILENCE:
             faults += self._measure_room(mono)
         if not faults:
-            self._takes.add(samples, rate, phoneme, self._device, instead_of=self.numbers.get(self.index))
+            self._takes.add(
+                samples, rate, phoneme, self._session.microphone.name, instead_of=self.numbers.get(self.index)
+            )
             self._awaited.append(self.index)
         self._tell_checked(faults[0] if faults else "")
 
@@ -336,12 +336,15 @@ class GuideModel(QObject):
         return list(room.notes)
 
     def _learn(self) -> None:
+        """Begin to learn, as soon as all takes are on the disk."""
+        if self.phase is not Phase.LEARNING or self._takes.busy or self._work.busy:
+            return
         numbers = set(self.numbers.values())
         wanted = [t for t in self._takes.now.takes if t.number in numbers and not t.excluded]
         sounds = {self._takes.path_of(take) for take in wanted}
         takes = [u for u in self._takes.utterances() if u.path in sounds]
         preset, held_back = self._preset.preset, (self.spoken,) if self.spoken else ()
-        self._work.instead(
+        self._work.replace(
             lambda progress: calibrate(preset, takes, held_back=held_back, progress=progress), self._take_outcome
         )  # fmt: skip
 
@@ -361,10 +364,6 @@ class GuideModel(QObject):
     def _note_refusal(self, _sentence: str) -> None:
         if self.phase is Phase.LEARNING and not self._takes.busy:
             self._awaited = []
-
-    @property
-    def _device(self) -> str:
-        return self._session.microphone.choice.label or "default microphone"
 
     def _forget_work(self) -> None:
         for work in (self._work, self._checks):

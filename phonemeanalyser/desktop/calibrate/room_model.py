@@ -5,7 +5,6 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
-from phonemeanalyser.desktop.session.capture import to_mono_44k
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
@@ -14,6 +13,7 @@ from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.takes.room_noise import RoomNoise, SilenceAccuracy, measure_room
 from phonemeengine.calibration.takes.room_takes import speech_in
 from phonemeengine.errors import EngineError
+from phonemeengine.live.capture import to_mono_44k
 from phonemeengine.presets.preset import Preset
 
 SECONDS = 2.0
@@ -23,13 +23,13 @@ Found = tuple[RoomNoise, Preset, SilenceAccuracy]
 
 
 class RoomModel(QObject):
-    """Hears the room, sets the preset's silence by it, and says how sure that is; `tick` moves it on.
+    """Hears the room, sets the preset's silence by it, and says how sure that is.
 
     Signals
     -------
     changed : it begins to listen, or has ended.
-    told : a sentence for the user about what was found.
-    failed : a sentence for the user.
+    info : a sentence for the user about what was found.
+    error : a sentence for the user.
     """
 
     changed = Signal()
@@ -40,41 +40,43 @@ class RoomModel(QObject):
         super().__init__()
         self.listening = False
         self._session = session
+        self._capture = session.microphone.capture
         self._preset = preset
         self._takes = takes
         self._work = TaskQueue(self.error.emit)
+        session.heard.connect(self._look_for_end)
+        session.microphone.changed.connect(self._look_for_end)
 
     def begin(self) -> None:
         """Hear the room for two seconds; the microphone listens already."""
-        self._session.microphone.catch.begin()
+        self._capture.begin()
         self._listen(on=True)
         self.info.emit(f"Keep quiet: the room is heard for {SECONDS:g} seconds …")
 
     def cancel(self) -> None:
         """End it; nothing changes."""
         if self.listening:
-            self._session.microphone.catch.end()
+            self._capture.end()
             self._listen(on=False)
         self._work.cancel()
-
-    def tick(self) -> None:
-        """Look whether enough was heard, and take note of what was found."""
-        self._work.see()
-        if not self.listening:
-            return
-        if not self._session.microphone.active:
-            self.cancel()
-            self.error.emit("The room was not heard to the end, since the microphone was let go; measure it again.")
-        elif self._session.microphone.catch.seconds >= SECONDS:
-            samples, rate = self._session.microphone.catch.end()
-            self._listen(on=False)
-            preset, takes = self._preset.preset, self._takes.utterances()
-            self._work.instead(lambda _progress: _found_in(samples, rate, preset, takes), self._use)
 
     def close(self) -> None:
         """End all work."""
         self.cancel()
         self._work.close()
+
+    def _look_for_end(self) -> None:
+        """Take what was heard, once it is enough."""
+        if not self.listening:
+            return
+        if not self._session.microphone.active:
+            self.cancel()
+            self.error.emit("The room was not heard to the end, since the microphone was let go; measure it again.")
+        elif self._capture.seconds >= SECONDS:
+            samples, rate = self._capture.end()
+            self._listen(on=False)
+            preset, takes = self._preset.preset, self._takes.utterances()
+            self._work.replace(lambda _progress: _found_in(samples, rate, preset, takes), self._use)
 
     def _use(self, found: Found) -> None:
         room, preset, sure = found

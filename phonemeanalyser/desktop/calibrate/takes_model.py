@@ -6,17 +6,18 @@ from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand
 
-from phonemeanalyser.desktop.calibrate.take_labels import write_labels_of
-from phonemeanalyser.desktop.calibrate.take_reports import noise_in, report_of, reports_of, sound_in
-from phonemeanalyser.desktop.session.capture import to_mono_44k
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.quality import TakeReport, check_take
-from phonemeengine.calibration.takes.take import Take
+from phonemeengine.calibration.takes.reports import read_mono, room_level, take_report, take_reports
+from phonemeengine.calibration.takes.take import TAKES, Take
+from phonemeengine.errors import TakeError
+from phonemeengine.live.capture import to_mono_44k
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE, Channel
 
@@ -36,36 +37,62 @@ class Snapshot:
     ----------
     takes : all of it that is not deleted, in the order in which they were made.
     reports : what the check found, by number.
-    undoable, redoable : what can be taken back or done again, in words.
+    changes : what was done with them since the project was opened, and not undone, in words.
     """
 
     takes: tuple[Take, ...] = ()
     reports: Mapping[int, TakeReport] = field(default_factory=dict)
-    undoable: str | None = None
-    redoable: str | None = None
+    changes: tuple[str, ...] = ()
+
+
+class TakeEdit(QUndoCommand):
+    """A change of a take, which the project has made already; its journal takes it back and does it again.
+
+    Parameters
+    ----------
+    what : the change in words, for the Edit menu.
+    """
+
+    def __init__(self, takes: "TakesModel", what: str) -> None:
+        super().__init__(what)
+        self._takes = takes
+        self._done = True
+
+    def undo(self) -> None:
+        """Take the project's last change back."""
+        self._done = False
+        self._takes.undo()
+
+    def redo(self) -> None:
+        """Do it again, but for the first time, when it is pushed."""
+        if not self._done:
+            self._takes.redo()
+        self._done = True
 
 
 class TakesModel(QObject):
-    """The takes of the project in hand. The disk is asked in the background; `see` hands over what it said.
+    """The takes of the project in hand. The disk is asked in the background.
 
     Signals
     -------
     opened : another project is in hand.
     changed : the takes are others.
-    kept : a change was made that can be undone.
+    edited : a change was made that can be undone: what, in words.
     added : number of a take that is new.
     sound_read : the sound of the selected take is there.
-    told : a sentence for the user about something that went well.
-    failed : a sentence for the user.
+    info : a sentence for the user about something that went well.
+    error : a sentence for the user.
+    idle : all that was asked of the disk is done.
     """
 
     opened = Signal()
     changed = Signal()
-    kept = Signal()
+    edited = Signal(str)
     added = Signal(int)
     sound_read = Signal()
     info = Signal(str)
     error = Signal(str)
+    idle = Signal()
 
     def __init__(self, default_folder: Callable[[], Path]) -> None:
         super().__init__()
@@ -78,6 +105,7 @@ class TakesModel(QObject):
         self._shown: Path | None = None
         self._reports: dict[int, TakeReport] = {}
         self._disk = TaskQueue(self.error.emit)
+        self._disk.idle.connect(self.idle)
 
     # -- what there is ------------------------------------------------------------------------------------
 
@@ -109,7 +137,7 @@ class TakesModel(QObject):
 
     def noise(self) -> float:
         """Return the level of the room as the newest silence tells it, as an amplitude; 0 where there is none."""
-        return noise_in(self.now.takes, self._reports)
+        return room_level(self.now.takes, self._reports)
 
     # -- the project --------------------------------------------------------------------------------------
 
@@ -117,18 +145,14 @@ class TakesModel(QObject):
         """Open a project, made where there is none; what was in hand is let go when that went well."""
 
         if self.folder is None or folder.resolve() != self.folder.resolve():
-            self._disk.do(lambda _progress: self._opened_in_work(folder), self._show)
+            self._disk.submit(lambda _progress: self._opened_in_work(folder), self._show)
 
     def close(self) -> None:
         """Wait until everything is on the disk, and let the project go."""
-        self._disk.close()
+        self._disk.finish()
         if self._project is not None:
             self._project.close()
             self._project = None
-
-    def see(self) -> None:
-        """Take note of what the disk said."""
-        self._disk.see()
 
     # -- changes ------------------------------------------------------------------------------------------
 
@@ -153,7 +177,7 @@ class TakesModel(QObject):
 
         self._change(act, self._tell_added)
 
-    def add_stretch(self, path: Path, channel: Channel, start: float, end: float, phoneme: Phoneme) -> None:
+    def add_from_file(self, path: Path, channel: Channel, start: float, end: float, phoneme: Phoneme) -> None:
         """Make a stretch of a file, in seconds, a take; what lies around it is kept, and does not count.
 
         The mix keeps both channels of a stereo file.
@@ -188,7 +212,7 @@ class TakesModel(QObject):
         self._change_take(number, lambda project, take: project.trim(take, start, min(end, take.duration)))
 
     def relabel(self, number: int, phoneme: Phoneme) -> None:
-        """Return that a take is another phoneme."""
+        """Let a take be another phoneme."""
         self._change_take(
             number, lambda project, take: self._checked(project, project.relabel(take, phoneme)) or take
         )
@@ -211,7 +235,7 @@ class TakesModel(QObject):
 
     def write_labels(self, suffix: str, program: str) -> None:
         """Write label files for another program beside the sounds of all takes: its name, and how they end."""
-        self._disk.do(lambda _progress: write_labels_of(self._project, suffix, program), self.info.emit)
+        self._disk.submit(lambda _progress: _write_labels(self._project, suffix, program), self.info.emit)
 
     def select(self, number: int | None) -> None:
         """Choose a take, whose sound is read."""
@@ -222,7 +246,7 @@ class TakesModel(QObject):
             self.sound_read.emit()
             return
         path = self.path_of(take)
-        self._disk.do(lambda _progress: sound_in(path), lambda sound: self._show_sound(number, sound))
+        self._disk.submit(lambda _progress: read_mono(path), lambda sound: self._show_sound(number, sound))
 
     # -- in the background --------------------------------------------------------------------------------
 
@@ -247,18 +271,18 @@ class TakesModel(QObject):
             return act(project), self._snapshot_of(project)
 
         def hand_over(found: tuple[Take | None, Snapshot]) -> None:
-            before = self.now.takes
+            before = len(self.now.changes)
             self._show(found[1])
-            if is_new and self.now.takes != before:
-                self.kept.emit()
+            for what in self.now.changes[before:] if is_new else ():
+                self.edited.emit(what)
             if found[0] is not None:
                 then(found[0])
 
-        self._disk.do(lambda _progress: work(), hand_over)
+        self._disk.submit(lambda _progress: work(), hand_over)
 
     def _opened_in_work(self, folder: Path) -> Snapshot:
         project, before = TakeProject(folder), self._project
-        self._reports = reports_of(project)
+        self._reports = take_reports(project)
         self._project = project
         if before is not None:
             before.close()
@@ -279,14 +303,14 @@ class TakesModel(QObject):
     def _checked(self, project: TakeProject, take: Take | None) -> Take | None:
         """Check a take anew, that may be another phoneme now."""
         if take is not None and not take.deleted:
-            self._reports[take.number] = report_of(project, take, self._noise_now(project))
+            self._reports[take.number] = take_report(project, take, self._noise_now(project))
         return take
 
     def _snapshot_of(self, project: TakeProject) -> Snapshot:
-        return Snapshot(project.takes, dict(self._reports), project.undoable, project.redoable)
+        return Snapshot(project.takes, dict(self._reports), project.changes)
 
     def _noise_now(self, project: TakeProject) -> float:
-        return noise_in(project.takes, self._reports)
+        return room_level(project.takes, self._reports)
 
     def _tell_added(self, take: Take) -> None:
         self.added.emit(take.number)
@@ -298,3 +322,13 @@ class TakesModel(QObject):
         if number == self.selected:
             self.sound = sound
             self.sound_read.emit()
+
+
+def _write_labels(project: TakeProject | None, suffix: str, program: str) -> str:
+    """Write label files beside all takes, and say how many."""
+    if project is None or not project.takes:
+        raise TakeError("There are no takes yet whose labels could be written; record one first.")
+    aside, n = project.write_copies(suffix), len(project.takes)
+    files = f"{n} label file{'s' if n > 1 else ''} for {program} {'lie' if n > 1 else 'lies'} beside the takes"
+    kept = f"; what else was there is kept, such as {aside[0].name}" if aside else ""
+    return f"{files} in {project.folder / TAKES}{kept}."

@@ -6,25 +6,22 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.tasks import TaskQueue
-from phonemeengine.analyser import Analysis, analyse_blocks
+from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.files import write_labels
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.segments import labels_of_segments, segments_of
-from phonemeengine.settings import SAMPLE_RATE, Channel
-
-BLOCK = 5 * SAMPLE_RATE
-"""Samples that are read at a time."""
+from phonemeengine.settings import Channel
 
 
 class PhonemeWriter(QObject):
-    """Analyses files in the background and writes what was found; `see` hands over what came of it.
+    """Analyses files in the background and writes what was found.
 
     Signals
     -------
-    told : a sentence for the user about something that goes well.
-    failed : a sentence for the user.
+    info : a sentence for the user about something that goes well.
+    error : a sentence for the user.
     """
 
     info = Signal(str)
@@ -47,18 +44,14 @@ class PhonemeWriter(QObject):
         target : its ending says in which format: .TextGrid, .txt (Audacity) or .csv (the corpus format).
         """
         self.info.emit(f"The phonemes of {sound.name} are looked for, and then saved in {target.name} …")
-        self._work.do(
+        self._work.submit(
             lambda progress: _write(sound, channel, preset, target, progress),
             lambda _none: self.info.emit(f"The phonemes of {sound.name} are saved in {target}."),
         )
 
-    def see(self) -> None:
-        """Take note of what was written."""
-        self._work.see()
-
     def close(self) -> None:
         """Wait until what was asked for is written."""
-        self._work.close()
+        self._work.finish()
 
 
 def _write(sound: Path, channel: Channel, preset: Preset, target: Path, progress: Progress) -> None:
@@ -69,6 +62,6 @@ def _write(sound: Path, channel: Channel, preset: Preset, target: Path, progress
 
 
 def _analyses(reader: SoundReader, preset: Preset, progress: Progress) -> Iterator[Analysis]:
-    for analysis in analyse_blocks(reader.blocks(BLOCK), preset):
+    for analysis in analyse_file(reader, preset):
         report_progress(progress, reader.position / reader.n_samples)
         yield analysis

@@ -14,6 +14,7 @@ from phonemeengine.presets.controls import Control, ControlGroup, controls_of
 from phonemeengine.presets.files import (
     DEFAULT_PRESET,
     FACTORY,
+    PRESET_SUFFIXES,
     THESIS_PRESETS,
     beyond_phoneme_data,
     factory_preset,
@@ -28,6 +29,8 @@ from phonemeengine.recognition.rules import Rule
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import Filter
 
+PRESET_FILTER = f"Presets ({' '.join('*' + suffix for suffix in PRESET_SUFFIXES)})"
+"""What a dialog that asks for a preset shows."""
 FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
     Filter.QUANTISE: ("quantise", "decimation"),
     Filter.PRE_EMPHASIS: ("pre_emphasis",),
@@ -81,11 +84,13 @@ class PresetModel(QObject):
     -------
     changed : the preset in force is another one.
     file_changed : the file's name, or whether there are unsaved changes.
-    refused : a sentence for the user: the recogniser in use does not take that number.
+    loaded : another file is in hand, and the history of changes begins anew.
+    rejected : a sentence for the user: the recogniser in use does not take that number.
     """
 
     changed = Signal()
     file_changed = Signal()
+    loaded = Signal()
     rejected = Signal(str)
 
     def __init__(self, path: Path = DEFAULT_PRESET) -> None:
@@ -150,6 +155,7 @@ class PresetModel(QObject):
         self.path = path
         self.undo_stack.clear()
         self._apply(preset)
+        self.loaded.emit()
         self.file_changed.emit()
 
     def lost_in(self, path: Path) -> tuple[str, ...]:
@@ -192,6 +198,11 @@ class PresetModel(QObject):
             self.undo_stack.push(_Edit(self._apply_edit, self.preset, preset, what, self._run))
             self.file_changed.emit()
 
+    def revert(self) -> None:
+        """Return to what the preset's file says, in one change."""
+        self.end_edit()
+        self.edit(self._saved, "return to the file")
+
     def end_edit(self) -> None:
         """End a run of changes that undo takes back together, such as a drag."""
         self._run += 1
@@ -213,7 +224,7 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, settings=settings), f"{step.replace('_', ' ')} {'on' if on else 'off'}")
 
     def reset_filter(self, step: Filter) -> None:
-        """Return a filter back what the preset's file says."""
+        """Reset a filter to what the preset's file says."""
         saved = self._saved.settings
         changes: dict[str, Any] = {name: getattr(saved, name) for name in FILTER_PARAMETERS[step]}
         filters = self.preset.settings.filters
@@ -222,7 +233,7 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, settings=settings), f"reset of {step.replace('_', ' ')}")
 
     def reset_settings(self, names: tuple[str, ...]) -> None:
-        """Return some fields of the settings back what the preset's file says."""
+        """Reset some fields of the settings to what the preset's file says."""
         changes: dict[str, Any] = {name: getattr(self._saved.settings, name) for name in names}
         settings = replace(self.preset.settings, **changes)
         self.edit(replace(self.preset, settings=settings), f"reset of {names[0].replace('_', ' ')}")

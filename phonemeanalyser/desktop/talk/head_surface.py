@@ -206,9 +206,9 @@ class PictureSurface(QWidget):
     def _image_of(self, scene: Scene, *, fine: bool) -> QImage | None:
         width, height = self._size(MOST_PIXELS if fine else MOST_QUICK_PIXELS)
         try:
-            offscreen = self._offscreen_of(scene.figure)
-            offscreen.resize((width, height))
-            picture = offscreen.picture(
+            photographer = self._offscreen_of(scene.figure)
+            photographer.resize((width, height))
+            picture = photographer.picture(
                 scene.camera, scene.positions, scene.pose, background=scene.background,
                 wireframe=scene.wireframe, light=scene.light, fine=fine,
             )  # fmt: skip

@@ -107,15 +107,15 @@ def test_choosing_a_recogniser_acts_at_once_and_undo_takes_it_back(loudness, des
 def test_the_decision_of_a_plug_in_is_shown(loudness, desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
     choose(window, "loudness")
-    window.drawing.refresh_all()
-    assert window.phoneme.phoneme is Phoneme.A
-    assert [c.rule for c in window.phoneme.trace.comparisons] == ["opens", "stays"]
-    assert not window.phoneme.grab().isNull()
+    window.redraw.refresh_all()
+    assert window.analysis.phoneme.phoneme is Phoneme.A
+    assert [c.rule for c in window.analysis.phoneme.trace.comparisons] == ["opens", "stays"]
+    assert not window.analysis.phoneme.grab().isNull()
 
 
 def test_the_dock_shows_what_the_recogniser_in_use_is_tuned_by(loudness, desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
-    view = window.thresholds
+    view = window.analysis.thresholds
     expected = {
         "loudness": {"silence_energy", "minimum_hold", *FILTER_FIELDS},
         "learned": {"minimum_hold", "hysteresis", *(f"sensitivity_{p.label}" for p in Phoneme)},
@@ -123,7 +123,7 @@ def test_the_dock_shows_what_the_recogniser_in_use_is_tuned_by(loudness, desktop
     }
     for name, controls in expected.items():
         choose(window, name)
-        window.drawing.refresh_all()
+        window.redraw.refresh_all()
         assert view.rows.keys() == controls
         assert all(row.slider.isEnabled() for row in view.rows.values())
     assert view.rows["silence_energy"].slider.live is not None
@@ -133,14 +133,14 @@ def test_a_sensitivity_is_dragged_while_its_live_value_shows(desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
     choose(window, "learned")
     desktop.session.analyse_until(3.7)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     history = desktop.session.history
     named = Phoneme(int(history.newest.recognised[-1]))
     for phoneme in Phoneme:
-        slider = window.thresholds.rows[f"sensitivity_{phoneme.label}"].slider
+        slider = window.analysis.thresholds.rows[f"sensitivity_{phoneme.label}"].slider
         assert (slider.live < slider.value) == (phoneme is named)
-    slider = window.thresholds.rows["sensitivity_m"].slider
-    window.thresholds.ensureWidgetVisible(slider)
+    slider = window.analysis.thresholds.rows["sensitivity_m"].slider
+    window.analysis.thresholds.ensureWidgetVisible(slider)
     drag(slider, slider.width() / 2, slider.width() - 6)
     assert desktop.preset.preset.sensitivities == {Phoneme.M: 5.0}
     shown_then = history.phonemes[history.indices(0, history.n)]
@@ -161,10 +161,10 @@ def test_choosing_a_recogniser_takes_its_factory_preset(desktop, qtbot):
 
 def test_thresholds_of_one_s_own_come_back_with_their_recogniser(desktop, qtbot, tmp_path):
     window = shown(desktop, qtbot, None)
-    type_number(window.thresholds.rows["sz_s1"].number, "7.25")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "7.25")
     desktop.preset.set_filter(Filter.WINDOW_FUNCTION, True)
     choose(window, "learned")
-    type_number(window.thresholds.rows["sensitivity_a"].number, "-1.5")
+    type_number(window.analysis.thresholds.rows["sensitivity_a"].number, "-1.5")
     choose(window, "thesis")
     assert desktop.preset.preset.thresholds.sz_s1 == 7.25
     assert desktop.preset.preset.settings.has(Filter.WINDOW_FUNCTION)
@@ -202,9 +202,9 @@ def test_the_course_shows_no_limit_that_the_recogniser_does_not_use(shelf, deskt
     shelf.offer("")
     desktop.window.recogniser.names.addItem("own")
     window = followed(desktop, qtbot)
-    assert len(window.analysis.time_view._limits) == 1
+    assert len(window.analysis.scroll_view._limits) == 1
     choose(window, "own")
-    assert window.analysis.time_view._limits == []
+    assert window.analysis.scroll_view._limits == []
 
 
 def test_analyse_uses_an_installed_recogniser(loudness: Path, tmp_path: Path):
@@ -316,10 +316,10 @@ def test_a_threshold_that_a_recogniser_does_not_take_is_refused_and_the_old_one_
     desktop.window.recogniser.names.addItem("own")
     window = shown(desktop, qtbot)
     choose(window, "own")
-    number = window.thresholds.rows["sz_s1"].number
+    number = window.analysis.thresholds.rows["sz_s1"].number
     type_number(number, "50")
     type_number(number, "200")
     assert "cannot be made (ValueError: sz_s1 goes up to 100)" in told(window)
     assert number.value() == desktop.preset.preset.thresholds.sz_s1 == 50
-    click(window.thresholds.rows["sz_s1"].reset)
+    click(window.analysis.thresholds.rows["sz_s1"].reset)
     assert desktop.preset.preset.thresholds.sz_s1 == desktop.preset.saved_value("sz_s1")

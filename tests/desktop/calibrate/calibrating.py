@@ -87,8 +87,9 @@ class Calibrator:
     def settle(self) -> None:
         """Wait until nothing is done in the background."""
         model = self.model
-        rooms = (model.takes, model.recordings, model.bench, model.fit, model.rival)
-        self.until(lambda: not any(room.busy for room in rooms) and not model.bench._looking.busy)
+        bench = (model.workbench.measuring, model.workbench.looking)
+        rooms = (model.takes, model.recordings, *bench, model.fit.searching, model.comparison.measuring)
+        self.until(lambda: not any(room.busy for room in rooms))
         QTest.qWait(40)
 
     def listen(self) -> None:
@@ -100,7 +101,7 @@ class Calibrator:
         """Hold a key while something is heard."""
         widget = QApplication.focusWidget() or self.booth.window
         QTest.keyPress(widget, key)
-        heard = self.booth.studio.model.catch
+        heard = self.booth.studio.model.capture
         rate_seconds = len(sound) / SAMPLE_RATE
         self.booth.give(self.mic, sound)
         self.until(lambda: heard.seconds >= rate_seconds - 1e-9)

@@ -1,6 +1,7 @@
 """Takes by mouse and keyboard: recorded, marked, trimmed, relabelled, excluded, deleted, and all that undone."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,9 +16,10 @@ from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, in_room, said
-from tests.desktop.hands import DEMO, LEFT, click, drag, press
+from tests.desktop.hands import DEMO, LEFT, click, drag, edits, press
 from tests.desktop.studio import Booth
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.sounds import silence
@@ -107,7 +109,7 @@ def test_a_button_held_with_the_mouse_records_too(listening: Calibrator):
     button = listening.page.takes.record.buttons[Phoneme.I]
     QTest.mousePress(button, LEFT)
     listening.booth.give(listening.mic, in_room(said(Phoneme.I, 0.7)))
-    listening.until(lambda: listening.model.catch.seconds >= 0.7)
+    listening.until(lambda: listening.model.capture.seconds >= 0.7)
     QTest.mouseRelease(button, LEFT)
     listening.settle()
     assert [take.phoneme for take in listening.takes] == [Phoneme.I]
@@ -143,7 +145,7 @@ def test_a_clipped_take_is_kept_and_the_list_and_the_banner_say_so(listening: Ca
 def test_the_window_losing_the_keyboard_ends_the_take(listening: Calibrator):
     QTest.keyPress(listening.page.takes.list, Qt.Key.Key_A)
     listening.booth.give(listening.mic, A)
-    listening.until(lambda: listening.model.catch.seconds >= 0.9)
+    listening.until(lambda: listening.model.capture.seconds >= 0.9)
     QCoreApplication.sendEvent(listening.booth.window, QEvent(QEvent.Type.WindowDeactivate))
     listening.settle()
     assert len(listening.takes) == 1
@@ -159,7 +161,7 @@ def test_a_marked_stretch_of_the_file_becomes_a_take_at_a_key(calibrator: Calibr
     press(calibrator.booth.window, Qt.Key.Key_BracketLeft)
     session.seek(1.6)
     press(calibrator.booth.window, Qt.Key.Key_BracketRight)
-    assert calibrator.model.stretch == pytest.approx((1.0, 1.6), abs=0.011)
+    assert calibrator.model.selection == pytest.approx((1.0, 1.6), abs=0.011)
     press(calibrator.booth.window, Qt.Key.Key_O)
     calibrator.settle()
     (take,) = calibrator.takes
@@ -228,8 +230,7 @@ def test_undo_takes_back_what_changed_last_be_it_a_take_or_a_threshold(calibrato
     preset.tune("sz_s1", 3.0)
     calibrator.keep(Phoneme.I)
     window = calibrator.booth.window
-    undo = next(a for a in window.menus._edits_of_page if a.isVisible())
-    assert undo.text() == "Undo add i-2"
+    assert edits(window) == ["Undo add i-2"]
     press(window, Qt.Key.Key_Z, CONTROL)
     calibrator.settle()
     assert len(calibrator.takes) == 1
@@ -248,17 +249,52 @@ def test_undo_takes_back_what_changed_last_be_it_a_take_or_a_threshold(calibrato
     assert preset.preset.thresholds.sz_s1 == 3.0
 
 
+def test_what_was_done_with_takes_can_be_undone_after_another_preset_was_loaded(calibrator: Calibrator):
+    preset, window = calibrator.booth.desktop.preset, calibrator.booth.window
+    calibrator.keep(Phoneme.A)
+    preset.tune("sz_s1", 3.0)
+    calibrator.keep(Phoneme.I)
+    preset.load(DEFAULT_PRESET)
+    assert edits(window) == ["Undo add i-2"]
+    press(window, Qt.Key.Key_Z, CONTROL)
+    calibrator.settle()
+    assert [take.phoneme for take in calibrator.takes] == [Phoneme.A]
+    assert edits(window) == ["Undo add a-1", "Redo add i-2"]
+
+
+def test_a_take_in_place_of_another_is_two_changes(calibrator: Calibrator):
+    calibrator.keep(Phoneme.A)
+    samples = in_room(said(Phoneme.A, 0.8))[:, np.newaxis]
+    calibrator.model.takes.add(samples, SAMPLE_RATE, Phoneme.A, "Desk", instead_of=1)
+    calibrator.settle()
+    assert [take.name for take in calibrator.takes] == ["a-2"]
+    for names in (["a-1", "a-2"], ["a-1"]):
+        press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
+        calibrator.settle()
+        assert [take.name for take in calibrator.takes] == names
+
+
+def test_what_was_done_in_one_project_is_not_undone_in_another(calibrator: Calibrator, tmp_path: Path):
+    window = calibrator.booth.window
+    calibrator.keep(Phoneme.A)
+    calibrator.model.takes.open(tmp_path / "other")
+    calibrator.settle()
+    assert edits(window) == []
+    calibrator.keep(Phoneme.I)
+    assert edits(window) == ["Undo add i-1"]
+
+
 def test_x_excludes_a_take_and_includes_it_again(calibrator: Calibrator):
     calibrator.keep(Phoneme.A)
     click_row(calibrator, 0)
     press(calibrator.booth.window, Qt.Key.Key_X)
     calibrator.settle()
     assert verdicts(calibrator) == ["excluded"]
-    assert calibrator.model.bench.utterances == ()
+    assert calibrator.model.workbench.utterances == ()
     click(calibrator.page.takes.exclude)
     calibrator.settle()
     assert verdicts(calibrator) == ["good"]
-    assert len(calibrator.model.bench.utterances) == 1
+    assert len(calibrator.model.workbench.utterances) == 1
 
 
 def test_a_take_is_relabelled_in_the_box(calibrator: Calibrator):

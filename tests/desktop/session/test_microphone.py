@@ -55,7 +55,7 @@ def test_what_is_heard_is_what_the_analysis_of_a_file_finds(studio: Studio, mic:
     np.testing.assert_array_equal(found.phonemes, expected.phonemes)
     np.testing.assert_allclose(found.features.values, expected.features.values, rtol=1e-3, atol=1e-4)
     assert len(np.unique(found.phonemes)) > 3
-    assert studio.model.seconds == pytest.approx(len(HEARD) / 44_100)
+    assert studio.model.listener.seconds == pytest.approx(len(HEARD) / 44_100)
     assert (studio.told, studio.failed) == ([], [])
 
 
@@ -84,7 +84,7 @@ def test_another_choice_lets_the_old_microphone_go_and_is_no_trouble(
     assert studio.model.words == "Headset · ALSA, 48 000 Hz"
     assert [choice.label for choice in studio.openers.asked] == ["", "Headset"]
     assert (studio.told, studio.failed) == ([], [])
-    assert studio.model.lost_seconds == 0
+    assert studio.model.listener.lost_seconds == 0
 
 
 def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicrophone) -> None:
@@ -93,7 +93,7 @@ def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicropho
     assert not studio.model.active
     assert mic.closed.wait(60)
     assert studio.model.take_analyses() == []
-    assert studio.model.level.peak == 0
+    assert studio.model.listener.level.peak == 0
 
 
 # -- the list of devices ------------------------------------------------------------------------------

@@ -184,7 +184,7 @@ def test_analysing_again_with_the_same_preset_changes_nothing(session: Session, 
     session.open(sound)
     session.analyse_until(0.6)
     phonemes, spectra = session.history.phonemes[:60].copy(), session.history.spectra[:60].copy()
-    session.findings.analyse_again(sound, session.channel)
+    session.results.analyse_again(sound, session.channel)
     np.testing.assert_array_equal(session.history.phonemes[:60], phonemes)
     np.testing.assert_allclose(session.history.spectra[:60], spectra, atol=1e-3)
 

@@ -24,7 +24,7 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.settings import SAMPLE_RATE, Decimation
-from tests.conftest import ROOT
+from tests.conftest import ROOT, SCORER
 from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel
 from tools.fit import thesis as fit_thesis
@@ -127,13 +127,10 @@ def test_changes_are_not_counted_between_recordings():
 
 
 def test_figures_are_those_of_the_corpus_scorer(corpus, tmp_path):
-    scorer = corpus.parent / "score" / "score.py"
-    if not scorer.exists():
-        pytest.skip("the scorer is not on this machine")
     preset = load_preset(FACTORY / "thesis.toml")
     pairs = [_recognise(u, preset, corpus, tmp_path) for u in read_corpus(corpus)]
     found = tmp_path / "found.json"
-    command = [sys.executable, str(scorer), str(corpus), str(tmp_path), "--json", str(found)]
+    command = [sys.executable, str(SCORER), str(corpus), str(tmp_path), "--json", str(found)]
     subprocess.run(command, check=True, capture_output=True)
     expected = json.loads(found.read_text())["groups"]["all"]
     ours = scores_of(pairs)
@@ -215,7 +212,7 @@ def test_the_twins_hear_the_same_in_the_demo():
 
 def test_the_thesis_preset_reaches_its_figure(corpus):
     preset = load_preset(FACTORY / "thesis.toml")
-    assert _scores_on(corpus, preset).macro_f1 > 0.34
+    assert _scores_on(corpus, preset).macro_f1 > 0.355
     assert _scores_on(corpus, replace(preset, thresholds=Thresholds())).macro_f1 < 0.33
 
 

@@ -7,7 +7,7 @@ from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import load_morph_mesh
-from phonemeengine.mouth.files.obj import format_obj, parse_obj
+from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.mesh import Material, mesh_of, normals_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
@@ -21,6 +21,7 @@ from tests.meshes import (
     TRIANGLES,
     cube,
     figure_of_cube,
+    format_obj,
     volume,
 )
 
@@ -65,7 +66,7 @@ class TestAMesh:
         (parse_gltf(GLTF_TEXT), 2, (10, 0, 0)),
         (parse_gltf(format_glb(figure_of_cube())), 1, (0, 0, 0)),
     ],
-    ids=["obj", "obj of ours", "x", "x in frames", "gltf", "glb of ours"],
+    ids=["obj", "obj with normals", "x", "x in frames", "gltf", "glb of ours"],
 )
 class TestEveryFormat:
     def test_has_the_cube_where_it_is_with_its_vertices_in_order(

@@ -159,15 +159,15 @@ CHANGES = {
     "set as number": ('movestates = "vrm"', "movestates = 5", "movestates must be one of .* found 5"),
     "name twice": ('movestates = "vrm"', 'movestates = ["A", "A"]', "movestates names 'A' twice; remove one"),
     "name as list": ('movestates = "vrm"', "movestates = [[]]", "movestates must be one of"),
-    "no movestates": ('movestates = "vrm"\n', "", "movestates is missing; add it"),
-    "firm unknown": ('firm = ["m", "p"]', 'firm = ["b"]', "firm knows no phoneme 'b'"),
+    "no movestates": ('movestates = "vrm"\n', "", "a mouth table lacks movestates; add it"),
+    "firm unknown": ('firm = ["m", "p"]', 'firm = ["b"]', "firm must be one of silence, .*, found 'b'"),
     "firm as text": ('firm = ["m", "p"]', 'firm = "m"', "firm must be a list, found 'm'"),
     "unknown manner": ("[shapes.A]", "[manner]\nspeed = 1\n[shapes.A]", r"\[manner\] does not know 'speed'"),
     "manner as text": ("[shapes.A]", '[manner]\nattack = "fast"\n[shapes.A]', r"\[manner\] attack must be a number"),
     "manner too slow": (
         "[shapes.A]",
         "[manner]\nattack = 0\n[shapes.A]",
-        r"\[manner\] attack must lie in 0.005..1 s",
+        r"\[manner\] attack must be a number of seconds in 0.005..1, found 0",
     ),
     "times of silence": (
         "[times]",
@@ -177,11 +177,11 @@ CHANGES = {
     "times of nobody": ("[times]", "[times]\nth = { attack = 0.1 }", r"\[times\] knows no phoneme 'th'"),
     "times as number": ("a = { attack = 0.10, release = 0.20 }", "a = 0.1", r"\[times\] a must be like .* found 0.1"),
     "unknown time": ("a = { attack = 0.10", "a = { hold = 0.10", r"\[times\] a must be like { attack = 0.1"),
-    "time as text": ("a = { attack = 0.10", 'a = { attack = "0.1"', r"\[times\] a attack must be a number"),
+    "time as text": ("a = { attack = 0.10", 'a = { attack = "0.1"', r"\[times.a\] attack must be a number"),
     "time too short": (
         "a = { attack = 0.10",
         "a = { attack = 0",
-        r"\[times\] a attack must lie in 0.005..1 s, got 0",
+        r"\[times.a\] attack must be a number of seconds in 0.005..1, found 0",
     ),
     "time that acts on nothing": (
         "[shapes.A]",

@@ -16,7 +16,7 @@ from phonemeengine.calibration.fits.spectrum_sample import SpectrumSample, sampl
 from phonemeengine.calibration.workbench.distributions import Distribution, distribution_in
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.calibration.workbench.separability import best_threshold, separability
-from phonemeengine.dsp.mel import frequency_of, mel_of
+from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.errors import CorpusError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
@@ -157,8 +157,8 @@ def _some(spectra: Float32Array) -> Float32Array:
 def _edges_of(preset: Preset) -> list[int]:
     """Return the bins at which ranges begin and end."""
     n_bins = preset.settings.n_bins
-    mels = np.linspace(0, mel_of(n_bins * BIN_WIDTH), N_EDGES + 1)
-    bins = np.unique(np.clip(np.round(frequency_of(mels) / BIN_WIDTH), 1, n_bins))
+    edges = mel_edges(N_EDGES - 1, n_bins * BIN_WIDTH)
+    bins = np.unique(np.clip(np.round(edges / BIN_WIDTH), 1, n_bins))
     return [int(edge) for edge in bins]
 
 

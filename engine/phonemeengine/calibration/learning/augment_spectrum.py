@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.log_mel import FLOOR, HIGHEST, LOWEST, N_BANDS, SHORT
-from phonemeengine.dsp.mel import frequency_of, mel_of
+from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.settings import SAMPLE_RATE
 
 GAINS = (-18.0, 8.0)
@@ -105,7 +105,7 @@ def _powers(decibels: NDArray[np.floating]) -> Float32Array:
 
 
 def _degrees_of_freedom() -> Float32Array:
-    edges = frequency_of(np.linspace(float(mel_of(LOWEST)), float(mel_of(HIGHEST)), N_BANDS + 2))
+    edges = mel_edges(N_BANDS, HIGHEST, LOWEST)
     bins = (edges[2:] - edges[:-2]) / 2 * SHORT / SAMPLE_RATE
     return np.maximum(1, 0.8 * bins).astype(np.float32)
 

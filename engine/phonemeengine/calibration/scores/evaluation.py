@@ -22,6 +22,7 @@ from phonemeengine.calibration.scores.scoring import (
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD, HOP
 
 HUMAN = "human"
@@ -179,8 +180,8 @@ def group_scores_of(predictions: Sequence[Predictions]) -> GroupScores:
         confusion=sum(
             (confusion_of(labels.phonemes, guess) for labels, guess in pairs), np.zeros((N_CODES, N_CODES), np.int64)
         ),
-        changes=sum(_changes(guess) for _, guess in pairs),
-        label_changes=sum(_changes(labels.phonemes) for labels, _ in pairs),
+        changes=sum(count_changes(guess) for _, guess in pairs),
+        label_changes=sum(count_changes(labels.phonemes) for labels, _ in pairs),
         intensity=float(spoken.mean()) if len(spoken) else math.nan,
         n_recordings=len(predictions),
     )
@@ -206,7 +207,3 @@ def _shifted(values: NDArray[Any], late: int, n: int) -> NDArray[Any]:
     if last > first:
         shifted[first - late : last - late] = values[first:last]
     return shifted
-
-
-def _changes(codes: UInt8Array) -> int:
-    return int(np.count_nonzero(codes[1:] != codes[:-1]))

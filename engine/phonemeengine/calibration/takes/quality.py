@@ -9,7 +9,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.level import FULL
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.settings import FRAME_PERIOD, HOP
 
 LEAST_SOUND = 0.3
@@ -47,7 +47,6 @@ LEAST_STEADY = 0.1
 """Seconds; where less is steady, the whole sound counts."""
 
 TINY = 1e-20
-VOWELS = frozenset({Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U})
 
 
 class Fault(StrEnum):

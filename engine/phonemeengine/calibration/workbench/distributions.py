@@ -71,10 +71,6 @@ class Distribution:
         """How well the variable separates the ten phonemes: the mean over all pairs, 0.5..1; NaN without a pair."""
         return mean_separability(self.separations, SCORED_PHONEMES)
 
-    def separation_of(self, one: Phoneme, other: Phoneme) -> float:
-        """Return how well a threshold on the variable parts two phonemes, 0.5..1; NaN where one has no frames."""
-        return float(self.separations[one, other])
-
 
 @dataclass(frozen=True)
 class RankedVariable:

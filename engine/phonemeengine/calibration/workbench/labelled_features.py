@@ -80,9 +80,10 @@ class LabelledFeatures:
         lengths = [len(part.phonemes) for part in labels]
         self._edges = np.concatenate(([0], np.cumsum(lengths, dtype=np.intp))).astype(np.intp)
         self._labels = FrameLabels(_joined([p.phonemes for p in labels]), _joined([p.certain for p in labels], bool))
-        measurements = self._measure(preset, known, progress)
+        # of the files as they are before they are measured: one that changes meanwhile is measured again
+        self._stamps = [_stamp_of(u.path, n) for u, n in zip(self._utterances, lengths, strict=True)]
         self._smoother = BatchSmoother(self._edges)
-        self._join(list(measurements))
+        self._join(list(self._measure(preset, known, progress)))
 
     @property
     def utterances(self) -> tuple[Utterance, ...]:
@@ -199,17 +200,14 @@ class LabelledFeatures:
         return None if scores is None else np.asarray(scores.max(axis=0) - scores <= hysteresis)
 
     def _measure(self, preset: Preset, known: "LabelledFeatures | None", progress: Progress) -> Iterator[Measurement]:
-        """Measure what is not known yet; the stamps are of the files as they were before."""
+        """Measure what is not known yet."""
         report_progress(progress, 0.0)
         again = {} if known is None or known.needs_measuring(preset) else known.measured
-        self._stamps: list[_Stamp] = []
         total = max(1, int(self._edges[-1]))
-        for k, utterance in enumerate(self._utterances):
+        for k, stamp in enumerate(self._stamps):
             first, end = self._edges[k : k + 2].tolist()
-            stamp = _stamp_of(utterance.path, end - first)
-            self._stamps.append(stamp)
             share = subrange(progress, first / total, end / total)
-            yield again.get(stamp) or measure(utterance.path, preset, end - first, share)
+            yield again.get(stamp) or measure(self._utterances[k].path, preset, end - first, share)
         report_progress(progress, 1.0)
 
     def _join(self, measurements: list[Measurement]) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.analyser import BLOCK, analyse_blocks
+from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.features.variables import BUILT_IN_NAMES
@@ -17,7 +17,7 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import RuleRecogniser
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.recognition.spec import Tuning, spec_of
-from phonemeengine.settings import FRAME_PERIOD, HOP, AnalysisSettings
+from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
 
 AFTER_MEASURING = (
     "statistics", "minimum_hold", "hysteresis", "look_ahead", "intensity_low", "intensity_high",
@@ -98,7 +98,7 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
     preset = replace(preset, settings=replace(preset.settings, statistics=False), sensitivities={})
     has_scores = Tuning.SENSITIVITIES in spec_of(preset.recogniser).tuned_by
     with SoundReader(path) as reader:
-        for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), preset):
+        for analysis in analyse_file(reader, preset):
             report_progress(progress, min(1.0, (analysis.start + len(analysis)) / max(1, n_frames)))
             span = slice(analysis.start, min(analysis.start + len(analysis), n_frames))
             wanted = analysis.part(slice(max(0, span.stop - span.start)))

@@ -1,13 +1,11 @@
 """Opens and saves files of meshes and movestates; the ending says the format."""
 
-import os
-import tempfile
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
 from phonemeengine.errors import MeshError
+from phonemeengine.files import atomic_write
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
@@ -125,16 +123,8 @@ def _beside(folder: Path) -> Beside:
 
 
 def _write(path: Path, content: bytes) -> None:
-    name = ""
     try:
-        handle, name = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".part")
-        with os.fdopen(handle, "wb") as file:
+        with atomic_write(path) as file:
             file.write(content)
-        Path(name).chmod(0o644)
-        Path(name).replace(path)
     except OSError as error:
         raise MeshError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
-    finally:
-        if name:
-            with suppress(OSError):
-                Path(name).unlink(missing_ok=True)
