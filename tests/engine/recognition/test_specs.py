@@ -263,6 +263,12 @@ def test_a_plug_in_that_cannot_learn_is_one_sentence(adapt: str, what: str, shel
         calibrate(preset, takes, held_back=takes[:1])
 
 
+def test_a_plug_in_that_fits_no_preset_is_one_sentence(shelf: Shelf, takes):
+    preset = offer(shelf, fit="builtins:print")
+    with pytest.raises(RecogniserError, match="'own' must fit a preset, got a NoneType"):
+        fit_preset(LabelledFeatures(takes, preset), preset)
+
+
 def test_a_plug_in_that_asks_for_a_model_is_refused_without_one(shelf: Shelf):
     preset = offer(shelf, tuned_by=[str(Tuning.MODEL)])
     with pytest.raises(EngineError, match="'own' needs a model, and this preset has none; choose another preset"):

@@ -21,7 +21,7 @@ from phonemeengine.calibration.scores.confusion import Confusion, confusion_betw
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.errors import CorpusError
+from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
@@ -156,7 +156,13 @@ class _Fitter:
     def fit(self, chosen: BoolArray, n_starts: int, progress: Progress) -> Preset:
         """Fit to the chosen recordings; gives the preset as it was where nothing better was found."""
         task = self._task(chosen, n_starts)
-        return task.better_of(self._fit(self._preset, task, progress), self._preset)
+        found = self._fit(self._preset, task, progress)
+        if not isinstance(found, Preset):
+            raise RecogniserError(
+                f"the recogniser {self._preset.recogniser!r} must fit a preset, got a {type(found).__name__}; choose "
+                "another recogniser"
+            )
+        return task.better_of(found, self._preset)
 
     def confusion(self, preset: Preset) -> Confusion:
         """Recognise all recordings with a preset; they are analysed anew where that measures differently."""
