@@ -78,7 +78,7 @@ def fit_preset(
     ----------
     labelled : the recordings, measured with the preset's front end.
     preset : what to begin with.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
     seed : of every random choice.
     leave_out : whether to fit anew without each speaker, or take, which takes most of the time.
 

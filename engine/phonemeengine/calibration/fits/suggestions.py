@@ -87,7 +87,7 @@ def suggested_variables(
     preset : the front end, and the variables that there are already.
     one : the phoneme.
     other : the phoneme to part it from; None for all other ones of the ten.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
 
     Raises
     ------

@@ -64,7 +64,7 @@ def train(
             progress(min(step, n_steps), n_steps, loss)
             if step == n_steps:
                 break
-    average.put()
+    average.apply()
     return network.finished()
 
 

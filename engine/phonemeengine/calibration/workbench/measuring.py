@@ -83,7 +83,7 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
     path : the sound file.
     preset : what it is analysed with.
     n_frames : how many frames are wanted; those beyond the sound measure 0.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
 
     Raises
     ------
