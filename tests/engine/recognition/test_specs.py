@@ -1,4 +1,4 @@
-"""What specifications say of recognisers is true, and one of another package can all that the program's own can."""
+"""What specifications say of recognisers is true, and one of another package can do as much."""
 
 import itertools
 from dataclasses import replace
