@@ -7,12 +7,15 @@ frames, and the result does not depend on how the sound was cut.
 from collections import deque
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import Framer
+from phonemeengine.errors import SettingsError
 from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
@@ -25,6 +28,9 @@ from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
 BLOCK = 512
 """Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
+
+HELD_FRAMES = 5
+"""Frames for which a single window is taken to last: with fewer or more, the network is right less often."""
 
 PRE_ROLL = 100
 """Frames before a place in a sound that are analysed unseen, so that the filters know their past."""
@@ -168,10 +174,6 @@ class Analyser:
         """Take the next samples (float32, shape (n,), 44.1 kHz, ±1) and analyse the frames they complete."""
         return self._analyse(self._framer.cut_frames(samples))
 
-    def push_windows(self, windows: Float32Array) -> Analysis:
-        """Analyse windows that the caller cut, shape (n, 2048), as if they followed each other every 10 ms."""
-        return self._analyse(windows)
-
     def finish(self) -> Analysis:
         """Analyse the last frames, with silence after the end of the sound."""
         last = self._analyse(self._framer.finish())
@@ -251,6 +253,45 @@ class Analyser:
             intensities=np.concatenate([b.intensities for b in blocks]),
             settings=blocks[-1].settings,
         )
+
+
+class Reading(NamedTuple):
+    """A phoneme, and how loud it is, 0..1."""
+
+    phoneme: Phoneme = Phoneme.SILENCE
+    intensity: float = 0.0
+
+
+def latest_reading(newest: Analysis | None) -> Reading:
+    """Return the last frame of a block; silence where there is none yet."""
+    if newest is None or len(newest) == 0:
+        return Reading()
+    return Reading(Phoneme(int(newest.phonemes[-1])), float(newest.intensities[-1]))
+
+
+def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
+    """Return the phoneme and the intensity of one analysis buffer at once, as the engine of the thesis did.
+
+    Nothing is waited for and nothing remembered. Recognisers that look at frames alone (``thesis``, ``extended``,
+    ``templates``) answer as in running speech, but for its calming; the network ``learned`` lives on what came
+    before, takes the window for a sound that holds, and is right far less often than with `Analyser.push`.
+
+    Parameters
+    ----------
+    buffer : 2048 samples, mono, 44.1 kHz, ±1, shape (2048,); the answer is about their middle.
+    preset : what to recognise with.
+
+    Raises
+    ------
+    SettingsError : the buffer has another shape.
+    EngineError : the preset's recogniser cannot be used.
+    """
+    window = np.asarray(buffer, np.float32)
+    if window.shape != (WINDOW,):
+        raise SettingsError(f"an analysis buffer has the shape ({WINDOW},), got {window.shape}; give one of mono")
+    at_once = replace(preset, settings=replace(preset.settings, look_ahead=0.0))
+    held = np.repeat(window[np.newaxis], HELD_FRAMES, axis=0)
+    return latest_reading(Analyser(at_once, phonemes_only=True)._analyse(held))
 
 
 def _statistics_key(preset: Preset) -> object:

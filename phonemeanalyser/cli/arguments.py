@@ -58,6 +58,11 @@ def add_mouth(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
 
 
+def add_log(parser: argparse.ArgumentParser) -> None:
+    """Let the user keep what happens."""
+    parser.add_argument("--log", type=Path, metavar="FILE", help="append what happens to a file, to send in")
+
+
 def add_overwrite(parser: argparse.ArgumentParser) -> None:
     """Let the user give up files that are in the way."""
     parser.add_argument("--overwrite", action="store_true", help="replace files that are not this program's, too")

@@ -13,7 +13,7 @@ from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.mouth.utterance import utterance_of
+from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
@@ -52,7 +52,7 @@ def _export(job: Job, channel: Channel, preset: Preset, exporter: Exporter, guar
     with open_sound(job, channel) as reader:
         pitch = exporter.format.moves_head and exporter.life.head
         analyses = analyse_with_progress(reader, preset, pitch=pitch)
-        speech = utterance_of(analyses, printable_name(job.source), reader.duration, job.source)
+        speech = transcript_of(analyses, printable_name(job.source), reader.duration, job.source)
     parts = exporter.chunks_of(speech)
     if job.target is None:
         text = b"".join(parts).decode()

@@ -1,5 +1,6 @@
 """Files that a command works through, one after the other: where each goes, and what is said of those that fail."""
 
+import logging
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -15,6 +16,8 @@ from phonemeengine.errors import AudioError, EngineError
 from phonemeengine.files import printable_name
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, Channel
+
+_log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -64,6 +67,7 @@ def run_all(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
                 act(job)
             except EngineError as error:
                 progress.write(f"phonemeanalyser: {error}", file=sys.stderr)
+                _log.warning("%s", error)
                 failures += 1
             progress.update()
     return failures

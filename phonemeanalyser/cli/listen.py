@@ -19,7 +19,6 @@ from phonemeengine.audio.devices import InputChoice, chosen_input, inputs_of
 from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.audio.stream import devices
 from phonemeengine.errors import DeviceError, RecordingError
-from phonemeengine.files import free_path
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.mouth.osc import OscAddress, OscMouth, OscSettings
@@ -114,7 +113,7 @@ def listen(
             if mouth is not None:
                 mouth.add_analysis(analysis)
 
-        changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_heard=follow)
+        changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_analysis=follow)
         try:
             _attend(listener, seconds, lambda: None)
         finally:
@@ -136,9 +135,9 @@ def record(
     """
     chosen_input(choice, devices())
     limit = math.inf if seconds is None else seconds
-    tape = Recorder(_names_from(path), with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
+    tape = Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
     with _quiet_libraries(), _ended_by_signals():
-        listener = Listener(preset, choice, phonemes_only=True, tape=tape)
+        listener = Listener(preset, choice, phonemes_only=True, recorder=tape)
         try:
             _attend(listener, seconds, lambda: _check(tape))
         finally:
@@ -217,12 +216,6 @@ def _attend(listener: Listener, seconds: float | None, look: Callable[[], None])
 def _check(tape: Recorder) -> None:
     if tape.failure:
         raise RecordingError(tape.failure)
-
-
-def _names_from(path: Path) -> Callable[[], Path]:
-    """Return the path itself, and numbered ones after it."""
-    names: Iterator[Path] = iter([path])
-    return lambda: next(names, None) or free_path(path)
 
 
 def _report(tape: Recorder, listener: Listener) -> None:

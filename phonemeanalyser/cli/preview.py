@@ -28,7 +28,7 @@ from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
-from phonemeengine.mouth.utterance import utterance_of
+from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.presets.files import load_preset
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -99,7 +99,7 @@ def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation
     life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     table, preset = load_table(options.table), load_preset(options.preset)
     name = printable_name(options.file)
-    speech = utterance_of(analyse_with_progress(reader, preset, pitch=life.head), name, reader.duration)
+    speech = transcript_of(analyse_with_progress(reader, preset, pitch=life.head), name, reader.duration)
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
     return animation_of(speech, cues, table, options.fps, life)

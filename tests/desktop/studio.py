@@ -20,11 +20,10 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.output import ClockOutput
-from phonemeengine.live.listener import Listener
 from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.hands import press
-from tests.fakes.microphones import HandDrivenMicrophone, Microphones, frames_in
+from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in
 from tests.fakes.players import wait_for
 from tests.sounds import silence
 
@@ -42,7 +41,7 @@ class Studio:
         self.measure: Callable[[InputChoice], Loopback] = measure_loopback
         self.given: Counter[HandDrivenMicrophone] = Counter()
         self.model = Microphone(
-            partial(Listener, open_input=self.openers),
+            partial(HandDrivenListener, self.openers),
             lambda: list(self.devices),
             journal=self.journal,
             folder=self.takes,

@@ -10,7 +10,7 @@ import pytest
 
 from phonemeengine.recognition.plug_ins import GROUP
 
-EXAMPLE = Path(__file__).parents[1] / "plugin_package"
+EXAMPLE = Path(__file__).parents[2] / "examples" / "own_recogniser"
 HEAD = """
 import numpy as np
 from phonemeengine.phonemes import Phoneme

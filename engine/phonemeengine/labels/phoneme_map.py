@@ -5,6 +5,7 @@ sound of *see* in ARPAbet and that of *she* in SAMPA: what else stands in the fi
 written in, and a name that is then still doubtful counts as unknown.
 """
 
+import os
 import tomllib
 from collections import abc
 from collections.abc import Iterable
@@ -66,13 +67,14 @@ def labels_named(raw_labels: Iterable[RawLabel], phone_classes: abc.Mapping[str,
     return tuple(label for raw in raw_labels for label in _labels_of(raw, phone_classes[raw.name]))
 
 
-def load_phoneme_map(path: Path) -> PhonemeMap:
+def load_phoneme_map(path: str | os.PathLike[str]) -> PhonemeMap:
     """Load a mapping: TOML with lines ``name = "phoneme"`` in a table ``[phonemes]``, or CSV with name and phoneme.
 
     Raises
     ------
     CorpusError : it cannot be read, or names no phoneme of ours.
     """
+    path = Path(path)
     file = printable_name(path)
     text = read_text(path)
     entries = _entries_of_csv(text, file) if path.suffix.lower() == ".csv" else _entries_of_toml(text, file)

@@ -14,7 +14,7 @@ from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.head_motion import HeadMotion
 from phonemeengine.mouth.morpher import Detail, Morpher
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 
 LOWEST_RATE, HIGHEST_RATE = 1.0, 240.0
 """Frames per second."""
@@ -61,7 +61,7 @@ class Animation:
 
 
 def animation_of(
-    speech: Utterance, cues: Sequence[Cue], table: MouthTable, rate: float, life: IdleMotion | None = None
+    speech: Transcript, cues: Sequence[Cue], table: MouthTable, rate: float, life: IdleMotion | None = None
 ) -> Animation:
     """Animate a face: its mouth moves along the cues with the loudness of the sound.
 
@@ -91,7 +91,7 @@ def animation_of(
     return Animation(rate, table.movestates, weights, head)
 
 
-def _mouth(speech: Utterance, cues: Sequence[Cue], morpher: Morpher, rate: float, n_frames: int) -> Float32Array:
+def _mouth(speech: Transcript, cues: Sequence[Cue], morpher: Morpher, rate: float, n_frames: int) -> Float32Array:
     weights = np.zeros((n_frames, len(morpher.movestates)), np.float32)
     loud, starts = speech.intensities.tolist(), speech.times.tolist()
     heard = begun = 0
@@ -115,7 +115,7 @@ def _blink(weights: Float32Array, movestates: tuple[str, ...], blinker: Blinker,
             weights[:, column] = np.maximum(weights[:, column], closures)
 
 
-def _head(speech: Utterance, rate: float, n_frames: int, seed: int) -> Float32Array:
+def _head(speech: Transcript, rate: float, n_frames: int, seed: int) -> Float32Array:
     motion, poses = HeadMotion(seed), np.zeros((n_frames, 3), np.float32)
     heard, starts = 0, speech.times.tolist()
     loud, pitches = speech.intensities.tolist(), speech.pitches.tolist()

@@ -27,6 +27,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.errors import MouthError
+from phonemeengine.lifetime import Closing
 from phonemeengine.mouth.morpher import Detail, Morpher
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.viseme_override import VisemeOverride
@@ -82,7 +83,7 @@ class OscSettings:
     table: MouthTable
 
 
-class OscMouth:
+class OscMouth(Closing):
     """Sends what is heard or asked for, from a thread of its own, until it is closed; nobody waits for the network.
 
     Parameters

@@ -3,6 +3,7 @@
 They are TOML files that an animator edits, read strictly.
 """
 
+import os
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
@@ -82,7 +83,7 @@ def shipped_tables() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in TABLES.glob("*.toml")))
 
 
-def load_table(name: str | Path) -> MouthTable:
+def load_table(name: str | os.PathLike[str]) -> MouthTable:
     """Load a mouth table: one that ships with the program by its name, such as ``arkit``, or a file.
 
     Raises

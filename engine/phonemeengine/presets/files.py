@@ -62,7 +62,7 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
         raise PresetError(f"{path.name}: {error}") from error
 
 
-def save_preset(preset: Preset, path: Path) -> None:
+def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     """Save a preset: as PhonemeData where the name ends in ``.phonemedata`` or ``.txt``, else as TOML.
 
     What a PhonemeData file cannot hold is lost there; `beyond_phoneme_data` says what that is. A model is saved
@@ -72,6 +72,7 @@ def save_preset(preset: Preset, path: Path) -> None:
     ------
     PresetError : a file cannot be written.
     """
+    path = Path(path)
     if is_phoneme_data(path):
         _write(path, format_phoneme_data(preset.phoneme_data).encode(errors="replace"))
         return

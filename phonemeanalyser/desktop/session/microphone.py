@@ -238,9 +238,8 @@ class Microphone(QObject):
             lambda: new_recording_path(folder, suffix),
             with_phonemes=self.with_phonemes,
             fill_gaps=self.fill_gaps,
-            journal=self._journal,
-            rescue=self._rescue,
         )
+        self._recorder.journal, self._recorder.rescue = self._journal, self._rescue
         self.listener.record(self._recorder)
         self.changed.emit()
 

@@ -13,7 +13,7 @@ from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_glb
-from phonemeengine.mouth.exports.gltf_rotation import inverse, product, rotated, turnings_of
+from phonemeengine.mouth.exports.gltf_rotation import inverse, quaternion_product, rotated, turnings_of
 from phonemeengine.mouth.head_motion import quaternions_of
 from tests.engine.mouth.speaking import speech
 from tests.glb_faces import face_with_targets
@@ -219,4 +219,4 @@ def test_a_damaged_scene_is_refused_in_one_sentence(nodes: list[dict[str, object
 
 def test_a_rotation_and_its_inverse_are_nothing() -> None:
     turn = quaternions_of(np.array([[20, -10, 5]], np.float32))
-    np.testing.assert_allclose(product(turn, inverse(turn)), [[0, 0, 0, 1]], atol=1e-12)
+    np.testing.assert_allclose(quaternion_product(turn, inverse(turn)), [[0, 0, 0, 1]], atol=1e-12)

@@ -21,7 +21,7 @@ from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.exports.livelink import timecode_of
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import TABLES, load_table
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 from tests.engine.mouth.speaking import DURATION, speech
@@ -31,7 +31,7 @@ TEXTS = [name for name, form in FORMATS.items() if not form.moves_mesh]
 CURVES = ["livelink-csv", "oculus-csv", "curves-json"]
 
 
-def written(name: str, said: Utterance | None = None, **wishes: object) -> str:
+def written(name: str, said: Transcript | None = None, **wishes: object) -> str:
     parts = list(Exporter(name, ExportOptions(**wishes)).chunks_of(said or speech()))
     return b"".join(parts).decode("utf-8")
 
@@ -239,7 +239,7 @@ def test_live_link_has_61_columns_and_a_row_a_frame() -> None:
 
 def test_a_picture_is_shown_at_the_very_end_of_the_sound() -> None:
     for length, rate, n in ((0.29, 100.0, 30), (0.295, 100.0, 30), (1.0, 24.0, 25)):
-        said = Utterance(
+        said = Transcript(
             "short.wav",
             length,
             (Segment(0.0, length, Phoneme.A, 1.0),),
@@ -270,7 +270,7 @@ def test_the_eyes_and_the_head_can_be_kept_still() -> None:
         assert not any(name.startswith(still) for name in moved)
 
 
-def longer(n: int) -> Utterance:
+def longer(n: int) -> Transcript:
     """Say it again and again."""
     one = speech()
     runs = tuple(
@@ -278,7 +278,7 @@ def longer(n: int) -> Utterance:
         for k in range(n)
         for run in one.runs
     )
-    return Utterance(one.name, n * DURATION, runs, np.tile(one.intensities, n), np.tile(one.pitches, n))
+    return Transcript(one.name, n * DURATION, runs, np.tile(one.intensities, n), np.tile(one.pitches, n))
 
 
 def test_oculus_weights_are_shares_of_one_mouth() -> None:
@@ -336,7 +336,7 @@ def test_time_codes_count_hours_minutes_seconds_and_frames(frame: int, rate: flo
 def test_silence_of_no_length_and_of_some_can_be_written(name: str) -> None:
     for length in (0.0, 0.004, 0.5):
         runs = (Segment(0.0, length, Phoneme.SILENCE, 0.0),) if length else ()
-        text = written(name, Utterance("nothing.wav", length, runs))
+        text = written(name, Transcript("nothing.wav", length, runs))
         assert text or (name, length) == ("audacity", 0.0)
         if name.endswith("json"):
             json.loads(text)

@@ -15,7 +15,7 @@ from phonemeengine.mouth.cues import cues_of
 from phonemeengine.mouth.morpher import HALF_OPEN, Detail, Morpher
 from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
 from phonemeengine.mouth.table import SPEAKING, MouthTable, load_table, shipped_tables
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 
@@ -104,7 +104,7 @@ def test_an_m_is_closed_before_an_a_is_open() -> None:
 
 def test_an_animation_moves_as_fast_as_its_table_says() -> None:
     slow = replace(TABLE, times={**TABLE.times, A: TransitionTimes(0.4, 0.16)})
-    speech = Utterance(
+    speech = Transcript(
         "",
         2.0,
         (Segment(0, 1, SILENCE, 0.0), Segment(1, 2, A, 1.0)),

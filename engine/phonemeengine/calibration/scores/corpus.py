@@ -126,7 +126,7 @@ def read_corpus(
 
 
 def read_recordings(
-    source: Path,
+    source: str | os.PathLike[str],
     mapping: PhonemeMap | None = None,
     *,
     speaker: str | None = None,
@@ -152,7 +152,7 @@ def read_recordings(
     CorpusError : a label file says something impossible, or there is none.
     AudioError : a sound is missing or cannot be read.
     """
-    mapping = mapping or PhonemeMap()
+    source, mapping = Path(source), mapping or PhonemeMap()
     if (source / MANIFEST).is_file():
         return read_corpus(source, mapping, channel=channel, on_skipped=on_skipped)
     pairs = list(_pairs_beside(source, speaker, channel))

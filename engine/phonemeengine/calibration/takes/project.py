@@ -4,8 +4,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
-from types import TracebackType
-from typing import Self
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.takes.label_exports import write_copy
@@ -13,6 +11,7 @@ from phonemeengine.calibration.takes.quality import TakeReport
 from phonemeengine.calibration.takes.storage import TakeFolder
 from phonemeengine.calibration.takes.take import Take
 from phonemeengine.errors import TakeError
+from phonemeengine.lifetime import Closing
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -20,7 +19,7 @@ Edit = tuple[str, Take, Take]
 """What was done, to which take, and what it became."""
 
 
-class TakeProject:
+class TakeProject(Closing):
     """Keeps takes, and changes them so that every change can be undone.
 
     A take that was changed is another value: go on with the one that is given back. No two programs have a project
@@ -207,14 +206,6 @@ class TakeProject:
     def close(self) -> None:
         """Let others open the project; may be called twice."""
         self._disk.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     def _chosen(self, wanted: Callable[[Take], bool]) -> tuple[Take, ...]:
         return tuple(take for _, take in sorted(self._disk.takes.items()) if wanted(take))

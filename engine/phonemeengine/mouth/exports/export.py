@@ -7,7 +7,7 @@ from pathlib import Path
 from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
 from phonemeengine.mouth.cues import Cue, joined_by_shape
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Export:
     mesh : the file of the face that shall move, where the format holds one; None for the program's own head.
     """
 
-    speech: Utterance
+    speech: Transcript
     table: MouthTable
     cues: tuple[Cue, ...]
     rate: float

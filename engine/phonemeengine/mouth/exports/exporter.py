@@ -1,5 +1,6 @@
 """Writing speech in one format, as somebody wishes."""
 
+import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,7 +11,7 @@ from phonemeengine.mouth.cues import MINIMUM, cues_of
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.table import load_table
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 
 
 @dataclass(frozen=True)
@@ -30,8 +31,8 @@ class ExportOptions:
     rate: float | None = None
     minimum: float = MINIMUM
     anticipation: float | None = None
-    table: str | Path | None = None
-    mesh: Path | None = None
+    table: str | os.PathLike[str] | None = None
+    mesh: str | os.PathLike[str] | None = None
     life: IdleMotion = field(default_factory=IdleMotion)
 
 
@@ -55,13 +56,14 @@ class Exporter:
         self.name, self.format = name, FORMATS[name]
         self._wishes = wishes or ExportOptions()
         self.life = self._wishes.life
+        self._mesh = None if self._wishes.mesh is None else Path(self._wishes.mesh)
         self._table = load_table(self._wishes.table or self.format.table)
         self._rate = self._checked_rate()
         self._check_table()
         self._check_mesh()
-        self.export_of(Utterance("", 0.0))
+        self.export_of(Transcript("", 0.0))
 
-    def export_of(self, speech: Utterance) -> Export:
+    def export_of(self, speech: Transcript) -> Export:
         """Clean the cues of speech, and put together what the format writes."""
         wishes, anticipation = self._wishes, self._wishes.anticipation
         cues = cues_of(
@@ -70,9 +72,9 @@ class Exporter:
             minimum=max(wishes.minimum, 1 / self._rate) if self._rate else wishes.minimum,
             anticipation=self.format.anticipation if anticipation is None else anticipation,
         )
-        return Export(speech, self._table, cues, self._rate, self.life, wishes.mesh)
+        return Export(speech, self._table, cues, self._rate, self.life, self._mesh)
 
-    def chunks_of(self, speech: Utterance) -> Iterator[bytes]:
+    def chunks_of(self, speech: Transcript) -> Iterator[bytes]:
         """Return the file, in parts as they are made."""
         written = self.format.write(self.export_of(speech))
         if isinstance(written, bytes):
@@ -119,9 +121,8 @@ class Exporter:
             )
 
     def _check_mesh(self) -> None:
-        given = self._wishes.mesh
-        if given is not None and not self.format.moves_mesh:
-            raise ExportError(f"{self.name} moves no mesh; leave {given.name} out, or choose gltf")
+        if self._mesh is not None and not self.format.moves_mesh:
+            raise ExportError(f"{self.name} moves no mesh; leave {self._mesh.name} out, or choose gltf")
 
 
 def _encoded(parts: Iterable[str]) -> Iterator[bytes]:

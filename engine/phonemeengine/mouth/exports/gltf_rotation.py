@@ -59,14 +59,14 @@ def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Float64Ar
     ExportError : the scene is damaged.
     """
     try:
-        scene = _Scene(document)
+        scene = _NodeTree(document)
         with np.errstate(over="raise", invalid="raise"):
             return [turning for node in scene.nodes_that_turn(faces) if (turning := scene.turning_of(node, turns))]
     except (TypeError, KeyError, IndexError, ValueError, AttributeError, ArithmeticError) as error:
         raise ExportError("the mesh is a damaged glTF file; export it anew from your modelling program") from error
 
 
-class _Scene:
+class _NodeTree:
     """The nodes of a document, and which lies below which."""
 
     def __init__(self, document: dict[str, Any]) -> None:
@@ -86,8 +86,8 @@ class _Scene:
             return None
         rotation = np.array(node.get("rotation", (0, 0, 0, 1)), float)
         above = self._rotation_above(number)
-        turned = product(product(inverse(above), turns), above)
-        turning = Turning(number, product(turned, rotation), self._translations_of(node, rotation, turned))
+        turned = quaternion_product(quaternion_product(inverse(above), turns), above)
+        turning = Turning(number, quaternion_product(turned, rotation), self._translations_of(node, rotation, turned))
         if not all(np.abs(track).max() < LARGEST for track in turning.tracks().values()):
             raise ValueError("a number is too large, or none")
         return turning
@@ -112,7 +112,7 @@ class _Scene:
         for k in list(self._chain(number))[1:]:
             node = self._nodes[k]
             own = _parts_of(node)[1] if "matrix" in node else np.array(node.get("rotation", (0, 0, 0, 1)), float)
-            rotation = product(own, rotation)
+            rotation = quaternion_product(own, rotation)
         return rotation
 
     def _translations_of(self, node: Node, rotation: Float64Array, turned: Float64Array) -> Float64Array | None:
@@ -137,7 +137,7 @@ class _Scene:
         return np.array(((low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2))
 
 
-def product(one: Float64Array, other: Float64Array) -> Float64Array:
+def quaternion_product(one: Float64Array, other: Float64Array) -> Float64Array:
     """Return the rotation that does the other first, and then the one; quaternions x, y, z, w, shape (..., 4)."""
     one, other = np.broadcast_arrays(one, other)
     (a, u), (b, v) = ((q[..., 3:], q[..., :3]) for q in (one, other))
@@ -153,7 +153,7 @@ def inverse(rotation: Float64Array) -> Float64Array:
 def rotated(rotation: Float64Array, point: Float64Array) -> Float64Array:
     """Rotate a point, shape (3,), by quaternions, shape (..., 4)."""
     pure = np.append(point, 0.0)
-    return product(product(rotation, pure), inverse(rotation))[..., :3]
+    return quaternion_product(quaternion_product(rotation, pure), inverse(rotation))[..., :3]
 
 
 def _take_apart(node: Node) -> bool:

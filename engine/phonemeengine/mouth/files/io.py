@@ -1,5 +1,6 @@
 """Opens and saves files of meshes and movestates; the ending says the format."""
 
+import os
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -24,13 +25,14 @@ FIGURES = (".obj", ".gltf", ".glb", ".x")
 Beside = Callable[[str], bytes | None]
 
 
-def load_morph_mesh(path: Path) -> MorphMesh:
+def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
     """Load a mesh, and the movestates that its file has: .obj, .gltf, .glb or .x.
 
     Raises
     ------
     MeshError : the file cannot be read or is no mesh; the message begins with the file's name.
     """
+    path = Path(path)
     kind = _kind_of(path, FIGURES)
     content = _content_of(path, LARGEST[kind])
     try:
@@ -40,13 +42,14 @@ def load_morph_mesh(path: Path) -> MorphMesh:
     return MorphMesh(replace(figure.mesh, name=figure.mesh.name or path.stem), figure.states)
 
 
-def load_morph_targets(path: Path) -> MorphTargets:
+def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:
     """Load movestates: .3dm or .3dma, or a mesh with morph targets.
 
     Raises
     ------
     MeshError : the file cannot be read or holds no movestates; the message begins with the file's name.
     """
+    path = Path(path)
     kind = _kind_of(path, (*FACES, *FIGURES))
     if kind in FIGURES:
         figure = load_morph_mesh(path)
@@ -60,7 +63,7 @@ def load_morph_targets(path: Path) -> MorphTargets:
         raise MeshError(f"{path.name}: {error}") from error
 
 
-def save_morph_targets(face: MorphTargets, path: Path, figure: MorphMesh | None = None) -> None:
+def save_morph_targets(face: MorphTargets, path: str | os.PathLike[str], figure: MorphMesh | None = None) -> None:
     """Save movestates: .3dm, .3dma, or .glb, which holds the mesh too if it is given, else just points.
 
     The old file stays until the new one is complete.
@@ -69,6 +72,7 @@ def save_morph_targets(face: MorphTargets, path: Path, figure: MorphMesh | None 
     ------
     MeshError : the file cannot be written; the message begins with its name.
     """
+    path = Path(path)
     kind = _kind_of(path, (*FACES, ".glb"))
     try:
         if kind == ".glb":

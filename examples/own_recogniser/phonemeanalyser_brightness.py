@@ -78,7 +78,7 @@ def adapt(preset, takes, set_silence, progress):
 
 
 def with_limit(preset, strengths, phonemes):
-    """The preset whose limit lies between the middles of a and s, where both are known."""
+    """Return the preset whose limit lies between the middles of a and s, where both are known."""
     middles = [np.median(strengths[phonemes == p]) for p in (Phoneme.A, Phoneme.SZ) if (phonemes == p).any()]
     if len(middles) < 2:
         return preset

@@ -16,7 +16,7 @@ NOTHING = np.zeros(0, np.float32)
 
 
 @dataclass(frozen=True, eq=False)
-class Utterance:
+class Transcript:
     """What was said in a sound.
 
     Attributes
@@ -42,7 +42,7 @@ class Utterance:
         return np.arange(len(self.intensities), dtype=float) * FRAME_PERIOD
 
 
-def utterance_of(analyses: Iterable[Analysis], name: str, duration: float, path: Path | None = None) -> Utterance:
+def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path: Path | None = None) -> Transcript:
     """Collect what was said from the consecutive analyses of a sound of `duration` seconds; `path` is its file."""
     joiner, runs = SegmentBuilder(), []
     loud, pitches = [NOTHING], [NOTHING]
@@ -51,4 +51,4 @@ def utterance_of(analyses: Iterable[Analysis], name: str, duration: float, path:
         loud.append(analysis.intensities)
         pitches.append(np.array(analysis.features.values[:, F0], np.float32))
     runs += joiner.finish(duration)
-    return Utterance(name, duration, tuple(runs), np.concatenate(loud), np.concatenate(pitches), path)
+    return Transcript(name, duration, tuple(runs), np.concatenate(loud), np.concatenate(pitches), path)
