@@ -32,6 +32,7 @@ from phonemeengine.errors import (
     TakeError,
     UnknownPhonemeError,
 )
+from phonemeengine.features.front_end import FrameBlock
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.labels.label import Label
@@ -123,6 +124,7 @@ __all__ = [
     "FaceState",
     "Features",
     "Filter",
+    "FrameBlock",
     "FrameLabels",
     "GroupScores",
     "HeadMotion",
