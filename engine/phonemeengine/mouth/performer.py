@@ -81,20 +81,6 @@ class FaceState(NamedTuple):
     head: HeadPose
 
 
-class _Onset(NamedTuple):
-    """The start of a run of one phoneme, which goes on until the next one starts."""
-
-    start: float
-    phoneme: Phoneme
-
-
-class _PlannedMovement(NamedTuple):
-    """A movement of the mouth that begins at a time, ahead of the phoneme that it leads to."""
-
-    begin: float
-    onset: _Onset
-
-
 SILENT = TimedFrame(-math.inf, Phoneme.SILENCE, 0.0)
 
 
@@ -130,8 +116,8 @@ class Performer:
         self._heard: deque[TimedFrame] = deque([SILENT], maxlen=REMEMBERED)
         self._coming: deque[TimedFrame] = deque()
         self._changes: deque[TimedFrame] = deque(maxlen=REMEMBERED)
-        self._runs: list[_Onset] = []
-        self._movements: deque[_PlannedMovement] = deque()
+        self._runs: list[TimedFrame] = []  # the first frame of each run of a phoneme, from the one that is shown on
+        self._movements: deque[tuple[float, TimedFrame]] = deque()  # when the mouth begins to move to which run
         self._closes_at = math.inf
         self._restart()
 
@@ -166,7 +152,7 @@ class Performer:
     def follow(self, cues: Iterable[Cue]) -> None:
         """Take cues that are cleaned and ahead of the sound already: the mouth moves when they begin."""
         with self._lock:
-            self._movements.extend(_PlannedMovement(cue.start, _Onset(cue.start, cue.phoneme)) for cue in cues)
+            self._movements.extend((cue.start, _onset_of(cue)) for cue in cues)
 
     def hear_voice(self, time: float, intensity: float, f0: float) -> None:
         """Take the loudness alone, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time."""
@@ -180,7 +166,7 @@ class Performer:
             self._coming.clear()
             self._movements.clear()
             current = self._runs[0]  # the mouth may be ahead of it
-            self._runs = [current._replace(start=min(current.start, now))]
+            self._runs = [current._replace(time=min(current.time, now))]
 
     def close_mouth(self, now: float) -> None:
         """Close the mouth; what was known of the future does not come."""
@@ -193,7 +179,7 @@ class Performer:
         with self._lock:
             self.forget_coming(now)
             if phoneme != self._runs[-1].phoneme:
-                self._runs.append(_Onset(now, phoneme))
+                self._runs.append(TimedFrame(now, phoneme, 0.0))
                 self._plan(now)
 
     def jump_to(self, frames: Sequence[TimedFrame], now: float) -> None:
@@ -237,7 +223,7 @@ class Performer:
     def _restart(self) -> None:
         """Have a new mouth say what was heard."""
         self._morpher = Morpher(self.table, detail=self.idle.detail, seed=self.idle.seed)
-        self._runs = [_Onset(-math.inf, Phoneme.SILENCE)]
+        self._runs = [SILENT]
         self._movements.clear()
         self._begun = -math.inf
         self._add_runs([*self._heard, *self._coming])
@@ -250,19 +236,20 @@ class Performer:
         n_runs = len(self._runs)
         for frame in frames:
             if frame.phoneme != self._runs[-1].phoneme:
-                self._runs.append(_Onset(frame.time, frame.phoneme))
+                self._runs.append(frame)
         return len(self._runs) > n_runs
 
     def _plan(self, earliest: float) -> None:
         """Clean what is known after the run that the mouth moves to already, and plan movements from a time on."""
-        ends = [*(run.start for run in self._runs[1:]), math.inf]
-        segments = (Segment(run.start, end, run.phoneme, 0.0) for run, end in zip(self._runs, ends, strict=True))
+        runs = zip(self._runs, self._run_ends(), strict=True)
+        segments = (Segment(run.time, end, run.phoneme, run.intensity) for run, end in runs)
         cues = cleaned_cues(segments, self.table, MINIMUM, n_begun=1)
         begins = begins_of(cues, self.table, MOST_ANTICIPATION, MINIMUM)
-        self._movements.clear()
-        for cue, begin in zip(cues[1:], begins[1:], strict=True):
-            onset = _Onset(cue.start, cue.phoneme)
-            self._movements.append(_PlannedMovement(max(begin, earliest, self._begun), onset))
+        movements = zip(begins[1:], cues[1:], strict=True)
+        self._movements = deque((max(begin, earliest, self._begun), _onset_of(cue)) for begin, cue in movements)
+
+    def _run_ends(self) -> list[float]:
+        return [*(run.time for run in self._runs[1:]), math.inf]
 
     def _advance(self, time: float) -> None:
         """Have the mouth move, and the head, by what begins until a time."""
@@ -277,14 +264,18 @@ class Performer:
             self._morpher.set_loudness(frame.time, frame.intensity)
             if self.idle.head:
                 self._head.hear(frame.time, frame.intensity, frame.f0)
-        while self._movements and self._movements[0].begin <= time:
+        while self._movements and self._movements[0][0] <= time:
             self._begin(*self._movements.popleft())
 
-    def _begin(self, begin: float, onset: _Onset) -> None:
+    def _begin(self, begin: float, onset: TimedFrame) -> None:
         """Begin a movement: it is not taken back any more, and the runs before it are over."""
         self._begun = begin
         self._morpher.set_phoneme(begin, onset.phoneme)
-        ends = [*(run.start for run in self._runs[1:]), math.inf]
-        same = (run.phoneme == onset.phoneme and end > onset.start for run, end in zip(self._runs, ends, strict=True))
+        runs = zip(self._runs, self._run_ends(), strict=True)
+        same = (run.phoneme == onset.phoneme and end > onset.time for run, end in runs)
         past = next((k for k, found in enumerate(same) if found), 0)
         self._runs[: past + 1] = [onset]
+
+
+def _onset_of(cue: Cue) -> TimedFrame:
+    return TimedFrame(cue.start, cue.phoneme, cue.intensity)

@@ -40,7 +40,7 @@ class FaceModel(QObject):
     Signals
     -------
     changed : another face is there.
-    failed : a sentence for the user; the face stays as it was.
+    error : a sentence for the user; the face stays as it was.
 
     Attributes
     ----------
@@ -95,7 +95,7 @@ class FaceModel(QObject):
         """Name the movestates of this face that a table moves."""
         return tuple(mine for _, mine in self._pairs(table))
 
-    def use(self, table: MouthTable) -> None:
+    def set_table(self, table: MouthTable) -> None:
         """Move with the weights of another table."""
         if self.states is not None:
             self._columns = self._pairs(table)

@@ -299,7 +299,7 @@ class TalkModel(QObject):
     def _use(self, table: MouthTable) -> None:
         self.table = table
         self.performer.configure(table, self.idle)
-        self.face.use(table)
+        self.face.set_table(table)
         self.osc.follow(table, self.idle.detail)
         self._seen = np.zeros(0, np.float32)
         self.changed.emit()

@@ -440,6 +440,17 @@ def test_what_is_heard_is_sent_and_the_mouth_closes_at_the_end(
     assert not stage.failed
 
 
+def test_a_pause_holds_the_mouth_that_is_sent_as_it_holds_the_head(stage: Stage) -> None:
+    talking = stage.talking
+    stage.play(0.9)
+    stage.session.pause()
+    stage.wait(1.0)
+    now = stage.now - START
+    shown, sent = talking.performer.at(now).weights, talking.osc.performer.at(now).weights
+    np.testing.assert_array_equal(sent, shown)
+    assert shown[talking.table.movestates.index("jawOpen")] > 0.15
+
+
 @pytest.mark.parametrize("address", ["nowhere", "127.0.0.1:99999", ":9", ""])
 def test_a_wrong_address_switches_it_off_with_one_sentence(stage: Stage, address: str) -> None:
     stage.talking.osc.set_address(address)
