@@ -71,7 +71,7 @@ class Studio:
 
         def look() -> bool:
             QApplication.processEvents()  # what is done in the background comes by signals
-            self.taken += self.model.take_analyses()
+            self.taken += self.model.listener.take_analyses()
             return bool(true())
 
         wait_for(look, what)

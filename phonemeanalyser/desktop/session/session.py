@@ -346,7 +346,7 @@ class Session(QObject):
     def poll(self) -> bool:
         """Gather what has been heard since the last tick; say whether there was anything."""
         try:
-            blocks = (self._player or self.microphone).take_analyses()
+            blocks = (self._player or self.microphone.listener).take_analyses()
         except EngineError as error:
             self.stop()
             self.error.emit(str(error))

@@ -91,7 +91,7 @@ def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicropho
     studio.model.stop()
     assert not studio.model.active
     assert mic.closed.wait(60)
-    assert studio.model.take_analyses() == []
+    assert studio.model.listener.take_analyses() == []
     assert studio.model.listener.level.peak == 0
 
 
