@@ -36,9 +36,9 @@ Movestates (morph targets) move the vertices of a mesh::
 
 A preset learns a voice from labelled recordings of it, and is told how right it is on others::
 
-    outcome = calibrate(preset, read_recordings("takes"), held_back=read_recordings("sentence.flac"))
-    save_preset(outcome.preset, "my-voice.toml")
-    score(read_recordings("corpus"), outcome.preset).overall.scores.macro_f1
+    result = calibrate(preset, read_recordings("takes"), held_back=read_recordings("sentence.flac"))
+    save_preset(result.preset, "my-voice.toml")
+    score(result.preset, read_recordings("corpus")).overall.scores.macro_f1
 
 Whatever is refused is an `EngineError` whose text is one sentence for the person at the screen. What happens to
 devices, recordings and files is logged below the logger ``phonemeengine``, silently unless a program listens to it.
@@ -103,7 +103,7 @@ _PAGE = {
     "recognition.templates": "Templates",
     "dsp.filters": "denoise high_pass_gains low_pass_gains normalise",
     # A recogniser of one's own
-    "recognition.recogniser": "Recogniser RecogniserConfig",
+    "recognition.spec": "Recogniser RecogniserConfig RecogniserSpec Tuning",
     "recognition.recognition": "Recognition",
     "recognition.trace": "RuleComparison Trace",
     # A voice, and how well it is recognised
@@ -113,7 +113,7 @@ _PAGE = {
     "labels.phone_sets": "PhoneClass",
     "calibration.alignment": "aligned",
     "calibration.sentences": "SENTENCES Sentence SpokenPhone",
-    "calibration.calibrate": "Outcome calibrate",
+    "calibration.calibrate": "CalibrationResult calibrate",
     "calibration.takes.room_noise": "ConfidenceInterval SilenceAccuracy",
     "calibration.scores.evaluation": "CorpusScores GroupScores Predictions score",
     "calibration.scores.scoring": "Scores",
@@ -125,7 +125,7 @@ _PAGE = {
         "MouthError PresetError RecogniserError RecordingError SettingsError TakeError UnknownPhonemeError"
     ),
 }
-_ALIASES = {"SOUND_SUFFIXES": "SUFFIXES", "score": "score_corpus"}
+_ALIASES = {"SOUND_SUFFIXES": "SUFFIXES"}
 _HOMES = {name: module for module, names in _PAGE.items() for name in names.split()}
 
 __all__ = ["__version__", *_HOMES]  # noqa: PLE0604 - all of them are names

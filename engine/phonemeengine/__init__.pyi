@@ -7,11 +7,10 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
 from phonemeengine.calibration.alignment import aligned
-from phonemeengine.calibration.calibrate import Outcome, calibrate
+from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_recordings
-from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions
-from phonemeengine.calibration.scores.evaluation import score_corpus as score
+from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions, score
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.sentences import SENTENCES, Sentence, SpokenPhone
 from phonemeengine.calibration.takes.room_noise import ConfidenceInterval, SilenceAccuracy
@@ -69,10 +68,10 @@ from phonemeengine.progress import Cancelled, Progress
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Layer
 from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
-from phonemeengine.recognition.recogniser import Recogniser, RecogniserConfig
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.segments import Segment
+from phonemeengine.recognition.spec import Recogniser, RecogniserConfig, RecogniserSpec, Tuning
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.recognition.trace import RuleComparison, Trace
 from phonemeengine.settings import (
@@ -104,6 +103,7 @@ __all__ = [
     "AnalysisSettings",
     "AudioError",
     "Blinker",
+    "CalibrationResult",
     "Cancelled",
     "Channel",
     "Condition",
@@ -152,7 +152,6 @@ __all__ = [
     "NoiseKind",
     "OscAddress",
     "OscMouth",
-    "Outcome",
     "OutputHead",
     "PhoneClass",
     "Phoneme",
@@ -166,6 +165,7 @@ __all__ = [
     "Recogniser",
     "RecogniserConfig",
     "RecogniserError",
+    "RecogniserSpec",
     "Recognition",
     "Recorder",
     "RecordingError",
@@ -187,6 +187,7 @@ __all__ = [
     "Trace",
     "Transcript",
     "TransitionTimes",
+    "Tuning",
     "UnknownPhonemeError",
     "Utterance",
     "Variable",

@@ -21,9 +21,9 @@ from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.intensity import intensities_of
-from phonemeengine.recognition.recogniser import NEED_WAVEFORM, Recogniser, recogniser_of
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.smoothing import PhonemeSmoother
+from phonemeengine.recognition.spec import Recogniser, recogniser_of, spec_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
 BLOCK = 512
@@ -136,7 +136,7 @@ class Analyser:
         self._preset = preset
         self._framer = Framer()
         self._path = self._path_of(preset)
-        self._recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        self._recogniser = recogniser_of(preset.recogniser, preset.config)
         self._statistics = _statistics_of(preset)
         self._waiting = LookAheadBuffer()
         self._unasked = False
@@ -160,8 +160,8 @@ class Analyser:
         EngineError : its recogniser cannot be made; everything stays as it was.
         """
         old, recogniser = self._preset, self._recogniser
-        if (preset.recogniser, preset.tuning) != (old.recogniser, old.tuning):
-            recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        if (preset.recogniser, preset.config) != (old.recogniser, old.config):
+            recogniser = recogniser_of(preset.recogniser, preset.config)
         self._preset = preset
         if self._path_key(preset) != self._path_key(old):
             self._change_path(preset)
@@ -192,7 +192,7 @@ class Analyser:
         return self._join([*ready, *(self._recognise(block) for block in pushed)])
 
     def _recognise(self, measured: FrameBlock) -> Analysis:
-        recognition = self._recogniser.recognise(measured.features)
+        recognition = self._recogniser.recognise(measured.windows, measured.features)
         if self._recogniser.look_ahead:
             measured = self._waiting.delay(measured, len(recognition.phonemes))
         return self._completed(measured, recognition)
@@ -216,19 +216,21 @@ class Analyser:
         )  # fmt: skip
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
-        if self._phonemes_only and preset.recogniser in NEED_WAVEFORM:
+        if self._leaves_features_out(preset):
             return LevelFrontEnd()
         return FrontEnd(preset.settings, preset.variables, pitch=self._pitch)
 
     def _path_key(self, preset: Preset) -> object:
-        hears = self._phonemes_only and preset.recogniser in NEED_WAVEFORM
-        return hears, preset.settings, preset.variables
+        return self._leaves_features_out(preset), preset.settings, preset.variables
+
+    def _leaves_features_out(self, preset: Preset) -> bool:
+        return self._phonemes_only and not spec_of(preset.recogniser).needs_features
 
     def _change_path(self, preset: Preset) -> None:
         old, self._path = self._path, self._path_of(preset)
         waiting = self._waiting.clear()
         if waiting is not None:
-            self._waiting.delay(self._path.measure(waiting.features.windows), 0)
+            self._waiting.delay(self._path.measure(waiting.windows), 0)
         self._path.resume(old)
 
     def _change_recogniser(self, recogniser: Recogniser) -> None:
@@ -239,14 +241,18 @@ class Analyser:
     def _join(self, blocks: list[Analysis]) -> Analysis:
         if not blocks:
             return self._recognise(self._path.nothing())
-        measured = concatenate([FrameBlock(b.spectra, b.mel, b.waveforms, b.features) for b in blocks])
+        mels = [b.mel for b in blocks if b.mel is not None]
         return Analysis(
-            blocks[0].start, measured.spectra, measured.mel, measured.waveforms, measured.features,
+            start=blocks[0].start,
+            spectra=np.concatenate([b.spectra for b in blocks]),
+            mel=np.concatenate(mels) if mels else None,
+            waveforms=np.concatenate([b.waveforms for b in blocks]),
+            features=Features(blocks[0].features.names, np.concatenate([b.features.values for b in blocks])),
             recognised=np.concatenate([b.recognised for b in blocks]),
             phonemes=np.concatenate([b.phonemes for b in blocks]),
             intensities=np.concatenate([b.intensities for b in blocks]),
             settings=blocks[-1].settings,
-        )  # fmt: skip
+        )
 
 
 class Reading(NamedTuple):

@@ -9,8 +9,8 @@ import numpy as np
 from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset
 from phonemeanalyser.cli.jobs import say_cut_off
 from phonemeengine import (
+    CalibrationResult,
     Channel,
-    Outcome,
     PhonemeMap,
     Preset,
     PresetError,
@@ -63,7 +63,7 @@ def run(options: argparse.Namespace) -> int:
         found = _calibrated(preset, room, options)
     else:
         assert room is not None
-        found = _quietened(preset, room, options)
+        found = _with_silence(preset, room, options)
     save_preset(replace(found, name=options.out.stem), options.out)
     return 0
 
@@ -72,29 +72,30 @@ def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Nam
     mapping = load_phoneme_map(options.map) if options.map else PhonemeMap()
     takes, held_back = (_read(sources, mapping, options.channel) for sources in (options.folders, options.held_back))
     say_cut_off([*takes, *held_back])
-    outcome = calibrate(preset, takes, held_back=held_back, room=room)
+    result = calibrate(preset, takes, held_back=held_back, room=room)
     seconds = sum(utterance.labels[-1].end for utterance in takes if utterance.labels)
-    print(f"{options.out}: {len(takes)} recordings, {seconds:.0f} s; {_told(outcome)}")
-    for sentence in (outcome.refusal, f"{outcome.sure}." if outcome.sure else ""):
+    print(f"{options.out}: {len(takes)} recordings, {seconds:.0f} s; {_gain_in_words(result)}")
+    for sentence in (result.refusal, f"{result.silence_accuracy}." if result.silence_accuracy else ""):
         if sentence:
             print(sentence)
-    return outcome.preset
+    return result.preset
 
 
-def _quietened(preset: Preset, room: Float32Array, options: argparse.Namespace) -> Preset:
+def _with_silence(preset: Preset, room: Float32Array, options: argparse.Namespace) -> Preset:
     measured = measure_room(room, preset)
     if measured.notes:
         raise TakeError(f"{options.room.name}: {measured.notes[0]}")
-    found = measured.thresholds(preset)
-    print(f"{options.out}: a room of {measured}; {measured.sureness(found)}.")
+    found = measured.set_silence(preset)
+    print(f"{options.out}: a room of {measured}; {measured.silence_accuracy(found)}.")
     return found
 
 
-def _told(outcome: Outcome) -> str:
+def _gain_in_words(result: CalibrationResult) -> str:
     """Return what was gained, and on what that was measured."""
-    one, other = outcome.before, outcome.after
-    on = f"on {'quarters held back in turn' if outcome.in_turn else 'what was held back'}, {outcome.seconds:.0f} s"
-    if not outcome.gains:
+    one, other = result.before, result.after
+    where = "quarters held back in turn" if result.cross_validated else "what was held back"
+    on = f"on {where}, {result.seconds:.0f} s"
+    if not result.gains:
         return f"nothing better was found {on} (macro F1 {one.macro_f1:.1%}); unchanged"
     return (
         f"{on}: macro F1 {one.macro_f1:.1%} -> {other.macro_f1:.1%}, mouth shapes {one.viseme_accuracy:.1%} -> "

@@ -31,9 +31,9 @@ from phonemeengine import (
     load_preset,
     read_recordings,
 )
+from phonemeengine.calibration.scores import evaluation
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
-from phonemeengine.calibration.scores.evaluation import score_corpus
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
 """The formats that an ending asks for; text is the format of all others."""
@@ -83,7 +83,7 @@ def run(options: argparse.Namespace) -> int:
     for named in presets:
         adder = None if noise is None else NoiseAdder(noise, utterances)
         scored.append(ScoredPreset(named.title, _scored(utterances, named, options.lag / 1000, adder, troubles)))
-        utterances = tuple(answers.utterance for answers in scored[-1].scores.answers)
+        utterances = tuple(p.utterance for p in scored[-1].scores.predictions)
     comparison = compare(*(preset.scores for preset in scored)) if len(scored) > 1 else None
     report = Report(options.corpus, tuple(scored), comparison, noise, tuple(troubles.sentences))
     _write(report, options.kind or KINDS.get((options.out or Path()).suffix.lower(), "text"), options.by, options.out)
@@ -106,18 +106,18 @@ def _recordings_in(
 ) -> tuple[Utterance, ...]:
     if not folder.exists():
         raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")
-    utterances = read_recordings(folder, mapping, channel=channel, passed_over=troubles.push)
+    utterances = read_recordings(folder, mapping, channel=channel, on_skipped=troubles.push)
     say_cut_off(utterances)
     return utterances
 
 
 def _scored(
-    utterances: Sequence[Utterance], named: Named, lag: float, adder: NoiseAdder | None, troubles: _Troubles
+    utterances: Sequence[Utterance], named: Named, delay: float, adder: NoiseAdder | None, troubles: _Troubles
 ) -> CorpusScores:
     with tqdm(
         utterances, desc=named.title, unit="recording", leave=False, delay=1, disable=None, file=sys.stderr
     ) as progress:
-        return score_corpus(progress, named.preset, lag=lag, noise=adder, passed_over=troubles.push)
+        return evaluation.score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push)
 
 
 def _presets_of(first: Path, against: Path | None) -> list[Named]:

@@ -45,7 +45,7 @@ with Listener(preset) as ear:
 reveal_type(Analyser(preset).push)
 reveal_type(recognise_window([0.0] * 2048, preset).intensity)
 reveal_type(calibrate(preset, read_recordings("takes")).preset)
-reveal_type(score(read_recordings("corpus"), preset).overall.scores.macro_f1)
+reveal_type(score(preset, read_recordings("corpus")).overall.scores.macro_f1)
 Analyser("learned")
 """
 REVEALED = [

@@ -27,6 +27,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
 from phonemeengine.recognition.smoothing import SUCCESSORS, PhonemeSmoother
+from phonemeengine.recognition.spec import OWN_RULES
 from tools.fit.rule_features import (
     COPIES,
     FRONT_END,
@@ -99,7 +100,7 @@ class RuleFitter:
         variables = tuple(v for v in self._variables if v.name in used)
         settings = replace(FRONT_END, minimum_hold=0.0, hysteresis=hysteresis)
         notes = self._notes(rules, variables, unseen, hysteresis)
-        return Preset(NAME, settings, variables=variables, recogniser="rules", rules=rules, notes=notes)
+        return Preset(NAME, settings, variables=variables, recogniser=OWN_RULES.name, rules=rules, notes=notes)
 
     def _rules_without(self, voices: Sequence[str], chosen: BoolArray) -> Rules:
         heard = [self._voices.index(voice) for voice in {v for v, c in zip(voices, chosen, strict=True) if not c}]
@@ -193,7 +194,7 @@ def _in_words(scores: Scores) -> str:
 
 def _recognised(features: Features, rules: Rules, hysteresis: float) -> UInt8Array:
     recogniser = RuleRecogniser(rules, Thresholds())
-    codes = recogniser.recognise(features).phonemes
+    codes = recogniser.phonemes_of(features)
     return PhonemeSmoother(0.0, SUCCESSORS, hysteresis).smooth(codes, recogniser.deficits(features))
 
 

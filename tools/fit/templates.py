@@ -16,6 +16,7 @@ from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.spec import TEMPLATES
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import AnalysisSettings
 
@@ -27,7 +28,7 @@ MINIMUM_HOLD, HYSTERESIS = 0.0, 0.25
 def preset_of(templates: Templates, notes: str = "") -> Preset:
     """Return a preset that recognises by templates."""
     settings = AnalysisSettings(minimum_hold=MINIMUM_HOLD, hysteresis=HYSTERESIS)
-    return Preset(NAME, settings, recogniser="templates", templates=templates, notes=notes)
+    return Preset(NAME, settings, recogniser=TEMPLATES.name, templates=templates, notes=notes)
 
 
 def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, LogMelsByPhoneme]) -> Scores:

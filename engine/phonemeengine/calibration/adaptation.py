@@ -7,19 +7,23 @@ adaptation", ICASSP 2013). How far along that way a model should go, if at all, 
 `phonemeengine.calibration.calibrate` on what was held back.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
 from phonemeengine.calibration.fine_tuning import TrainingSegment, TunedLayers, first_tuned
-from phonemeengine.calibration.learning.training_examples import TrainingExample
+from phonemeengine.calibration.learning.training_examples import TrainingExample, example_of_recording
+from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.dsp.log_mel import silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Layer, Network, StreamingLayer
+from phonemeengine.recognition.scores import MOST_LOG_ODDS
 
 FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 40, 120, 50
 """Steps that are taken: one for so many frames of the voice, within these bounds."""
@@ -38,6 +42,8 @@ LEAST_SECONDS = 2.0
 BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
 
+GIVEN_TO_SILENCE = 0.5
+"""By how much silence becomes likelier in the second of each pair of adapted presets, nats."""
 STEP_SIZES = (1.0, 0.5, 0.25)
 """Shares of the way from the model to what it learned, the boldest first."""
 
@@ -90,6 +96,30 @@ def adapt(model: Model, lessons: Sequence[TrainingExample]) -> tuple[Model, ...]
     anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
     moved = _fine_tuned(model, heard, said, anchors)
     return tuple(replace(_interpolated(model, moved, way), warps=NO_WARP) for way in STEP_SIZES)
+
+
+def adapt_to_takes(
+    preset: Preset, takes: Sequence[Utterance], set_silence: Callable[[Preset], Preset], progress: Progress
+) -> tuple[Preset, ...]:
+    """Adapt a preset's model to a voice, further or less far, each with silence as it is and a little likelier.
+
+    The last preset keeps the model. It is an `Adapt` of `phonemeengine.calibration.calibrate`.
+    """
+    assert preset.model is not None
+    examples: list[TrainingExample] = []
+    for k, utterance in enumerate(takes):
+        report_progress(progress, 0.5 * k / len(takes))
+        examples.append(example_of_recording(utterance))
+    report_progress(progress, 0.5)
+    presets = [set_silence(replace(preset, model=model)) for model in adapt(preset.model, examples)]
+    return (*(found for adapted in presets for found in (adapted, _with_more_silence(adapted))), set_silence(preset))
+
+
+def _with_more_silence(preset: Preset) -> Preset:
+    """Return back to silence what it loses where all phonemes count alike in learning."""
+    now = preset.sensitivities.get(Phoneme.SILENCE, 0.0)
+    given = min(now + GIVEN_TO_SILENCE, MOST_LOG_ODDS)
+    return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: given})
 
 
 def _fine_tuned(

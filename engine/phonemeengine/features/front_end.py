@@ -39,12 +39,14 @@ class FrameBlock:
 
     Attributes
     ----------
+    windows : float32, shape (n_frames, 2048): the samples that were measured.
     spectra : float32, shape (n_frames, n_bins): amplitudes after all filters.
     mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
     waveforms : float32, shape (n_frames, n_samples): the windows after the filters of the time domain.
     features : the measured variables.
     """
 
+    windows: Float32Array
     spectra: Float32Array
     mel: Float32Array | None
     waveforms: Float32Array
@@ -53,7 +55,9 @@ class FrameBlock:
     def part(self, frames: slice) -> "FrameBlock":
         """Return some of the frames of the block, as a block."""
         mel = None if self.mel is None else self.mel[frames]
-        return FrameBlock(self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames))
+        return FrameBlock(
+            self.windows[frames], self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames)
+        )
 
 
 class FrontEnd:
@@ -137,7 +141,7 @@ class FrontEnd:
         if self._divided.size:
             divided, divisors = self._divided
             values[:, divided] /= np.maximum(values[:, divisors], FAINTEST)
-        return FrameBlock(spectra[:, : self._n_bins], mel, waves, Features(self.names, values, frames))
+        return FrameBlock(frames, spectra[:, : self._n_bins], mel, waves, Features(self.names, values))
 
     def _mel_of(self, spectra: Float32Array) -> Float32Array:
         mel = mel_spectra_of(spectra[:, : self._n_bins], self._mel_bands, BIN_WIDTH)
@@ -159,7 +163,7 @@ class LevelFrontEnd:
     def measure(self, frames: Float32Array) -> FrameBlock:
         """Measure raw frames, shape (n, 2048)."""
         unseen = np.zeros((len(frames), 0), np.float32)
-        return FrameBlock(unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis], frames))
+        return FrameBlock(frames, unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis]))
 
 
 def _gains_of(settings: AnalysisSettings) -> Float32Array:
@@ -175,12 +179,9 @@ def concatenate(blocks: list[FrameBlock]) -> FrameBlock:
     """Return consecutive blocks as one; there must be at least one."""
     mels = [b.mel for b in blocks if b.mel is not None]
     return FrameBlock(
+        windows=np.concatenate([b.windows for b in blocks]),
         spectra=np.concatenate([b.spectra for b in blocks]),
         mel=np.concatenate(mels) if mels else None,
         waveforms=np.concatenate([b.waveforms for b in blocks]),
-        features=Features(
-            blocks[0].features.names,
-            np.concatenate([b.features.values for b in blocks]),
-            np.concatenate([b.features.windows for b in blocks]),
-        ),
+        features=Features(blocks[0].features.names, np.concatenate([b.features.values for b in blocks])),
     )

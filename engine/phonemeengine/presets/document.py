@@ -22,6 +22,7 @@ from phonemeengine.recognition.model import Model, load_model
 from phonemeengine.recognition.phoneme_data import PhonemeData
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.smoothing import SUCCESSORS
+from phonemeengine.recognition.spec import THESIS
 from phonemeengine.settings import AnalysisSettings, Decimation, Filter, WindowFunction
 from phonemeengine.strict_table import StrictTable, parse_toml, shown
 
@@ -97,7 +98,7 @@ def _preset_of(top: StrictTable, folder: Path) -> Preset:
         name=texts.get("name", "untitled"),
         settings=settings,
         variables=tuple(Variable(**entry.read(_VARIABLE, ("per",))) for entry in top.tables("variables")),
-        recogniser=texts.get("recogniser", "thesis"),
+        recogniser=texts.get("recogniser", THESIS.name),
         model=_model_of(texts["model"], folder) if texts.get("model") else None,
         rules=tuple(_rule_of(entry) for entry in top.tables("rules")),
         templates=templates_of_table(top.table("templates")) if "templates" in top else None,

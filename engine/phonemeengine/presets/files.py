@@ -13,6 +13,7 @@ from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, pre
 from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model, load_model, save_model
+from phonemeengine.recognition.spec import spec_of
 
 _SHIPPED = Path(str(resources.files("phonemeengine.presets"))) / "factory"
 FACTORY = _SHIPPED if _SHIPPED.is_dir() else Path(__file__).resolve().parents[3] / "presets"
@@ -23,10 +24,6 @@ _NAMES = ("learned", "extended", "templates", "thesis", "thesis-calm", "thesis-a
 FACTORY_PRESETS = tuple(FACTORY / f"{name}.toml" for name in _NAMES)
 """The presets that ship with the program, the surest one first."""
 THESIS_PRESETS = tuple(path for path in FACTORY_PRESETS if path.stem.startswith("thesis"))
-FACTORY_PRESET_OF = {
-    "learned": "learned.toml", "rules": "extended.toml", "templates": "templates.toml", "thesis": "thesis.toml",
-}  # fmt: skip
-"""The factory preset that was tuned with each of the program's own recognisers."""
 LARGEST_FILE = 1 << 20
 PHONEME_DATA_SUFFIXES = (".phonemedata", ".txt")
 PRESET_SUFFIXES = (".toml", *PHONEME_DATA_SUFFIXES)
@@ -106,8 +103,13 @@ def own_presets() -> tuple[Path, ...]:
 
 
 def factory_preset(recogniser: str) -> Preset | None:
-    """Return the factory preset that was tuned with a recogniser; None for one of another package."""
-    name = FACTORY_PRESET_OF.get(recogniser)
+    """Return the factory preset that was tuned with a recogniser; None for one that brings none.
+
+    Raises
+    ------
+    EngineError : there is no such recogniser, or its preset cannot be read.
+    """
+    name = spec_of(recogniser).factory_preset
     return load_preset(FACTORY / name) if name else None
 
 

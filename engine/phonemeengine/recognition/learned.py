@@ -50,11 +50,11 @@ class LearnedRecogniser:
         self._sensitivity = Sensitivity(sensitivities)
         self._n_early = self.look_ahead
 
-    def recognise(self, features: Features) -> Recognition:
+    def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
         """Recognise the next frames; the answers are about those `look_ahead` frames before."""
-        if not len(features.windows):
+        if not len(windows):
             return NOTHING
-        found = self._network.forward(log_mels(features.windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
+        found = self._network.forward(log_mels(windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
         if self._n_early:
             n_early = min(self._n_early, len(found))
             found, self._n_early = found[n_early:], self._n_early - n_early

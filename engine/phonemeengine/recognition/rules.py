@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array, IndexArray
+from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
@@ -127,10 +127,15 @@ class RuleRecogniser:
         """Return what one of its conditions compares with."""
         return self._limits_of[condition]
 
-    def recognise(self, features: Features) -> Recognition:
+    def recognise(self, _windows: Float32Array, features: Features) -> Recognition:
         """Recognise a block."""
+        return Recognition(self.phonemes_of(features))
+
+    def phonemes_of(self, features: Features) -> UInt8Array:
+        """Return which phoneme each frame's variables are, shape (n_frames,)."""
         failures = (self._compared(features) <= self._limits).dot(self._members)
-        return Recognition(self._phonemes[failures.argmin(axis=1)])
+        phonemes: UInt8Array = self._phonemes[failures.argmin(axis=1)]
+        return phonemes
 
     def deficits(self, features: Features) -> Float32Array:
         """Return how much the limits would have to give way until each phoneme is named, as a share of them.

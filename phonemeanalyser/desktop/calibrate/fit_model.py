@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import TaskQueue
-from phonemeengine.calibration.fits.fitting import FITTED, FitReport, fit_preset
+from phonemeengine.calibration.fits.fitting import FitReport, fit_preset
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance
@@ -19,6 +19,7 @@ from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, subrange
+from phonemeengine.recognition.spec import spec_of
 
 MOST_SEGMENTS = 200
 """Stretches that are listed of each preset."""
@@ -47,7 +48,7 @@ class FitModel(QObject):
     def why_not(self) -> str:
         """Why nothing can be fitted now, as a sentence; nothing where it can."""
         recogniser = self._preset.preset.recogniser
-        if recogniser not in FITTED:
+        if not spec_of(recogniser).fit:
             return f"The recogniser {recogniser} has no thresholds; the guided calibration teaches it your voice."
         return "" if self._workbench.features is not None else "Record takes or load labelled recordings first."
 
@@ -63,9 +64,8 @@ class FitModel(QObject):
         if report is not None:
             now, found = self._preset.preset, report.preset
             self._preset.end_edit()
-            self._preset.edit(
-                replace(now, thresholds=found.thresholds, successors=found.successors, rules=found.rules), "fit"
-            )
+            fitted = {tuning.value: getattr(found, tuning) for tuning in spec_of(found.recogniser).tuned_by}
+            self._preset.edit(replace(now, successors=found.successors, **fitted), "fit")
         self.changed.emit()
 
     def refuse(self) -> None:
@@ -143,7 +143,7 @@ class ComparisonModel(QObject):
 
     def _compare(self) -> None:
         own, other, preset = self._workbench.confusion, self.confusion, self.preset
-        if own is None or other is None or preset is None or len(own.answers) != len(other.answers):
+        if own is None or other is None or preset is None or len(own.predicted) != len(other.predicted):
             return
         now, utterances = self._own.preset, self._workbench.utterances
         self._comparing.replace(
@@ -172,6 +172,6 @@ def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance
     for k, utterance in enumerate(utterances):
         span = slice(int(confusion.edges[k]), int(confusion.edges[k + 1]))
         labels = FrameLabels(confusion.labels.phonemes[span], confusion.labels.certain[span])
-        codes = confusion.answers[span]
+        codes = confusion.predicted[span]
         answers.append(Predictions(utterance, labels, codes, np.zeros(len(codes), np.float32)))
     return CorpusScores(preset, 0, 0.0, tuple(answers), group_scores_of(answers), {}, {})

@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.calibrate import Outcome, calibrate
+from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.sentences import SENTENCES, Sentence
 from phonemeengine.calibration.takes.onset import onset_in, quiet_at_end
@@ -110,7 +110,7 @@ class GuideModel(QObject):
         self.advice = ""
         self.numbers: dict[int, int] = {}
         self.room: RoomNoise | None = None
-        self.outcome: Outcome | None = None
+        self.outcome: CalibrationResult | None = None
         self.sentence = SENTENCES[0]
         self.spoken: Utterance | None = None
         self._session = session
@@ -153,7 +153,7 @@ class GuideModel(QObject):
         """What the figures are measured on, in words."""
         if self.outcome is None:
             return ""
-        if self.outcome.in_turn:
+        if self.outcome.cross_validated:
             return f"on quarters of the takes, each held back in turn, {self.outcome.seconds:.0f} s"
         seconds = f"{self.outcome.seconds:.1f} s"
         return f"on one sentence that was held back, {seconds}, labels aligned by the known text"
@@ -348,7 +348,7 @@ class GuideModel(QObject):
             lambda progress: calibrate(preset, takes, held_back=held_back, progress=progress), self._take_outcome
         )  # fmt: skip
 
-    def _take_outcome(self, outcome: Outcome) -> None:
+    def _take_outcome(self, outcome: CalibrationResult) -> None:
         self.outcome = outcome
         self._show(Phase.DONE)
 

@@ -288,7 +288,7 @@ class GuideView(QWidget):
         guide = self._calibration.guide
         if guide.outcome is None:
             return ""
-        sure = f"<br>{guide.outcome.sure}" if guide.outcome.sure is not None else ""
+        sure = f"<br>{guide.outcome.silence_accuracy}" if guide.outcome.silence_accuracy is not None else ""
         return f"Measured {guide.measured_on}.{sure}"
 
     def _advice(self) -> str:

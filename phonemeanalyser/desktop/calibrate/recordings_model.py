@@ -93,7 +93,7 @@ def _read(sources: Sequence[Path], mapping: PhonemeMap) -> Read | dict[str, int]
     unknown: dict[str, int] = {}
     for source in sources:
         try:
-            utterances += read_recordings(source, mapping, passed_over=refusals.append)
+            utterances += read_recordings(source, mapping, on_skipped=refusals.append)
         except UnknownPhonemeError as error:
             unknown = dict(Counter(unknown) + Counter(error.counts))
     return unknown or (tuple(utterances), [str(refusal) for refusal in refusals])

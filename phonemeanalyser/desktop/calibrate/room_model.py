@@ -97,5 +97,5 @@ class RoomModel(QObject):
 
 def _found_in(samples: Float32Array, rate: int, preset: Preset, takes: tuple[Utterance, ...]) -> Found:
     room, speech = measure_room(to_mono_44k(samples, rate), preset), speech_in(takes)
-    found = room.thresholds(preset, speech)
-    return room, found, room.sureness(found, speech)
+    found = room.set_silence(preset, speech)
+    return room, found, room.silence_accuracy(found, speech)

@@ -21,7 +21,7 @@ from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
 from phonemeengine.calibration.fits.suggestions import Suggestion
 from phonemeengine.features.variables import Variable
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recogniser import takes_own_variables
+from phonemeengine.recognition.spec import spec_of
 
 NAME = Qt.ItemDataRole.UserRole
 
@@ -188,7 +188,7 @@ class VariablesPanel(QWidget):
         suggestion, name = self._suggested(), self._workbench.recogniser
         self.words.setVisible(suggestion is not None)
         if suggestion is not None:
-            acts = takes_own_variables(name)
+            acts = spec_of(name).uses_own_variables
             colour = self._theme.faint if acts else self._theme.bad
             note = ACTS if acts else f"The recogniser {name} cannot use variables of your own; {NO_ACT}"
             self.words.setText(f"{_words_of(suggestion)}.<br><span style='color:{colour}'>{note}</span>")

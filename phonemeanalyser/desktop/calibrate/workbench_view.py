@@ -137,7 +137,7 @@ class WorkbenchView(QWidget):
         calm = of_labels > 0 and changes <= 1.5 * of_labels
         colour = self._theme.good if calm else self._theme.bad
         ratio = f" ({changes / of_labels:.1f} ×)" if of_labels > 0 else ""
-        seconds = len(confusion.answers) / 100
+        seconds = len(confusion.predicted) / 100
         self.figures.setText(
             f"accuracy <b>{_percent(confusion.accuracy)}</b> &nbsp; "
             f"macro F1 <b>{_percent(confusion.macro_f1)}</b> &nbsp; "

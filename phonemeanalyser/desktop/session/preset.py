@@ -25,8 +25,8 @@ from phonemeengine.presets.files import (
 )
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recogniser import Recogniser, recogniser_of
 from phonemeengine.recognition.rules import Rule
+from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import Filter
 
 PRESET_FILTER = f"Presets ({' '.join('*' + suffix for suffix in PRESET_SUFFIXES)})"
@@ -263,7 +263,8 @@ class PresetModel(QObject):
 
     def saved_value(self, name: str) -> float | None:
         """Return a control's value as the preset's file has it; None where the file's rules are others."""
-        if self.preset.recogniser == "rules" and _shape(self._saved.rules) != _shape(self.preset.rules):
+        has_limits = Tuning.RULES in spec_of(self.preset.recogniser).tuned_by
+        if has_limits and _shape(self._saved.rules) != _shape(self.preset.rules):
             return None
         return self.controls[name].read(self._saved)
 
@@ -297,7 +298,7 @@ class PresetModel(QObject):
         return recogniser
 
     def _make(self, preset: Preset) -> tuple[object, Recogniser]:
-        recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        recogniser = recogniser_of(preset.recogniser, preset.config)
         recogniser.used_thresholds  # noqa: B018 - one of another package is made by being asked
         return _recogniser_key(preset), recogniser
 
@@ -330,7 +331,7 @@ def _joined(source: Preset, preset: Preset, first: Preset) -> Preset:
 
 
 def _recogniser_key(preset: Preset) -> object:
-    return preset.recogniser, preset.tuning
+    return preset.recogniser, preset.config
 
 
 def _shape(rules: tuple[Rule, ...]) -> object:

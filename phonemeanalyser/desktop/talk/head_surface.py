@@ -160,7 +160,7 @@ class PictureSurface(QWidget):
         self._rest.timeout.connect(self._draw_finely)
         self._scene = scene
         self._figure: MorphMesh | None = None
-        self._photographer: Any = None
+        self._offscreen: Any = None
         self._kept = b""
         self._image: QImage | None = None
 
@@ -199,14 +199,14 @@ class PictureSurface(QWidget):
     def release_gl(self) -> None:
         """Return everything back to the graphics driver."""
         self._rest.stop()
-        if self._photographer is not None:
-            self._photographer.release()
-        self._photographer = self._figure = None
+        if self._offscreen is not None:
+            self._offscreen.release()
+        self._offscreen = self._figure = None
 
     def _image_of(self, scene: Scene, *, fine: bool) -> QImage | None:
         width, height = self._size(MOST_PIXELS if fine else MOST_QUICK_PIXELS)
         try:
-            photographer = self._photographer_of(scene.figure)
+            photographer = self._offscreen_of(scene.figure)
             photographer.resize((width, height))
             picture = photographer.picture(
                 scene.camera, scene.positions, scene.pose, background=scene.background,
@@ -225,8 +225,8 @@ class PictureSurface(QWidget):
         less = min(1.0, (most / (width * height)) ** 0.5)
         return max(1, round(width * less)), max(1, round(height * less))
 
-    def _photographer_of(self, figure: MorphMesh) -> Any:
-        if self._photographer is None or figure is not self._figure:
+    def _offscreen_of(self, figure: MorphMesh) -> Any:
+        if self._offscreen is None or figure is not self._figure:
             self.release_gl()
-            self._photographer, self._figure = rendering().offscreen.OffscreenRenderer(figure), figure
-        return self._photographer
+            self._offscreen, self._figure = rendering().offscreen.OffscreenRenderer(figure), figure
+        return self._offscreen

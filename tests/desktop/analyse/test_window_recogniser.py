@@ -1,6 +1,5 @@
 """Choosing a recogniser in the window: the example of a plug-in at work, and what happens when one fails."""
 
-import os
 import subprocess
 import sys
 from dataclasses import fields
@@ -17,16 +16,16 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
-from phonemeengine.recognition.recogniser import RECOGNISERS
+from phonemeengine.recognition.spec import BUILT_IN
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
 from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number
-from tests.fakes.plug_ins import Shelf
+from tests.fakes.plug_ins import Shelf, environment_with
 from tests.tables import rows_of
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 FAILS_LATER = """
 class Own(Plain):
-    def recognise(self, features):
+    def recognise(self, windows, features):
         raise ValueError("no more")
 """
 MADE_ONCE = """
@@ -82,7 +81,7 @@ def sentences(session: Session) -> list[str]:
 
 def test_the_window_offers_what_is_installed_and_shows_what_the_preset_uses(loudness, desktop, qtbot):
     names = shown(desktop, qtbot).recogniser.names
-    assert [names.itemText(k) for k in range(names.count())] == [*RECOGNISERS, "loudness"]
+    assert [names.itemText(k) for k in range(names.count())] == [*BUILT_IN, "brightness", "loudness"]
     assert names.currentText() == "thesis"
     assert "install" in names.toolTip()
 
@@ -99,7 +98,7 @@ def test_choosing_a_recogniser_acts_at_once_and_undo_takes_it_back(loudness, des
     assert desktop.preset.undo_stack.undoText() == "recogniser loudness"
     assert window.isWindowModified()
     press(window, Qt.Key.Key_Z, CONTROL)
-    walked_by = [*RECOGNISERS][-1]  # the keys chose one after the other
+    walked_by = [*BUILT_IN][-1]  # the keys chose one after the other
     assert window.recogniser.names.currentText() == desktop.preset.preset.recogniser == walked_by
     press(window, Qt.Key.Key_Z, CONTROL | SHIFT)
     assert window.recogniser.names.currentText() == desktop.preset.preset.recogniser == "loudness"
@@ -211,11 +210,11 @@ def test_the_course_shows_no_limit_that_the_recogniser_does_not_use(shelf, deskt
 def test_analyse_uses_an_installed_recogniser(loudness: Path, tmp_path: Path):
     save_preset(Preset(recogniser="loudness"), tmp_path / "loud.toml")
     command = [sys.executable, "-m", "phonemeanalyser", "analyse", str(DEMO), "--preset", str(tmp_path / "loud.toml")]
-    environment = {**os.environ, "PYTHONPATH": str(loudness)}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=240, check=True)
+    done = subprocess.run(
+        command, env=environment_with(loudness), capture_output=True, text=True, timeout=240, check=True
+    )
     assert {row["phoneme"] for row in rows_of(done.stdout)} == {"a", "silence"}
-    environment.pop("PYTHONPATH")
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=240, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=240, check=False)
     assert done.returncode != 0
     (line,) = done.stderr.splitlines()
     assert "loud.toml: there is no recogniser named 'loudness'" in line

@@ -134,7 +134,7 @@ def test_the_matrix_follows_a_threshold_while_it_is_dragged(loaded: Calibrator, 
     assert not np.array_equal(bench.confusion.counts, counts)
     expected = LabelledFeatures(read_recordings(tmp_path / "corpus"), during).confusion(during)
     np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
-    np.testing.assert_array_equal(bench.timeline.lanes.confusion.answers, expected.answers)
+    np.testing.assert_array_equal(bench.timeline.lanes.confusion.predicted, expected.predicted)
     QTest.mouseRelease(bench.distribution, LEFT)
     press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
     loaded.settle()
@@ -189,7 +189,7 @@ def test_a_sensitivity_is_a_line_that_can_be_dragged_and_the_matrix_follows(load
     after = loaded.model.workbench.confusion
     assert before is not None
     assert after is not None
-    assert np.count_nonzero(after.answers == Phoneme.A) > np.count_nonzero(before.answers == Phoneme.A)
+    assert np.count_nonzero(after.predicted == Phoneme.A) > np.count_nonzero(before.predicted == Phoneme.A)
 
 
 def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrator):
@@ -331,6 +331,27 @@ def test_a_fit_is_shown_accepted_and_undone(loaded: Calibrator):
     assert preset.preset == before
 
 
+def test_a_recogniser_of_another_package_is_fitted_where_it_can_be(
+    loaded: Calibrator, loudness: Path, brightness: Path
+):
+    fit, preset = bench_of(loaded).fit, loaded.booth.desktop.preset
+    preset.set_recogniser("loudness")
+    assert "The recogniser loudness has no thresholds" in loaded.model.fit.why_not
+    preset.set_recogniser("brightness")
+    preset.tune("szsch_szsch1", 1000.0)
+    loaded.settle()
+    bench_of(loaded).tabs.setCurrentIndex(1)
+    click(fit.begin, 10)
+    loaded.settle()
+    report = loaded.model.fit.report
+    assert report is not None
+    assert report.after.macro_f1 > report.before.macro_f1
+    click(fit.accept, 10)
+    loaded.settle()
+    assert preset.preset.thresholds == report.preset.thresholds
+    assert loaded.model.bench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
+
+
 def test_a_fit_that_is_cancelled_changes_nothing(loaded: Calibrator):
     fit, before = bench_of(loaded).fit, loaded.booth.desktop.preset.preset
     bench_of(loaded).tabs.setCurrentIndex(1)
@@ -353,8 +374,8 @@ def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(load
     np.testing.assert_array_equal(loaded.model.comparison.confusion.counts, expected.counts)
     assert compare.figures.item(0, 1).text() == f"{expected.macro_f1:.1%}"
     own = loaded.model.workbench.confusion
-    right = own.answers == own.labels.phonemes
-    others = expected.answers == own.labels.phonemes
+    right = own.predicted == own.labels.phonemes
+    others = expected.predicted == own.labels.phonemes
     assert int(loaded.model.comparison.result.only_one.sum()) == int(np.sum(right & ~others))
     click(compare.difference)
     share = bench_of(loaded).confusion.share(0, 0)

@@ -17,6 +17,7 @@ from phonemeengine.calibration.takes.take import Take, folder_for
 from phonemeengine.errors import CorpusError, RecordingError, TakeError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
+from tests.conftest import SCORER
 from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel
 
@@ -287,7 +288,7 @@ def test_an_empty_project_is_a_folder_without_a_corpus(project):
         read_corpus(project.folder)
 
 
-def test_the_scorer_of_the_corpus_scores_takes_as_we_do(project, corpus, tmp_path):
+def test_the_scorer_of_the_corpus_scores_takes_as_we_do(project, tmp_path):
     report = check_take(np.concatenate([silence(0.4), SOUND, silence(0.4)]), 0, Phoneme.A)
     for phoneme in (Phoneme.A, Phoneme.M, Phoneme.SILENCE):
         project.add(np.concatenate([silence(0.4), SOUND, silence(0.4)]), "Ada", phoneme, report=report)
@@ -300,8 +301,8 @@ def test_the_scorer_of_the_corpus_scores_takes_as_we_do(project, corpus, tmp_pat
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("start_s,end_s,phoneme\n" + "".join(rows))
         pairs.append((labels, guess.astype(np.uint8)))
-    scorer, found = corpus.parent / "score" / "score.py", tmp_path / "found.json"
-    command = [sys.executable, str(scorer), str(project.folder), str(tmp_path / "found"), "--json", str(found)]
+    found = tmp_path / "found.json"
+    command = [sys.executable, str(SCORER), str(project.folder), str(tmp_path / "found"), "--json", str(found)]
     subprocess.run(command, check=True, capture_output=True)
     expected, ours = json.loads(found.read_text())["groups"]["all"], scores_of(pairs)
     for theirs, name in OF_THE_SCORER.items():

@@ -17,8 +17,8 @@ from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.recogniser import RecogniserConfig, recogniser_of
 from phonemeengine.recognition.scores import SCORES
+from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import Sound, silence, vowel

@@ -12,6 +12,7 @@ from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.smoothing import UNREPLACED
+from phonemeengine.recognition.spec import LEARNED
 from phonemeengine.settings import AnalysisSettings
 
 SETTINGS = AnalysisSettings(look_ahead=0.05, minimum_hold=0.01, hysteresis=0.1)
@@ -33,7 +34,7 @@ def answers_of(model: Model, utterances: Iterable[Utterance]) -> list[Prediction
     ------
     AudioError : a sound cannot be read.
     """
-    preset = Preset(recogniser="learned", model=model, settings=SETTINGS, successors=UNREPLACED)
+    preset = Preset(recogniser=LEARNED.name, model=model, settings=SETTINGS, successors=UNREPLACED)
     return [predict(utterance, preset) for utterance in utterances]
 
 

@@ -153,9 +153,9 @@ class LabelledFeatures:
         ------
         CorpusError : the recordings must be measured anew.
         """
-        return confusion_between(self._labels, self.answers(preset), self._edges)
+        return confusion_between(self._labels, self.predict(preset), self._edges)
 
-    def answers(self, preset: Preset) -> UInt8Array:
+    def predict(self, preset: Preset) -> UInt8Array:
         """Recognise all frames with a preset: what the analyser says of the files, after the statistics.
 
         Raises

@@ -14,9 +14,9 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recogniser import RECOGNISERS, recogniser_of
 from phonemeengine.recognition.rules import RuleRecogniser
 from phonemeengine.recognition.scores import scores_in
+from phonemeengine.recognition.spec import Tuning, spec_of
 from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
 
 AFTER_MEASURING = (
@@ -63,16 +63,16 @@ def front_end_key(preset: Preset) -> object:
 
 def recogniser_key(preset: Preset) -> object:
     """Return all on which the answers of a recogniser without rules depend, but for the sensitivities."""
-    tuning = replace(preset.tuning, rules=(), sensitivities={})
-    if preset.recogniser in RECOGNISERS:
-        tuning = replace(tuning, thresholds=Thresholds())
-    return preset.recogniser, tuning
+    config = replace(preset.config, rules=(), sensitivities={})
+    if Tuning.THRESHOLDS not in spec_of(preset.recogniser).tuned_by:
+        config = replace(config, thresholds=Thresholds())
+    return preset.recogniser, config
 
 
 def rules_in(preset: Preset) -> RuleRecogniser | None:
     """Return the preset's recogniser if it works by rules."""
-    recogniser = recogniser_of(preset.recogniser, preset.tuning)
-    return recogniser if isinstance(recogniser, RuleRecogniser) else None
+    rules_of = spec_of(preset.recogniser).rules
+    return None if rules_of is None else RuleRecogniser(rules_of(preset.config), preset.thresholds)
 
 
 def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_progress) -> Measurement:
@@ -96,6 +96,7 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
     recognised = np.zeros(n_frames, np.uint8)
     scores = None
     preset = replace(preset, settings=replace(preset.settings, statistics=False), sensitivities={})
+    has_scores = Tuning.SENSITIVITIES in spec_of(preset.recogniser).tuned_by
     with SoundReader(path) as reader:
         for analysis in analyse_file(reader, preset):
             report_progress(progress, min(1.0, (analysis.start + len(analysis)) / max(1, n_frames)))
@@ -105,9 +106,9 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
                 continue
             values[:, span] = wanted.features.values[:, :n_names].T
             recognised[span] = wanted.recognised
-            if (told := scores_in(wanted.features)) is not None:
+            if has_scores and (found := scores_in(wanted.features)) is not None:
                 scores = _silent_scores(n_frames) if scores is None else scores
-                scores[:, span] = told.T
+                scores[:, span] = found.T
         n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
     return Measurement(values, min(n_heard, n_frames), recognised, scores)
 
