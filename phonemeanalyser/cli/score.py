@@ -30,6 +30,7 @@ from phonemeengine import (
     load_phoneme_map,
     load_preset,
     read_recordings,
+    score,
 )
 from phonemeengine.calibration.scores import evaluation
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
@@ -117,7 +118,7 @@ def _scored(
     with tqdm(
         utterances, desc=named.title, unit="recording", leave=False, delay=1, disable=None, file=sys.stderr
     ) as progress:
-        return evaluation.score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push)
+        return score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push)
 
 
 def _presets_of(first: Path, against: Path | None) -> list[Named]:
