@@ -32,7 +32,6 @@ from phonemeengine import (
     read_recordings,
     score,
 )
-from phonemeengine.calibration.scores import evaluation
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
 
