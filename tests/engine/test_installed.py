@@ -162,4 +162,4 @@ def test_a_user_s_type_checker_sees_the_types(installed: Path, tmp_path: Path) -
     assert len(seen) == len(REVEALED), said
     assert [full.startswith(wanted) for full, wanted in zip(seen, REVEALED, strict=True)] == [True] * len(seen), seen
     assert 'Argument 1 to "Analyser" has incompatible type "str"; expected "Preset"' in said
-    assert "Found 1 error in 1 file" in said
+    assert "Found 1 error in 1 file" in said, said
