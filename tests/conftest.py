@@ -63,7 +63,7 @@ def loudness(example_site: Path, shelf: Shelf) -> Path:
 
 @pytest.fixture
 def brightness(example_site: Path, shelf: Shelf) -> Path:
-    """The example of a plug-in that can all, found by this process; the folder where it is installed."""
+    """The example of a plug-in that learns, found by this process; the folder where it is installed."""
     shelf.use(example_site, "phonemeanalyser_brightness")
     return example_site
 

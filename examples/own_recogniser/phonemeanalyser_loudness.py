@@ -52,7 +52,7 @@ def main(sound):
     own = Loudness(preset.thresholds)
     with SoundReader(sound) as reader:
         for analysis in analyse_blocks(reader.blocks(44_100), preset):
-            for k, code in enumerate(own.recognise(analysis.features)):
+            for k, code in enumerate(own.recognise(analysis.waveforms, analysis.features)):
                 if code != last:
                     why = own.explain(analysis.features, k).comparisons[0]
                     print(f"{analysis.times[k]:6.2f} s  {Phoneme(code).label:<8} {why.value:.5f} {why.limit:.5f}")

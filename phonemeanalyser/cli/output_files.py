@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
-from phonemeengine.errors import EngineError
+from phonemeengine import EngineError
 from phonemeengine.files import Owns, atomic_write, is_own, reason_of
 
 

@@ -9,11 +9,11 @@ from tqdm import tqdm
 
 from phonemeanalyser.cli.arguments import add_channel, whole_in
 from phonemeanalyser.cli.output_files import write_whole
+from phonemeengine import ModelError, load_preset, save_preset
 from phonemeengine.calibration.learning.model_card import model_card
 from phonemeengine.calibration.learning.pipeline import TrainingResult, train_and_validate
 from phonemeengine.calibration.learning.training import TrainingConfig
-from phonemeengine.errors import ModelError
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from phonemeengine.presets.files import DEFAULT_PRESET
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -36,7 +36,7 @@ def run(options: argparse.Namespace) -> int:
     """Train; returns the exit code."""
     if options.out.suffix != ".npz":
         raise ModelError(f"{options.out}: a model's file ends in .npz; name it so")
-    course = TrainingConfig(seed=options.seed, n_epochs=options.epochs, width=options.width)
+    config = TrainingConfig(seed=options.seed, n_epochs=options.epochs, width=options.width)
     with tqdm(
         total=100, unit="%", file=sys.stderr, disable=None, bar_format="{desc}: {n:.0f} %|{bar}| {elapsed}"
     ) as bar:
@@ -45,17 +45,17 @@ def run(options: argparse.Namespace) -> int:
             bar.set_description(what)
             bar.update(100 * share - bar.n)
 
-        taught = train_and_validate(options.corpora, course, options.variations, options.folds, told, options.channel)
-    model = replace(taught.model, about=_about(options.out.stem, taught, course))
+        result = train_and_validate(options.corpora, config, options.variations, options.folds, told, options.channel)
+    model = replace(result.model, about=_about(options.out.stem, result, config))
     preset, card = options.out.with_suffix(".toml"), options.out.with_suffix(".md")
     notes = f"Trained by phonemeanalyser train; {card.name} tells on what, and how well it does."
     shipped = load_preset(DEFAULT_PRESET)
     save_preset(replace(shipped, name=preset.stem, model=model, notes=notes, sensitivities={}), preset)
-    text = model_card(options.out.stem, taught, course, options.variations)
+    text = model_card(options.out.stem, result, config, options.variations)
     write_whole(card, lambda file: print(text, file=file, end=""))
     print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}; {preset} uses it")
-    if taught.everyone is not None:
-        e = taught.everyone
+    if result.everyone is not None:
+        e = result.everyone
         print(
             f"speakers left out: macro F1 {e.macro_f1:.3f}, mouth shapes {e.viseme_accuracy:.3f}, "
             f"vowels {e.vowel_accuracy:.3f}"
@@ -63,6 +63,6 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _about(name: str, taught: TrainingResult, course: TrainingConfig) -> dict[str, object]:
-    figures = {} if taught.everyone is None else {"macro_f1": round(taught.everyone.macro_f1, 3)}
-    return {"name": name, "seed": course.seed, "epochs": course.n_epochs, "speakers": len(taught.sources), **figures}
+def _about(name: str, result: TrainingResult, config: TrainingConfig) -> dict[str, object]:
+    figures = {} if result.everyone is None else {"macro_f1": round(result.everyone.macro_f1, 3)}
+    return {"name": name, "seed": config.seed, "epochs": config.n_epochs, "speakers": len(result.sources), **figures}

@@ -20,7 +20,8 @@ def python_in(page: Path) -> str:
     for line in page.read_text(encoding="utf-8").splitlines():
         is_fence = line.lstrip().startswith("```")
         lines.append(line if inside and not is_fence else "")
-        inside = is_fence and not inside and line.strip() == "```python"
+        if is_fence:
+            inside = not inside and line.strip() == "```python"
     return "\n".join(lines)
 
 
@@ -42,5 +43,5 @@ def test_the_readme_shows_the_engine_at_work() -> None:
 
 def test_only_python_is_taken_from_a_page(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
-    page.write_text("say\n```sh\nmake\n```\n```python\na = 1\n```\nso\n```python\nb = a\n```\n")
-    assert python_in(page).split("\n") == ["", "", "", "", "", "a = 1", "", "", "", "b = a", ""]
+    page.write_text("say\n```sh\nmake\n```\n```python\na = 1\nb = a\n```\nso\n```python\nc = b\n```\n")
+    assert python_in(page).split("\n") == ["", "", "", "", "", "a = 1", "b = a", "", "", "", "c = b", ""]

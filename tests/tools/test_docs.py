@@ -28,7 +28,7 @@ PAGES = [*sorted(DOCS.glob("*.md")), *(ROOT / name for name in ("README.md", "CO
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 NAME = re.compile(r"`([A-Z][a-z]\w*)\.(\w+)`")
-PLACE = re.compile(r"`((?:engine|phonemeanalyser|tests|tools|docs|presets|screenshots|\.github)/[\w./-]+)`")
+PLACE = re.compile(r"`((?:engine|phonemeanalyser|tests|tools|examples|docs|presets|screenshots|\.github)/[\w./-]+)`")
 PRESETS = (DOCS / "presets.md").read_text(encoding="utf-8")
 FORMATS_PAGE = (DOCS / "formats.md").read_text(encoding="utf-8")
 

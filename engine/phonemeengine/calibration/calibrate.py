@@ -92,7 +92,7 @@ def calibrate(
     held_back : labelled recordings of the same voice from which nothing is learned, such as a sentence that was
         read (`phonemeengine.calibration.alignment` labels it); labels whose certainty is ``trimmed`` do not count.
     room : seconds in which nobody speaks, float32, shape (n,), 44.1 kHz; where it is None, the takes' silence.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
 
     Raises
     ------

@@ -41,7 +41,7 @@ class PhonemeMap:
         """Return whether a name may stand for a phoneme."""
         return name in self.phonemes or own_phone_class(name) is not None or any(phone_classes_in(name))
 
-    def senses_of(self, names: abc.Mapping[str, int], file: str) -> dict[str, PhoneClass]:
+    def phone_classes_of(self, names: abc.Mapping[str, int], file: str) -> dict[str, PhoneClass]:
         """Return what the names in some label files mean.
 
         Parameters
@@ -62,9 +62,9 @@ class PhonemeMap:
         return known
 
 
-def labels_named(marks: Iterable[RawLabel], senses: abc.Mapping[str, PhoneClass]) -> tuple[Label, ...]:
+def labels_named(raw_labels: Iterable[RawLabel], phone_classes: abc.Mapping[str, PhoneClass]) -> tuple[Label, ...]:
     """Return marks as labels; affricates become a closure, which is unidentified, and friction."""
-    return tuple(label for mark in marks for label in _labels_of(mark, senses[mark.name]))
+    return tuple(label for raw in raw_labels for label in _labels_of(raw, phone_classes[raw.name]))
 
 
 def load_phoneme_map(path: str | os.PathLike[str]) -> PhonemeMap:
@@ -94,24 +94,27 @@ def _phoneme_of(name: str, phoneme: object, file: str) -> Phoneme:
 def _senses_in_the_same_alphabet(names: list[str]) -> dict[str, PhoneClass]:
     """Return what names mean in the alphabets that know the most of them; what these do not agree on is left out."""
     found = {name: phone_classes_in(name) for name in names}
-    n_known = [sum(sense is not None for sense in column) for column in zip(*found.values(), strict=True)]
+    n_known = [sum(phone_class is not None for phone_class in column) for column in zip(*found.values(), strict=True)]
     likely = [k for k, n in enumerate(n_known) if n == max(n_known)]
     meanings = {
-        name: {senses[k] for k in likely if senses[k]} or {sense for sense in senses if sense}
-        for name, senses in found.items()
+        name: {phone_classes[k] for k in likely if phone_classes[k]}
+        or {phone_class for phone_class in phone_classes if phone_class}
+        for name, phone_classes in found.items()
     }
-    return {name: sense for name, few in meanings.items() if len(few) == 1 for sense in few if sense}
+    return {
+        name: phone_class for name, few in meanings.items() if len(few) == 1 for phone_class in few if phone_class
+    }
 
 
-def _labels_of(mark: RawLabel, sense: PhoneClass) -> tuple[Label, ...]:
-    phone = mark.name if mark.phone is None else mark.phone
-    certainty = mark.certainty or sense.certainty
-    if mark.certainty is not None or sense.certainty != AFFRICATE or sense.phoneme is Phoneme.P:
-        return (Label(mark.start, mark.end, phone, sense.phoneme, certainty),)
-    friction = mark.start + CLOSURE * (mark.end - mark.start)
+def _labels_of(raw: RawLabel, phone_class: PhoneClass) -> tuple[Label, ...]:
+    phone = raw.name if raw.phone is None else raw.phone
+    certainty = raw.certainty or phone_class.certainty
+    if raw.certainty is not None or phone_class.certainty != AFFRICATE or phone_class.phoneme is Phoneme.P:
+        return (Label(raw.start, raw.end, phone, phone_class.phoneme, certainty),)
+    friction = raw.start + CLOSURE * (raw.end - raw.start)
     return (
-        Label(mark.start, friction, f"{phone}_cl", Phoneme.UNIDENTIFIED, AFFRICATE),
-        Label(friction, mark.end, f"{phone}_fr", sense.phoneme, AFFRICATE),
+        Label(raw.start, friction, f"{phone}_cl", Phoneme.UNIDENTIFIED, AFFRICATE),
+        Label(friction, raw.end, f"{phone}_fr", phone_class.phoneme, AFFRICATE),
     )
 
 

@@ -119,7 +119,7 @@ class RecogniserSpec:
     uses_own_variables : whether variables that a user adds can act on it.
     looks_ahead : whether it heeds `RecogniserConfig.look_ahead`.
     has_deficits : whether it knows by how much phonemes fall short, without which there is no hysteresis.
-    rules : gives the rules that it asks, where it is one by rules: the workbench asks them itself.
+    rules : gives the rules that it asks, where it is one by rules: `LabelledFeatures` asks them itself.
     factory_preset : file name of the factory preset that suits it, or the path of a preset of its package; or none.
     fit : the function that fits its numbers to recordings, ``"module:function"``, called as
         `phonemeengine.calibration.fits.fitting.Fit`; or none.

@@ -57,7 +57,7 @@ def show(calibrator: Calibrator, variable: str) -> None:
 
 def drag_line(calibrator: Calibrator, name: str, to: float, *, release: bool = True) -> None:
     """Drag a threshold to a value."""
-    view = bench_of(calibrator).spread
+    view = bench_of(calibrator).distribution
     line = next(line for line in view.lines if line.name == name)
     start, end, y = round(view.x_of(line.value)), round(view.x_of(to)), view.height() // 2
     QTest.mousePress(view, LEFT, pos=QPoint(start, y))
@@ -404,8 +404,8 @@ def test_the_page_fits_and_nothing_lies_outside(loaded: Calibrator, size: tuple[
     assert (window.width(), window.height()) == size
     page = bench_of(loaded)
     assert page.confusion.height() >= 190
-    assert page.spread.height() >= 170
-    assert page.lanes.lanes.height() >= 55
-    for part in (page.confusion, page.spread, page.tabs, page.variables, page.lanes, loaded.page.takes.wave):
+    assert page.distribution.height() >= 170
+    assert page.timeline.lanes.height() >= 55
+    for part in (page.confusion, page.distribution, page.tabs, page.variables, page.timeline, loaded.page.takes.wave):
         assert part.isVisible()
         assert part.parentWidget().rect().contains(part.geometry())

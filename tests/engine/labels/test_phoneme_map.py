@@ -10,7 +10,7 @@ from phonemeengine.phonemes import Phoneme
 
 def meanings(names, mapping=None):
     """Give phoneme and certainty of each name, where the names stand together in a file."""
-    senses = (mapping or PhonemeMap()).senses_of(dict.fromkeys(names.split(), 1), "x.txt")
+    senses = (mapping or PhonemeMap()).phone_classes_of(dict.fromkeys(names.split(), 1), "x.txt")
     return {name: (senses[name].phoneme.label, senses[name].certainty) for name in names.split()}
 
 

@@ -13,7 +13,7 @@ import pytest
 from praatio import textgrid
 
 from phonemeengine.errors import ExportError
-from phonemeengine.labels.audacity import marks_of
+from phonemeengine.labels.audacity import raw_labels_of
 from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
@@ -197,7 +197,7 @@ def test_praat_files_are_read_by_praatio(tmp_path: Path) -> None:
 
 
 def test_audacity_reads_back_what_was_written() -> None:
-    marks = marks_of(written("audacity"), "a.txt")
+    marks = raw_labels_of(written("audacity"), "a.txt")
     assert [(mark.start, mark.end, mark.name) for mark in marks] == [
         (pytest.approx(start), pytest.approx(end), shape) for start, end, shape in cues_in("audacity")
     ]

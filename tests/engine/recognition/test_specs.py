@@ -1,4 +1,4 @@
-"""What specifications say of recognisers is true, and one of another package can all that the program's own can."""
+"""What specifications say of recognisers is true, and one of another package can do as much."""
 
 import itertools
 from dataclasses import replace
@@ -261,6 +261,12 @@ def test_a_plug_in_that_cannot_learn_is_one_sentence(adapt: str, what: str, shel
     preset = offer(shelf, adapt=adapt)
     with pytest.raises(EngineError, match=what):
         calibrate(preset, takes, held_back=takes[:1])
+
+
+def test_a_plug_in_that_fits_no_preset_is_one_sentence(shelf: Shelf, takes):
+    preset = offer(shelf, fit="builtins:print")
+    with pytest.raises(RecogniserError, match="'own' must fit a preset, got a NoneType"):
+        fit_preset(LabelledFeatures(takes, preset), preset)
 
 
 def test_a_plug_in_that_asks_for_a_model_is_refused_without_one(shelf: Shelf):

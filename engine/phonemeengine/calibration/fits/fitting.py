@@ -21,7 +21,7 @@ from phonemeengine.calibration.scores.confusion import Confusion, confusion_betw
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.errors import CorpusError
+from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
@@ -63,7 +63,7 @@ class FitReport:
 
 
 def fit_preset(
-    workbench: LabelledFeatures,
+    labelled: LabelledFeatures,
     preset: Preset,
     progress: Progress = no_progress,
     *,
@@ -72,13 +72,13 @@ def fit_preset(
 ) -> FitReport:
     """Search for better thresholds, or for better limits of the preset's own rules.
 
-    Another thread may go on asking the workbench meanwhile.
+    Another thread may go on asking it meanwhile.
 
     Parameters
     ----------
-    workbench : the recordings, measured with the preset's front end.
+    labelled : the recordings, measured with the preset's front end.
     preset : what to begin with.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
     seed : of every random choice.
     leave_out : whether to fit anew without each speaker, or take, which takes most of the time.
 
@@ -88,10 +88,10 @@ def fit_preset(
         anew.
     Cancelled : `progress` did not want to go on.
     """
-    workbench = workbench.clone_for_thread()
-    fitter = _Fitter(workbench, preset, seed)
-    everything = np.ones(len(workbench.utterances), bool)
-    left_out, names = _left_out(workbench)
+    labelled = labelled.clone_for_thread()
+    fitter = _Fitter(labelled, preset, seed)
+    everything = np.ones(len(labelled.utterances), bool)
+    left_out, names = _left_out(labelled)
     groups = groups_of(names, MOST_FOLDS) if left_out and leave_out else []
     first = 1 / (1 + len(groups) * N_FOLD_STARTS / N_STARTS)
     fitted = fitter.fit(everything, N_STARTS, subrange(progress, 0.0, first))
@@ -99,7 +99,7 @@ def fit_preset(
     report_progress(progress, 1.0)
     return FitReport(
         preset=fitted,
-        before=workbench.confusion(preset).scores(),
+        before=labelled.confusion(preset).scores(),
         after=fitter.confusion(fitted).scores(),
         held_out=unseen.scores() if unseen is not None else None,
         left_out=left_out,
@@ -139,7 +139,7 @@ Fit = Callable[[Preset, FitTask, Progress], Preset]
 class _Fitter:
     """Fits one preset to some of the recordings."""
 
-    def __init__(self, workbench: LabelledFeatures, preset: Preset, seed: int) -> None:
+    def __init__(self, labelled: LabelledFeatures, preset: Preset, seed: int) -> None:
         spec = spec_of(preset.recogniser)
         if not spec.fit:
             raise CorpusError(
@@ -147,45 +147,51 @@ class _Fitter:
                 "or rules of its own"
             )
         self._fit: Fit = spec.load(spec.fit)
-        if not np.any(workbench.labels.phonemes != Phoneme.UNIDENTIFIED):
+        if not np.any(labelled.labels.phonemes != Phoneme.UNIDENTIFIED):
             raise CorpusError("there is nothing to fit to; load recordings with labelled phonemes")
-        self._workbench = workbench
+        self._labelled = labelled
         self._preset = preset
         self._seed = seed
 
     def fit(self, chosen: BoolArray, n_starts: int, progress: Progress) -> Preset:
         """Fit to the chosen recordings; gives the preset as it was where nothing better was found."""
         task = self._task(chosen, n_starts)
-        return task.better_of(self._fit(self._preset, task, progress), self._preset)
+        found = self._fit(self._preset, task, progress)
+        if not isinstance(found, Preset):
+            raise RecogniserError(
+                f"the recogniser {self._preset.recogniser!r} must fit a preset, got a {type(found).__name__}; choose "
+                "another recogniser"
+            )
+        return task.better_of(found, self._preset)
 
     def confusion(self, preset: Preset) -> Confusion:
         """Recognise all recordings with a preset; they are analysed anew where that measures differently."""
-        workbench = self._workbench
-        if workbench.needs_measuring(preset):
-            workbench = LabelledFeatures(workbench.utterances, preset)
-        return workbench.confusion(preset)
+        labelled = self._labelled
+        if labelled.needs_measuring(preset):
+            labelled = LabelledFeatures(labelled.utterances, preset)
+        return labelled.confusion(preset)
 
     def unseen(self, names: Sequence[str], groups: Sequence[Sequence[str]], progress: Progress) -> Confusion:
         """Recognise each recording with what was fitted without its group."""
         shares = iter(subrange(progress, k / len(groups), (k + 1) / len(groups)) for k in range(len(groups)))
         fits = cross_validate(names, groups, lambda chosen: self._answers_fitted_to(chosen, next(shares)))
-        edges = self._workbench.edges
+        edges = self._labelled.edges
         lines = [fit[first:end] for fit, first, end in zip(fits, edges[:-1], edges[1:], strict=True)]
-        return confusion_between(self._workbench.labels, np.concatenate(lines), edges)
+        return confusion_between(self._labelled.labels, np.concatenate(lines), edges)
 
     def _answers_fitted_to(self, chosen: BoolArray, progress: Progress) -> UInt8Array:
         return self.confusion(self.fit(chosen, N_FOLD_STARTS, progress)).predicted
 
     def _task(self, chosen: BoolArray, n_starts: int) -> FitTask:
-        edges = self._workbench.edges
+        edges = self._labelled.edges
         begins = np.zeros(edges[-1] + 1, bool)
         begins[edges[:-1]] = True
         mask = np.repeat(chosen, np.diff(edges))
-        features = self._workbench.features()
+        features = self._labelled.features()
         recordings = tuple(np.flatnonzero(chosen).tolist())
         return FitTask(
             features=Features(features.names, features.values[mask]),
-            phonemes=self._workbench.labels.phonemes[mask],
+            phonemes=self._labelled.labels.phonemes[mask],
             begins=begins[:-1][mask],
             macro_f1_of=lambda preset: self.confusion(preset).scores(recordings).macro_f1,
             n_starts=n_starts,
@@ -215,8 +221,8 @@ def adapt_rules(
     It is an `Adapt` of `phonemeengine.calibration.calibrate`.
     """
     start = set_silence(preset)
-    workbench = LabelledFeatures(takes, start, progress=subrange(progress, 0.0, 0.2))
-    fitted = fit_preset(workbench, start, subrange(progress, 0.2, 1.0), leave_out=False).preset
+    labelled = LabelledFeatures(takes, start, progress=subrange(progress, 0.0, 0.2))
+    fitted = fit_preset(labelled, start, subrange(progress, 0.2, 1.0), leave_out=False).preset
     silence = {name: value for name, value in vars(start.thresholds).items() if name.startswith("silence")}
     rules = tuple(
         old if old.phoneme is Phoneme.SILENCE else new for old, new in zip(start.rules, fitted.rules, strict=True)
@@ -230,9 +236,9 @@ def _limits_moved(rules: tuple[Rule, ...], preset: Preset, task: FitTask, progre
     return search.improve(rules, progress)
 
 
-def _left_out(workbench: LabelledFeatures) -> tuple[str, list[str]]:
+def _left_out(labelled: LabelledFeatures) -> tuple[str, list[str]]:
     """Return what is left out in turn, and to what of that kind each recording belongs."""
-    speakers = [u.speaker for u in workbench.utterances]
+    speakers = [u.speaker for u in labelled.utterances]
     if len(set(speakers)) > 1:
         return "speaker", speakers
     takes = [str(k) for k in range(len(speakers))]

@@ -55,13 +55,13 @@ def sampled_spectra(
     early = replace(settings, filters=settings.filters - _LATE_FILTERS, statistics=False)
     parts = [np.zeros((0, settings.n_bins), np.float32)]
     codes = [np.zeros(0, np.uint8)]
-    for k, (utterance, heard, wanted) in enumerate(zip(utterances, labels, _wanted(labels), strict=True)):
+    for k, (utterance, label, wanted) in enumerate(zip(utterances, labels, _wanted(labels), strict=True)):
         report_progress(progress, k / len(utterances))
         if len(wanted):
             share = subrange(progress, k / len(utterances), (k + 1) / len(utterances))
             spectra = _spectra_at(utterance, wanted, early, share)
             parts.append(spectra)
-            codes.append(heard.phonemes[wanted[: len(spectra)]])
+            codes.append(label.phonemes[wanted[: len(spectra)]])
     report_progress(progress, 1.0)
     filtered = np.concatenate(parts)
     return SpectrumSample(

@@ -70,7 +70,7 @@ class _Range:
 
 
 def suggested_variables(
-    workbench: LabelledFeatures,
+    labelled: LabelledFeatures,
     preset: Preset,
     one: Phoneme,
     other: Phoneme | None = None,
@@ -83,11 +83,11 @@ def suggested_variables(
 
     Parameters
     ----------
-    workbench : the recordings.
+    labelled : the recordings.
     preset : the front end, and the variables that there are already.
     one : the phoneme.
     other : the phoneme to part it from; None for all other ones of the ten.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
 
     Raises
     ------
@@ -95,7 +95,7 @@ def suggested_variables(
     AudioError : a sound cannot be read any more.
     Cancelled : `progress` did not want to go on.
     """
-    sample = sampled_spectra(workbench.utterances, preset, subrange(progress, 0.0, 0.5))
+    sample = sampled_spectra(labelled.utterances, preset, subrange(progress, 0.0, 0.5))
     return suggestions_from(sample, preset, one, other, subrange(progress, 0.5, 1.0))
 
 

@@ -18,7 +18,7 @@ from phonemeengine.audio.files import SUFFIXES, SoundReader
 from phonemeengine.calibration.takes.take_list import LIST
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.files import printable_name
-from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_marks
+from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_raw_labels
 from phonemeengine.labels.label import CORE, Label, RawLabel
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
 from phonemeengine.labels.table import rows_of
@@ -196,11 +196,13 @@ def _utterances_of(
             if on_skipped is None:
                 raise
             on_skipped(error)
-    names = sum((names_in(marks) for _, marks, _ in read), Counter())
-    senses = mapping.senses_of(names, source)
+    names = sum((names_in(raw_labels) for _, raw_labels, _ in read), Counter())
+    phone_classes = mapping.phone_classes_of(names, source)
     return tuple(
-        Utterance(pair.sound, labels_named(marks, senses), pair.speaker, pair.corpus, pair.channel, cut_off)
-        for pair, marks, cut_off in read
+        Utterance(
+            pair.sound, labels_named(raw_labels, phone_classes), pair.speaker, pair.corpus, pair.channel, cut_off
+        )
+        for pair, raw_labels, cut_off in read
     )
 
 
@@ -208,7 +210,7 @@ def _marks_of(pair: _Pair, mapping: PhonemeMap, tier: str | None) -> tuple[tuple
     """Read the marks of a sound, and what its file lacks."""
     with SoundReader(pair.sound, pair.channel) as reader:
         duration, cut_off = reader.duration, reader.cut_off
-    return read_marks(pair.labels, mapping, duration=duration, tier=tier), cut_off
+    return read_raw_labels(pair.labels, mapping, duration=duration, tier=tier), cut_off
 
 
 def _pairs_beside(source: Path, speaker: str | None, channel: Channel) -> Iterator[_Pair]:

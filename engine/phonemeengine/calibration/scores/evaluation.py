@@ -165,10 +165,10 @@ def predict(
     with utterance.opened() as reader:
         blocks = reader.blocks(BLOCK * HOP) if noise is None else noise.blocks(utterance, BLOCK * HOP)
         found = [(a.phonemes, a.intensities) for a in analyse_blocks(blocks, preset)]
-        n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
-    phonemes, intensities = (np.concatenate(part)[:n_heard] for part in zip(*found, strict=True))
+        n_in_sound = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
+    phonemes, intensities = (np.concatenate(part)[:n_in_sound] for part in zip(*found, strict=True))
     late, n = math.floor(delay / FRAME_PERIOD + 0.5 + ROUNDING), len(labels.phonemes)
-    return Predictions(utterance, labels, _moved(phonemes, late, n), _moved(intensities, late, n))
+    return Predictions(utterance, labels, _shifted(phonemes, late, n), _shifted(intensities, late, n))
 
 
 def group_scores_of(predictions: Sequence[Predictions]) -> GroupScores:
@@ -200,10 +200,10 @@ def _by(name_of: Callable[[Predictions], str], predictions: Iterable[Predictions
     return {name: group_scores_of(groups[name]) for name in sorted(groups)}
 
 
-def _moved(values: NDArray[Any], late: int, n: int) -> NDArray[Any]:
+def _shifted(values: NDArray[Any], late: int, n: int) -> NDArray[Any]:
     """Give `n` values of which the first is number `late`, zero (silence) where there is none."""
-    moved = np.zeros(n, values.dtype)
+    shifted = np.zeros(n, values.dtype)
     first, last = max(0, late), min(len(values), late + n)
     if last > first:
-        moved[first - late : last - late] = values[first:last]
-    return moved
+        shifted[first - late : last - late] = values[first:last]
+    return shifted

@@ -68,7 +68,7 @@ def scores_of(pairs: Iterable[tuple[FrameLabels, UInt8Array]]) -> Scores:
     truth = np.concatenate([labels.phonemes for labels, _ in parts])
     guess = np.concatenate([codes for _, codes in parts])
     certain = np.concatenate([labels.certain for labels, _ in parts])
-    known, quiet = truth != Phoneme.UNIDENTIFIED, truth == Phoneme.SILENCE
+    known, silent = truth != Phoneme.UNIDENTIFIED, truth == Phoneme.SILENCE
     right = truth == guess
     mouths, guessed_mouths = MOUTH_CODES[truth], MOUTH_CODES[guess]
     seconds = len(truth) * FRAME_PERIOD
@@ -78,8 +78,8 @@ def scores_of(pairs: Iterable[tuple[FrameLabels, UInt8Array]]) -> Scores:
         vowel_accuracy=_share(right[np.isin(truth, VOWELS) & certain]),
         viseme_accuracy=_share(mouths == guessed_mouths),
         viseme_f1=float(macro_f1_of(confusion_of(mouths, guessed_mouths), range(len(_MOUTHS)))),
-        silence_recall=_share(guess[quiet] == Phoneme.SILENCE),
-        false_silence=_share(guess[~quiet] == Phoneme.SILENCE),
+        silence_recall=_share(guess[silent] == Phoneme.SILENCE),
+        false_silence=_share(guess[~silent] == Phoneme.SILENCE),
         changes_per_s=sum(count_changes(codes) for _, codes in parts) / seconds,
         label_changes_per_s=sum(count_changes(labels.phonemes) for labels, _ in parts) / seconds,
         minutes=seconds / 60,

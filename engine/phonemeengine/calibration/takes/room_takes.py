@@ -24,8 +24,8 @@ def room_in(takes: Sequence[Utterance]) -> Float32Array | None:
     AudioError : a sound cannot be read.
     """
     for take in reversed(takes):
-        said = {label.phoneme for label in take.labels if label.certainty == CORE}
-        if said == {Phoneme.SILENCE}:
+        phonemes = {label.phoneme for label in take.labels if label.certainty == CORE}
+        if phonemes == {Phoneme.SILENCE}:
             room = _joined(_stretches(take))
             if len(room) >= LEAST_SECONDS * SAMPLE_RATE:
                 return room

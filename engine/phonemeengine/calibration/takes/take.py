@@ -100,8 +100,8 @@ class Take:
         onset, offset = min(self.onset, self.start), max(self.offset, self.end)
         inner = [min(max(time, self.start), self.end) for pause in self.pauses for time in pause]
         borders = (0.0, onset, self.start, *inner, self.end, offset, self.duration)
-        said = (own, *((Phoneme.SILENCE, CORE), own) * len(self.pauses))
-        stretches = zip(borders, borders[1:], (room, other, *said, other, room), strict=False)
+        spoken = (own, *((Phoneme.SILENCE, CORE), own) * len(self.pauses))
+        stretches = zip(borders, borders[1:], (room, other, *spoken, other, room), strict=False)
         return tuple(
             Label(start, end, phoneme.label, phoneme, certainty)
             for start, end, (phoneme, certainty) in stretches

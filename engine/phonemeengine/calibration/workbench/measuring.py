@@ -34,13 +34,13 @@ class Measurement:
     Attributes
     ----------
     values : float32, shape (n_variables, n_frames): the variables, those of the preset after the built-in ones.
-    n_heard : frames that lie in the sound; what comes after them counts as silence.
+    n_in_sound : frames that lie in the sound; what comes after them counts as silence.
     recognised : uint8, shape (n_frames,): what the recogniser said, before the statistics.
     scores : float32, shape (n_phonemes, n_frames): the probabilities before the sensitivities, or None.
     """
 
     values: Float32Array
-    n_heard: int
+    n_in_sound: int
     recognised: UInt8Array
     scores: Float32Array | None
 
@@ -83,7 +83,7 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
     path : the sound file.
     preset : what it is analysed with.
     n_frames : how many frames are wanted; those beyond the sound measure 0.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
 
     Raises
     ------
@@ -109,8 +109,8 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
             if has_scores and (found := scores_in(wanted.features)) is not None:
                 scores = _silent_scores(n_frames) if scores is None else scores
                 scores[:, span] = found.T
-        n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
-    return Measurement(values, min(n_heard, n_frames), recognised, scores)
+        n_in_sound = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
+    return Measurement(values, min(n_in_sound, n_frames), recognised, scores)
 
 
 def _silent_scores(n_frames: int) -> Float32Array:
