@@ -1,5 +1,6 @@
 """The log of the programs: kept where somebody asks for it, with what was refused and what crashed."""
 
+import argparse
 import logging
 import re
 import threading
@@ -8,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from phonemeanalyser import logs
-from phonemeanalyser.cli import main as cli
+from phonemeanalyser.cli import score
 from phonemeanalyser.cli.main import main
 from phonemeengine.errors import EngineError
 
@@ -30,15 +31,15 @@ def test_a_command_logs_the_files_that_it_refuses(sound: Path, tmp_path: Path, c
     assert line.split("jobs: ")[1] in capsys.readouterr().err
 
 
-def test_the_log_may_be_named_before_the_command_and_is_appended_to(tmp_path: Path) -> None:
+def test_the_log_is_appended_to_and_says_what_was_refused(tmp_path: Path) -> None:
     log = tmp_path / "run.log"
     for _ in range(2):
-        assert main([f"--log={log}", "score", str(tmp_path / "missing")]) == 1
+        assert main(["score", str(tmp_path / "missing"), f"--log={log}"]) == 1
     assert log.read_text().count("missing: there is no such folder") == 2
 
 
 def test_a_log_that_cannot_be_written_is_one_sentence(tmp_path: Path, capsys: Capture) -> None:
-    assert main(["--log", str(tmp_path / "no" / "run.log"), "score", str(tmp_path)]) == 1
+    assert main(["score", str(tmp_path), "--log", str(tmp_path / "no" / "run.log")]) == 1
     assert re.fullmatch(
         r"phonemeanalyser: run\.log: this log cannot be written \(No such .*\); choose another with --log\n",
         capsys.readouterr().err,
@@ -46,12 +47,12 @@ def test_a_log_that_cannot_be_written_is_one_sentence(tmp_path: Path, capsys: Ca
 
 
 def test_a_crash_is_logged_with_where_it_happened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def crash(_words: list[str]) -> int:
+    def crash(_options: argparse.Namespace) -> int:
         raise ZeroDivisionError("a bug")
 
-    monkeypatch.setitem(cli.COMMANDS, "score", crash)
+    monkeypatch.setattr(score, "run", crash)
     with pytest.raises(ZeroDivisionError):
-        main(["score", "--log", str(tmp_path / "run.log")])
+        main(["score", str(tmp_path), "--log", str(tmp_path / "run.log")])
     text = (tmp_path / "run.log").read_text()
     assert "ERROR phonemeanalyser.logs: the program crashed\nTraceback" in text
     assert "ZeroDivisionError: a bug" in text

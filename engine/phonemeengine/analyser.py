@@ -5,7 +5,7 @@ frames, and the result does not depend on how the sound was cut.
 """
 
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -45,10 +45,7 @@ class Analysis:
     Attributes
     ----------
     start : number of the first frame, counted from the beginning of the sound.
-    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters, bin k at k x 21.53 Hz.
-    mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
-    waveforms : float32, shape (n_frames, n_samples): the windows after the filters of the time domain.
-    features : the measured variables.
+    frames : what was measured.
     recognised : uint8, shape (n_frames,): codes of `Phoneme`, as the recogniser says.
     phonemes : uint8, shape (n_frames,): the same after the statistics.
     intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
@@ -56,10 +53,7 @@ class Analysis:
     """
 
     start: int
-    spectra: Float32Array
-    mel: Float32Array | None
-    waveforms: Float32Array
-    features: Features
+    frames: FrameBlock
     recognised: UInt8Array
     phonemes: UInt8Array
     intensities: Float32Array
@@ -67,6 +61,26 @@ class Analysis:
 
     def __len__(self) -> int:
         return len(self.phonemes)
+
+    @property
+    def spectra(self) -> Float32Array:
+        """Amplitudes after all filters, float32, shape (n_frames, n_bins), bin k at k x 21.53 Hz."""
+        return self.frames.spectra
+
+    @property
+    def mel(self) -> Float32Array | None:
+        """The same through the mel bank, float32, shape (n_frames, n_bands), or None while it is off."""
+        return self.frames.mel
+
+    @property
+    def waveforms(self) -> Float32Array:
+        """The windows after the filters of the time domain, float32, shape (n_frames, n_samples)."""
+        return self.frames.waveforms
+
+    @property
+    def features(self) -> Features:
+        """The measured variables."""
+        return self.frames.features
 
     @property
     def times(self) -> Float64Array:
@@ -79,10 +93,7 @@ class Analysis:
         return replace(
             self,
             start=self.start + first,
-            spectra=self.spectra[first:last],
-            mel=None if self.mel is None else self.mel[first:last],
-            waveforms=self.waveforms[first:last],
-            features=self.features.part(slice(first, last)),
+            frames=self.frames.part(slice(first, last)),
             recognised=self.recognised[first:last],
             phonemes=self.phonemes[first:last],
             intensities=self.intensities[first:last],
@@ -97,16 +108,16 @@ class LookAheadBuffer:
 
     def delay(self, block: FrameBlock, n: int) -> FrameBlock:
         """Take a block, and give the oldest `n` frames of all."""
-        if len(block.spectra):
+        if len(block):
             self._blocks.append(block)
         taken = []
         while n > 0:
             oldest = self._blocks.popleft()
-            if len(oldest.spectra) > n:
+            if len(oldest) > n:
                 self._blocks.appendleft(oldest.part(slice(n, None)))
                 oldest = oldest.part(slice(n))
             taken.append(oldest)
-            n -= len(oldest.spectra)
+            n -= len(oldest)
         return taken[0] if len(taken) == 1 else concatenate(taken) if taken else block.part(slice(0))
 
     def clear(self) -> FrameBlock | None:
@@ -181,7 +192,7 @@ class Analyser:
         if n == 0:
             return last
         silence = self._path.measure(np.zeros((n, WINDOW), np.float32))
-        return self._join([last, self._recognise(silence)])
+        return concatenate_analyses([last, self._recognise(silence)])
 
     def _analyse(self, frames: Float32Array) -> Analysis:
         if 0 < len(frames) <= BLOCK and not self._unasked:
@@ -189,7 +200,8 @@ class Analyser:
         waiting, self._unasked = self._waiting.clear() if self._unasked else None, False
         ready = [] if waiting is None else [self._recognise(waiting)]
         pushed = [self._path.measure(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
-        return self._join([*ready, *(self._recognise(block) for block in pushed)])
+        found = [*ready, *(self._recognise(block) for block in pushed)]
+        return concatenate_analyses(found) if found else self._recognise(self._path.nothing())
 
     def _recognise(self, measured: FrameBlock) -> Analysis:
         recognition = self._recogniser.recognise(measured.windows, measured.features)
@@ -199,21 +211,18 @@ class Analyser:
 
     def _completed(self, measured: FrameBlock, recognition: Recognition) -> Analysis:
         settings = self._preset.settings
-        features, recognised = measured.features, recognition.phonemes
-        levels = features["volume"]
+        phonemes = recognised = recognition.phonemes
+        levels = measured.features["volume"]
         if recognition.scores is not None:
-            features = features.with_columns(self._recogniser.scores, recognition.scores)
-        phonemes = recognised
+            measured = measured.with_columns(self._recogniser.scores, recognition.scores)
         if settings.statistics:
             wavers = self._statistics.has_change(recognised)
-            phonemes = self._statistics.smooth(recognised, self._recogniser.deficits(features) if wavers else None)
+            deficits = self._recogniser.deficits(measured.features) if wavers else None
+            phonemes = self._statistics.smooth(recognised, deficits)
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         intensities *= phonemes != _SILENCE
         start, self._next = self._next, self._next + len(recognised)
-        return Analysis(
-            start, measured.spectra, measured.mel, measured.waveforms, features, recognised, phonemes, intensities,
-            settings,
-        )  # fmt: skip
+        return Analysis(start, measured, recognised, phonemes, intensities, settings)
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
         if self._leaves_features_out(preset):
@@ -238,21 +247,17 @@ class Analyser:
         self._recogniser = recogniser
         self._unasked = True
 
-    def _join(self, blocks: list[Analysis]) -> Analysis:
-        if not blocks:
-            return self._recognise(self._path.nothing())
-        mels = [b.mel for b in blocks if b.mel is not None]
-        return Analysis(
-            start=blocks[0].start,
-            spectra=np.concatenate([b.spectra for b in blocks]),
-            mel=np.concatenate(mels) if mels else None,
-            waveforms=np.concatenate([b.waveforms for b in blocks]),
-            features=Features(blocks[0].features.names, np.concatenate([b.features.values for b in blocks])),
-            recognised=np.concatenate([b.recognised for b in blocks]),
-            phonemes=np.concatenate([b.phonemes for b in blocks]),
-            intensities=np.concatenate([b.intensities for b in blocks]),
-            settings=blocks[-1].settings,
-        )
+
+def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
+    """Return consecutive blocks as one; there must be at least one."""
+    return Analysis(
+        analyses[0].start,
+        concatenate([a.frames for a in analyses]),
+        recognised=np.concatenate([a.recognised for a in analyses]),
+        phonemes=np.concatenate([a.phonemes for a in analyses]),
+        intensities=np.concatenate([a.intensities for a in analyses]),
+        settings=analyses[-1].settings,
+    )
 
 
 class Reading(NamedTuple):

@@ -8,16 +8,23 @@ import numpy as np
 
 from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset
 from phonemeanalyser.cli.jobs import say_cut_off
+from phonemeengine import (
+    CalibrationResult,
+    Channel,
+    PhonemeMap,
+    Preset,
+    PresetError,
+    SoundReader,
+    TakeError,
+    Utterance,
+    calibrate,
+    load_phoneme_map,
+    load_preset,
+    read_recordings,
+    save_preset,
+)
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.files import SoundReader
-from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
-from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
 from phonemeengine.calibration.takes.room_noise import measure_room
-from phonemeengine.errors import PresetError, TakeError
-from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
-from phonemeengine.presets.files import load_preset, save_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import Channel
 
 BLOCK = 1 << 16
 MOST_ROOM = 60.0

@@ -8,11 +8,8 @@ from typing import TextIO
 from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, add_sounds
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, is_single, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
+from phonemeengine import Channel, EngineError, Preset, load_preset
 from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
-from phonemeengine.errors import EngineError
-from phonemeengine.presets.files import load_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import Channel
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,10 @@ import math
 from collections.abc import Callable
 from pathlib import Path
 
+from phonemeengine import Channel, Detail
 from phonemeengine.mouth.cues import MINIMUM
-from phonemeengine.mouth.morpher import Detail
 from phonemeengine.presets.files import DEFAULT_PRESET
-from phonemeengine.settings import MOST_CHANNELS, Channel
+from phonemeengine.settings import MOST_CHANNELS
 
 PRESET = "preset (.toml) or PhonemeData file"
 

@@ -6,17 +6,11 @@ from pathlib import Path
 from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, add_preset, add_sounds, number
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
-from phonemeengine.errors import EngineError
+from phonemeengine import FORMATS, Channel, Detail, EngineError, ExportOptions, IdleMotion, Preset, load_preset
 from phonemeengine.files import printable_name
-from phonemeengine.mouth.animation import IdleMotion
-from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.mouth.transcript import transcript_of
-from phonemeengine.presets.files import load_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import Channel
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -9,13 +9,10 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeengine.analyser import Analysis, analyse_file
-from phonemeengine.audio.files import SUFFIXES, SoundReader
-from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.errors import AudioError, EngineError
+from phonemeengine import FRAME_PERIOD, Analysis, AudioError, Channel, EngineError, Preset, SoundReader, Utterance
+from phonemeengine.analyser import analyse_file
+from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.files import printable_name
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import FRAME_PERIOD, Channel
 
 _log = logging.getLogger(__name__)
 

@@ -14,19 +14,27 @@ from pathlib import Path
 from types import FrameType
 
 from phonemeanalyser.cli.arguments import add_channel, add_preset, number_in, whole_in
-from phonemeengine.analyser import Analysis
-from phonemeengine.audio.devices import InputChoice, chosen_input, inputs_of
+from phonemeengine import (
+    FRAME_PERIOD,
+    Analysis,
+    Channel,
+    DeviceError,
+    InputChoice,
+    Listener,
+    OscAddress,
+    OscMouth,
+    Phoneme,
+    Preset,
+    Recorder,
+    RecordingError,
+    devices,
+    load_preset,
+    load_table,
+)
+from phonemeengine.audio.devices import chosen_input, inputs_of
 from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
-from phonemeengine.audio.stream import devices
-from phonemeengine.errors import DeviceError, RecordingError
-from phonemeengine.live.listener import Listener
-from phonemeengine.live.recorder import Recorder
-from phonemeengine.mouth.osc import OscAddress, OscMouth, OscSettings
-from phonemeengine.mouth.table import USUAL_TABLE, load_table
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import load_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import FRAME_PERIOD, Channel
+from phonemeengine.mouth.osc import OscSettings
+from phonemeengine.mouth.table import USUAL_TABLE
 
 LOOK = 0.2
 """Seconds between two looks at how it goes."""

@@ -9,7 +9,7 @@ from types import ModuleType
 
 from phonemeanalyser.cli.arguments import add_log
 from phonemeanalyser.logs import logged_to
-from phonemeengine.errors import EngineError
+from phonemeengine import EngineError
 
 COMMANDS = {
     "adapt": "Calibrate a preset to the takes or labelled recordings of one voice, or to a room alone.",
@@ -29,16 +29,16 @@ COMMANDS = {
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the program; returns the exit code: 0, 1 something failed, 2 wrong usage, 3 no display."""
-    shared = ArgumentParser(prog="phonemeanalyser", add_help=False, allow_abbrev=False)
-    add_log(shared)
-    options, words = shared.parse_known_args(arguments)
+    words = list(sys.argv[1:] if arguments is None else arguments)
     try:
+        command, rest = (words[0], words[1:]) if words and words[0] in COMMANDS else ("window", words)
+        module, parser = _module_of(command), _parser_of(command)
+        parser.set_defaults(parser=parser)
+        module.add_arguments(parser)
+        add_log(parser)
+        options = parser.parse_args(rest)
         with logged_to(options.log):
-            command, rest = (words[0], words[1:]) if words and words[0] in COMMANDS else ("window", words)
-            module, parser = _module_of(command), _parser_of(command)
-            parser.set_defaults(parser=parser)
-            module.add_arguments(parser)
-            return int(module.run(parser.parse_args(rest)))
+            return int(module.run(options))
     except EngineError as error:
         print(f"phonemeanalyser: {error}", file=sys.stderr)
         return 1

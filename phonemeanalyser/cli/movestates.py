@@ -7,11 +7,22 @@ from pathlib import Path
 
 from phonemeanalyser.cli.arguments import number_in
 from phonemeanalyser.cli.output_files import print_whole
-from phonemeengine.errors import MeshError
-from phonemeengine.mouth.files.io import FACES, load_morph_mesh, load_morph_targets, save_morph_targets
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.morph_mesh import TOLERANCE, MorphMesh, MorphTargets, matched, morph_targets_of
-from phonemeengine.mouth.movestate import LONGEST_NAME, Movestate, movestate_of
+from phonemeengine import (
+    MeshError,
+    MorphMesh,
+    MorphTargets,
+    Movestate,
+    load_head,
+    load_morph_mesh,
+    load_morph_targets,
+    matched,
+    morph_targets_of,
+    movestate_of,
+    save_morph_targets,
+)
+from phonemeengine.mouth.files.io import FACES
+from phonemeengine.mouth.morph_mesh import TOLERANCE
+from phonemeengine.mouth.movestate import LONGEST_NAME
 
 OWN = "head"
 """What is named instead of a file, for the head that ships with the program."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
-from phonemeengine.errors import EngineError
-from phonemeengine.files import Owns, atomic_write, is_own
+from phonemeengine import EngineError
+from phonemeengine.files import Owns, atomic_write, is_own, reason_of
 
 
 @dataclass(frozen=True)
@@ -105,4 +105,6 @@ def write_whole_file(target: Path, write: Callable[[BinaryIO], None], guard: Gua
                 file.flush()
                 guard.check_written(target, Path(file.name))
     except OSError as error:
-        raise EngineError(f"{target}: cannot be written ({error.strerror}); choose another place with -o") from error
+        raise EngineError(
+            f"{target}: cannot be written ({reason_of(error)}); choose another place with -o"
+        ) from error

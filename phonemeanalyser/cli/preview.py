@@ -18,19 +18,25 @@ from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif, write_film, write_gif, write_pictures
+from phonemeengine import (
+    SAMPLE_RATE,
+    Detail,
+    IdleMotion,
+    MorphMesh,
+    SoundReader,
+    load_head,
+    load_morph_mesh,
+    load_morph_targets,
+    load_preset,
+    load_table,
+    matched,
+)
 from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.audio.files import SoundReader
 from phonemeengine.files import printable_name
-from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
+from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
-from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.morph_mesh import MorphMesh, matched
-from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
+from phonemeengine.mouth.table import USUAL_TABLE, shipped_tables
 from phonemeengine.mouth.transcript import transcript_of
-from phonemeengine.presets.files import load_preset
-from phonemeengine.settings import SAMPLE_RATE
 
 SMALLEST, LARGEST = 16, 4096
 """Pixels along an edge of the picture."""

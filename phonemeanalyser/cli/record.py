@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from phonemeanalyser.cli.listen import add_input, input_of, record
-from phonemeengine.presets.files import load_preset
+from phonemeengine import load_preset
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -15,16 +15,25 @@ from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset, printable
 from phonemeanalyser.reports.text import text_of
-from phonemeengine.calibration.scores import evaluation
-from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, AddedNoise, NoiseAdder, NoiseKind
+from phonemeengine import (
+    AddedNoise,
+    AudioError,
+    Channel,
+    CorpusError,
+    CorpusScores,
+    NoiseAdder,
+    NoiseKind,
+    PhonemeMap,
+    Preset,
+    PresetError,
+    Utterance,
+    load_phoneme_map,
+    load_preset,
+    read_recordings,
+    score,
+)
+from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
-from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
-from phonemeengine.calibration.scores.evaluation import CorpusScores
-from phonemeengine.errors import AudioError, CorpusError, PresetError
-from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
-from phonemeengine.presets.files import load_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import Channel
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
 """The formats that an ending asks for; text is the format of all others."""
@@ -108,7 +117,7 @@ def _scored(
     with tqdm(
         utterances, desc=named.title, unit="recording", leave=False, delay=1, disable=None, file=sys.stderr
     ) as progress:
-        return evaluation.score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push)
+        return score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push)
 
 
 def _presets_of(first: Path, against: Path | None) -> list[Named]:

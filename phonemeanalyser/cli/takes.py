@@ -5,9 +5,9 @@ import sys
 from collections import Counter
 from pathlib import Path
 
+from phonemeengine import TakeError
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.take_list import LIST
-from phonemeengine.errors import TakeError
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -9,11 +9,11 @@ from tqdm import tqdm
 
 from phonemeanalyser.cli.arguments import add_channel, whole_in
 from phonemeanalyser.cli.output_files import write_whole
+from phonemeengine import ModelError, load_preset, save_preset
 from phonemeengine.calibration.learning.model_card import model_card
 from phonemeengine.calibration.learning.pipeline import TrainingResult, train_and_validate
 from phonemeengine.calibration.learning.training import TrainingConfig
-from phonemeengine.errors import ModelError
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from phonemeengine.presets.files import DEFAULT_PRESET
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

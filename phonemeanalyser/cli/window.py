@@ -3,11 +3,11 @@
 import argparse
 import os
 import sys
-from importlib.metadata import version
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_preset
 from phonemeanalyser.cli.display import load_desktop, why_no_window
+from phonemeengine import __version__
 
 DEMO = Path(__file__).parents[1] / "demo" / "demo.flac"
 NO_DISPLAY = 3
@@ -19,7 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, nargs="?", help="sound file to open (default: the last, or a demo)")
     add_preset(parser, None, "preset (.toml) or PhonemeData file to begin with")
     add_channel(parser, None)
-    parser.add_argument("--version", action="version", version=f"%(prog)s {version('phonemeanalyser')}")
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
 
 
 def run(options: argparse.Namespace) -> int:

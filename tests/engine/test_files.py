@@ -5,7 +5,8 @@ import sys
 
 import pytest
 
-from phonemeengine.files import atomic_write
+from phonemeengine.errors import CurveError
+from phonemeengine.files import atomic_write, read_file, read_text_file, write_file
 
 
 def write(path, content, **options):
@@ -67,3 +68,29 @@ def test_the_new_file_is_a_plain_one_with_the_usual_permissions(tmp_path):
     write(link, b"new")
     assert (old.read_bytes(), link.read_bytes(), link.is_symlink()) == (b"old", b"new", False)
     assert link.stat().st_mode == usual.stat().st_mode
+
+
+def test_text_is_read_as_it_was_written_whatever_ends_its_lines(tmp_path):
+    path = tmp_path / "a.txt"
+    write_file(path, b"\xef\xbb\xbfone\r\ntwo\rthree\n", CurveError)
+    assert read_text_file(path, 100, "a curve", CurveError) == "one\ntwo\nthree\n"
+
+
+@pytest.mark.parametrize("durable", [False, True])
+def test_a_place_where_nothing_can_be_written_is_named_in_a_sentence(tmp_path, durable):
+    with pytest.raises(CurveError, match=r"^a\.txt: cannot be written \(No such .*\); choose another folder$"):
+        write_file(tmp_path / "none" / "a.txt", b"", CurveError, durable=durable)
+
+
+def test_what_cannot_be_read_is_named_in_a_sentence(tmp_path):
+    path = tmp_path / "a.txt"
+    with pytest.raises(CurveError, match=r"^a\.txt: cannot be read \(No such .*\); check the file$"):
+        read_file(path, 1 << 20, "a curve", CurveError)
+    path.write_bytes(bytes(1 << 20))
+    assert len(read_file(path, 1 << 20, "a curve", CurveError)) == 1 << 20
+    path.write_bytes(bytes((1 << 20) + 1))
+    with pytest.raises(CurveError, match=r"^a\.txt: a curve has at most 1 MB, this has 1\.1 MB; choose another$"):
+        read_file(path, 1 << 20, "a curve", CurveError)
+    path.write_bytes(b"\xff\xfe")
+    with pytest.raises(CurveError, match=r"^a\.txt: this is no text file; choose a curve$"):
+        read_text_file(path, 1 << 20, "a curve", CurveError)

@@ -45,7 +45,7 @@ with Listener(preset) as ear:
 reveal_type(Analyser(preset).push)
 reveal_type(recognise_window([0.0] * 2048, preset).intensity)
 reveal_type(calibrate(preset, read_recordings("takes")).preset)
-reveal_type(score(read_recordings("corpus"), preset).overall.scores.macro_f1)
+reveal_type(score(preset, read_recordings("corpus")).overall.scores.macro_f1)
 Analyser("learned")
 """
 REVEALED = [
@@ -162,4 +162,4 @@ def test_a_user_s_type_checker_sees_the_types(installed: Path, tmp_path: Path) -
     assert len(seen) == len(REVEALED), said
     assert [full.startswith(wanted) for full, wanted in zip(seen, REVEALED, strict=True)] == [True] * len(seen), seen
     assert 'Argument 1 to "Analyser" has incompatible type "str"; expected "Preset"' in said
-    assert "Found 1 error in 1 file" in said
+    assert "Found 1 error in 1 file" in said, said

@@ -40,7 +40,7 @@ class FrameBlock:
     Attributes
     ----------
     windows : float32, shape (n_frames, 2048): the samples that were measured.
-    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters.
+    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters, bin k at k x 21.53 Hz.
     mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
     waveforms : float32, shape (n_frames, n_samples): the windows after the filters of the time domain.
     features : the measured variables.
@@ -52,12 +52,20 @@ class FrameBlock:
     waveforms: Float32Array
     features: Features
 
+    def __len__(self) -> int:
+        return len(self.spectra)
+
     def part(self, frames: slice) -> "FrameBlock":
         """Return some of the frames of the block, as a block."""
         mel = None if self.mel is None else self.mel[frames]
         return FrameBlock(
             self.windows[frames], self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames)
         )
+
+    def with_columns(self, names: tuple[str, ...], values: Float32Array) -> "FrameBlock":
+        """Return the same with more features, shape (n_frames, n_more)."""
+        more = self.features.with_columns(names, values)
+        return FrameBlock(self.windows, self.spectra, self.mel, self.waveforms, more)
 
 
 class FrontEnd:

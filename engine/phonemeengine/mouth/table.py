@@ -12,7 +12,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.files import printable_name, reason_of
+from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
 from phonemeengine.mouth.motion_settings import LIMITS, MotionSettings, TransitionTimes
 from phonemeengine.phonemes import Phoneme
@@ -93,8 +93,12 @@ def load_table(name: str | os.PathLike[str]) -> MouthTable:
     shipped = TABLES / f"{name}.toml"
     path = shipped if str(name) in shipped_tables() else Path(name)
     shown = printable_name(path)
+    if not os.path.lexists(path):
+        known = ", ".join(shipped_tables())
+        raise MouthError(f"{shown}: there is no such mouth table; name a file, or one of {known}")
+    text = read_text_file(path, LARGEST_FILE, "a mouth table (.toml)", MouthError)
     try:
-        return table_of(_text_of(path))
+        return table_of(text)
     except MouthError as error:
         raise MouthError(f"{shown}: {error}") from error
 
@@ -123,20 +127,6 @@ def table_of(text: str) -> MouthTable:
         manner=manner,
         notes=top.value("notes", str) if "notes" in top else "",
     )
-
-
-def _text_of(path: Path) -> str:
-    try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise MouthError("a mouth table is smaller than 1 MB; choose another file")
-        return path.read_text(encoding="utf-8-sig")
-    except FileNotFoundError as error:
-        known = ", ".join(shipped_tables())
-        raise MouthError(f"there is no such mouth table; name a file, or one of {known}") from error
-    except UnicodeDecodeError as error:
-        raise MouthError("this is no text file; choose a mouth table (.toml)") from error
-    except (OSError, ValueError) as error:
-        raise MouthError(f"it cannot be read ({reason_of(error)}); check the file") from error
 
 
 def _movestates_of(top: StrictTable) -> tuple[str, ...]:

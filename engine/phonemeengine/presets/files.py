@@ -7,7 +7,7 @@ from importlib import resources
 from pathlib import Path
 
 from phonemeengine.errors import EngineError, ModelError, PresetError
-from phonemeengine.files import atomic_write
+from phonemeengine.files import read_text_file, write_file
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
 from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
@@ -40,20 +40,10 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
     PresetError : the file cannot be read or is no preset; the message begins with the file's name.
     """
     path = preset_path(path)
-    try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise PresetError(
-                f"{path.name}: a preset is smaller than 1 MB, this has {path.stat().st_size / 1e6:.1f} MB; "
-                "choose a .toml or .phonemedata file"
-            )
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise PresetError(f"{path.name}: this is not a text file; choose a .toml or .phonemedata file") from error
-    except OSError as error:
-        if path.name == str(path) and not path.suffix and not path.exists():
-            known = ", ".join(sorted(_names()))
-            raise PresetError(f"{path}: there is no such preset; name a file, or one of {known}") from None
-        raise PresetError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
+    if path.name == str(path) and not path.suffix and not path.exists():
+        known = ", ".join(sorted(_names()))
+        raise PresetError(f"{path}: there is no such preset; name a file, or one of {known}")
+    text = read_text_file(path, LARGEST_FILE, "a .toml or .phonemedata file", PresetError)
     try:
         if path.suffix.lower() == ".toml":
             return preset_from_toml(text, path.parent)
@@ -74,13 +64,13 @@ def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     """
     path = Path(path)
     if is_phoneme_data(path):
-        _write(path, format_phoneme_data(preset.phoneme_data).encode(errors="replace"))
+        write_file(path, format_phoneme_data(preset.phoneme_data).encode(errors="replace"), PresetError)
         return
     beside = path.with_suffix(".npz")
     if preset.model is not None and not _holds(beside, preset.model):
         save_model(preset.model, beside)
     text = preset_to_toml(preset, beside.name if preset.model is not None else "")
-    _write(path, text.encode(errors="replace"))
+    write_file(path, text.encode(errors="replace"), PresetError)
 
 
 def preset_path(name: str | os.PathLike[str]) -> Path:
@@ -160,11 +150,3 @@ def _holds(path: Path, model: Model) -> bool:
         return load_model(path) == model
     except ModelError:
         return False
-
-
-def _write(path: Path, content: bytes) -> None:
-    try:
-        with atomic_write(path) as file:
-            file.write(content)
-    except OSError as error:
-        raise PresetError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import ModelError
-from phonemeengine.files import atomic_write
+from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.npz import read_npz
@@ -97,7 +97,7 @@ def save_model(model: Model, path: Path) -> None:
         with atomic_write(path) as file:
             np.savez_compressed(file, allow_pickle=False, about=about, **_arrays_of(model))
     except OSError as error:
-        raise ModelError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
+        raise ModelError(f"{path.name}: cannot be written ({reason_of(error)}); choose another folder") from error
 
 
 def load_model(path: Path) -> Model:
@@ -116,7 +116,7 @@ def load_model(path: Path) -> Model:
         return _model_of(read_npz(path, LARGEST_FILE))
     except OSError as error:
         raise ModelError(
-            f"{path.name}: the model cannot be read ({error.strerror}); put it beside its preset"
+            f"{path.name}: the model cannot be read ({reason_of(error)}); put it beside its preset"
         ) from error
     except ModelError as error:
         raise ModelError(f"{path.name}: {str(error).removeprefix(path.name + ': ')}") from error

@@ -144,7 +144,7 @@ def test_at_another_source_it_says_what_to_do(desktop, window, qtbot):
 def test_a_folder_that_is_gone_is_said(window, qtbot, tmp_path, answer):
     answer(tmp_path / "gone" / "mine.TextGrid")
     save(window, qtbot)
-    assert said(window).startswith("mine.TextGrid: it cannot be written (No such file or directory)")
+    assert said(window).startswith("mine.TextGrid: cannot be written (No such file or directory)")
 
 
 def test_a_sound_that_was_cut_off_meanwhile_leaves_the_old_labels(window, qtbot, sound, tmp_path, answer):

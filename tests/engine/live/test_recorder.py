@@ -66,7 +66,7 @@ def test_what_is_heard_is_on_the_tape_and_its_phonemes_beside_it(
     hearing = hear(microphone, recorder=tape)
     sound = np.round(SPEECH * 2**23) / np.float32(2**23)
     microphone.give(sound)
-    hearing.wait(frames_in(len(sound)))
+    hearing.wait_samples(len(sound))
     hearing.listener.record(None)
     tape.close()
     assert (tape.paths, tape.path, tape.failure, tape.notes) == ([tmp_path / "take.wav"], tape.paths[0], None, ())
@@ -87,8 +87,7 @@ def test_a_recording_that_begins_in_the_midst_of_listening_has_its_own_beginning
     hearing.wait(frames_in(first))
     hearing.listener.record(tape)
     microphone.give(SPEECH[first:])
-    hearing.wait(frames_in(len(SPEECH)))
-    wait_for(lambda: hearing.listener.seconds >= len(SPEECH) / SAMPLE_RATE, "the samples that complete no frame")
+    hearing.wait_samples(len(SPEECH))
     hearing.listener.record(None)
     tape.close()
     assert len(samples_in(tape.paths[0])) == len(SPEECH) - first

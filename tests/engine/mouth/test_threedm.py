@@ -183,7 +183,7 @@ def test_a_huge_file_is_refused_before_it_is_read(tmp_path: Path, kind: str):
     path = tmp_path / f"huge{kind}"
     with path.open("wb") as content:
         content.truncate(10**12)
-    with pytest.raises(MeshError, match=rf"^huge{kind}: such a file has at most \d+ MB, this 1000000 MB"):
+    with pytest.raises(MeshError, match=rf"^huge{kind}: such a file has at most \d+ MB, this has [0-9.]+ MB"):
         load_morph_targets(path)
 
 

@@ -159,7 +159,7 @@ class TestFilesThatAreNone:
     def test_a_binary_file(self, tmp_path: Path, suffix: str):
         path = tmp_path / f"x{suffix}"
         path.write_bytes(bytes(range(256)))
-        assert "not a text file; choose a .toml or .phonemedata file" in self.refusal(path)
+        assert "no text file; choose a .toml or .phonemedata file" in self.refusal(path)
 
     def test_an_empty_file(self, tmp_path: Path, suffix: str):
         path = tmp_path / f"x{suffix}"
@@ -170,7 +170,7 @@ class TestFilesThatAreNone:
         path = tmp_path / f"x{suffix}"
         with path.open("wb") as file:
             file.truncate(10**12)
-        assert "smaller than 1 MB" in self.refusal(path)
+        assert "has at most 1 MB" in self.refusal(path)
 
 
 def test_a_broken_phoneme_data_file_says_where(tmp_path: Path):

@@ -67,16 +67,6 @@ class TakeProject(Closing):
         """What `undo` takes back, one after the other from the last, in words such as ``delete a-3``."""
         return tuple(what for what, _, _ in self._done)
 
-    @property
-    def undoable(self) -> str | None:
-        """What `undo` would take back, such as ``delete a-3``; None where there is nothing."""
-        return self._done[-1][0] if self._done else None
-
-    @property
-    def redoable(self) -> str | None:
-        """What `redo` would do again; None where there is nothing."""
-        return self._undone[-1][0] if self._undone else None
-
     def path_of(self, take: Take) -> Path:
         """Return the sound file of a take."""
         return self.folder / take.sound

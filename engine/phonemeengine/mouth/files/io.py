@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from phonemeengine.errors import MeshError
-from phonemeengine.files import atomic_write
+from phonemeengine.files import MEGABYTE, read_file, write_file
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
@@ -15,7 +15,6 @@ from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, morph_targets_of
 
-MEGABYTE = 1 << 20
 LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".x": 16}
 """Megabytes of a file of each kind: so much is read, and no more."""
 LARGEST_BESIDE = 64
@@ -34,7 +33,7 @@ def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
     """
     path = Path(path)
     kind = _kind_of(path, FIGURES)
-    content = _content_of(path, LARGEST[kind])
+    content = read_file(path, LARGEST[kind] * MEGABYTE, "such a file", MeshError)
     try:
         figure = _figure_of(kind, content, _beside(path.parent))
     except MeshError as error:
@@ -56,7 +55,7 @@ def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:
         if not figure.states:
             raise MeshError(f"{path.name}: this is a mesh without morph targets; use 'movestates export'")
         return morph_targets_of(figure.mesh, figure.states)
-    content = _content_of(path, LARGEST[kind])
+    content = read_file(path, LARGEST[kind] * MEGABYTE, "such a file", MeshError)
     try:
         return parse_3dm(content) if kind == ".3dm" else parse_3dma(content)
     except MeshError as error:
@@ -83,7 +82,7 @@ def save_morph_targets(face: MorphTargets, path: str | os.PathLike[str], figure:
         raise MeshError(f"{path.name}: {error}") from error
     if len(content) > LARGEST[kind] * MEGABYTE:
         raise MeshError(f"{path.name}: would be larger than {LARGEST[kind]} MB; leave out some movestates")
-    _write(path, content)
+    write_file(path, content, MeshError)
 
 
 def _figure_of(kind: str, content: bytes, beside: Beside) -> MorphMesh:
@@ -99,18 +98,6 @@ def _kind_of(path: Path, kinds: tuple[str, ...]) -> str:
     return kind
 
 
-def _content_of(path: Path, largest: int) -> bytes:
-    try:
-        size = path.stat().st_size
-        if size > largest * MEGABYTE:
-            raise MeshError(
-                f"{path.name}: such a file has at most {largest} MB, this {size / 1e6:.0f} MB; make it smaller"
-            )
-        return path.read_bytes()
-    except OSError as error:
-        raise MeshError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
-
-
 def _beside(folder: Path) -> Beside:
     """Return what reads a file of the same folder, or below it; never one elsewhere."""
 
@@ -121,14 +108,6 @@ def _beside(folder: Path) -> Beside:
                 return None
         except (OSError, ValueError):
             return None
-        return _content_of(path, LARGEST_BESIDE)
+        return read_file(path, LARGEST_BESIDE * MEGABYTE, "a file beside a mesh", MeshError)
 
     return read
-
-
-def _write(path: Path, content: bytes) -> None:
-    try:
-        with atomic_write(path) as file:
-            file.write(content)
-    except OSError as error:
-        raise MeshError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
