@@ -67,6 +67,7 @@ _PAGE = {
     "analyser": "Analyser Analysis Reading analyse_blocks recognise_window",
     "phonemes": "MOUTH_SHAPES MouthShape Phoneme",
     "features.measure": "Features",
+    "features.front_end": "FrameBlock",
     "recognition.segments": "Segment",
     "mouth.transcript": "Transcript",
     "mouth.lip_sync": "cues export transcribe",

@@ -32,6 +32,7 @@ from phonemeengine.errors import (
     TakeError,
     UnknownPhonemeError,
 )
+from phonemeengine.features.front_end import FrameBlock
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.labels.label import Label
@@ -121,6 +122,7 @@ __all__ = [
     "ExportOptions",
     "Features",
     "Filter",
+    "FrameBlock",
     "FrameLabels",
     "GroupScores",
     "HeadMotion",

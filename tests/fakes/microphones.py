@@ -128,6 +128,11 @@ class Hearing:
         """Wait until so many frames were taken altogether."""
         wait_for(lambda: self.has(n_frames), f"{n_frames} frames")
 
+    def wait_samples(self, n_samples: int) -> None:
+        """Wait until so many samples at 44.1 kHz were listened to, also those that complete no frame yet."""
+        self.wait(frames_in(n_samples))
+        wait_for(lambda: self.listener.seconds >= n_samples / SAMPLE_RATE, f"{n_samples} samples")
+
     def wait_words(self, words: str) -> None:
         """Wait until the status says so."""
         wait_for(lambda: words in self.listener.status.words, words)
