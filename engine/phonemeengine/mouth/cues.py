@@ -53,7 +53,7 @@ def cues_of(
 
     Parameters
     ----------
-    runs : what was said, without gaps; see `runs_of`.
+    runs : what was said, without gaps; see `segments_of`.
     table : the mouth shapes.
     minimum : least duration of a cue, seconds; a sound that is shorter is one cue.
     anticipation : by how much the mouth is ahead of vowels, seconds; it is ahead of lips that meet by the time that

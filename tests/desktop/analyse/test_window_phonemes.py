@@ -27,14 +27,13 @@ def window(desktop, qtbot, sound):
 
 
 def said(window) -> str:
-    return window.banner.label.text() if window._banner_bar.isVisible() else ""
+    return window.banner.label.text() if window.banner.isVisible() else ""
 
 
 def save(window, qtbot) -> None:
     """Press the key, and wait until all is written."""
     press(window, Qt.Key.Key_E, CONTROL)
-    qtbot.waitUntil(lambda: not window._session.writer.busy)
-    QTest.qWait(40)
+    qtbot.waitUntil(lambda: "are looked for" not in said(window))
 
 
 @pytest.fixture

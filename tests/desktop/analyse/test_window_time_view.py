@@ -126,7 +126,7 @@ def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbo
     window.analysis.scroll_view.colours.setCurrentText(GREY)
     sound = np.concatenate((tone(ON_BIN, 62.0), tone(3 * ON_BIN, 2.0)))
     for analysis in analyse_blocks(np.array_split(sound, 30), desktop.preset.preset):
-        desktop.session.results.gather(analysis)
+        desktop.session.results.add(analysis)
         window.analysis.scroll_view.refresh()
     assert desktop.session.history.n > CAPACITY + 300
     eyes = TimeEyes(window)
