@@ -1,4 +1,4 @@
-"""Writing speech in one format, as somebody wishes."""
+"""Writing speech in one format, as somebody wants it."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -42,7 +42,7 @@ class Exporter:
     Parameters
     ----------
     name : of the format, as in `FORMATS`.
-    wishes : how it shall be written.
+    options : how it shall be written.
 
     Raises
     ------
@@ -50,14 +50,14 @@ class Exporter:
     MouthError : the table cannot be used.
     """
 
-    def __init__(self, name: str, wishes: ExportOptions | None = None) -> None:
+    def __init__(self, name: str, options: ExportOptions | None = None) -> None:
         if name not in FORMATS:
             raise ExportError(f"there is no format {name!r}; choose one of {', '.join(FORMATS)}")
         self.name, self.format = name, FORMATS[name]
-        self._wishes = wishes or ExportOptions()
-        self.life = self._wishes.life
-        self._mesh = None if self._wishes.mesh is None else Path(self._wishes.mesh)
-        self._table = load_table(self._wishes.table or self.format.table)
+        self._options = options or ExportOptions()
+        self.life = self._options.life
+        self._mesh = None if self._options.mesh is None else Path(self._options.mesh)
+        self._table = load_table(self._options.table or self.format.table)
         self._rate = self._checked_rate()
         self._check_table()
         self._check_mesh()
@@ -65,11 +65,11 @@ class Exporter:
 
     def export_of(self, speech: Transcript) -> Export:
         """Clean the cues of speech, and put together what the format writes."""
-        wishes, anticipation = self._wishes, self._wishes.anticipation
+        options, anticipation = self._options, self._options.anticipation
         cues = cues_of(
             speech.runs,
             self._table,
-            minimum=max(wishes.minimum, 1 / self._rate) if self._rate else wishes.minimum,
+            minimum=max(options.minimum, 1 / self._rate) if self._rate else options.minimum,
             anticipation=self.format.anticipation if anticipation is None else anticipation,
         )
         return Export(speech, self._table, cues, self._rate, self.life, self._mesh)
@@ -83,7 +83,7 @@ class Exporter:
             yield from _encoded(written)
 
     def _checked_rate(self) -> float:
-        wished, own = self._wishes.rate, self.format.rate
+        wished, own = self._options.rate, self.format.rate
         if wished is None:
             return own
         if not own:
