@@ -147,18 +147,18 @@ def record(
     """
     chosen_input(choice, devices())
     limit = math.inf if seconds is None else seconds
-    tape = Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
+    recorder = Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
     with _quiet_libraries(), _ended_by_signals():
-        listener = Listener(preset, choice, phonemes_only=True, recorder=tape)
+        listener = Listener(preset, choice, phonemes_only=True, recorder=recorder)
         try:
-            _attend(listener, seconds, lambda: _check(tape))
+            _attend(listener, seconds, lambda: _check(recorder))
         finally:
             listener.close()
-            tape.close()
-            _report(tape, listener)
-    if tape.failure:
-        raise RecordingError(tape.failure)
-    if not tape.paths:
+            recorder.close()
+            _report(recorder, listener)
+    if recorder.failure:
+        raise RecordingError(recorder.failure)
+    if not recorder.paths:
         raise RecordingError(
             f"{path.name}: no sound came from the microphone, so nothing was recorded; check its plug"
         )
@@ -226,21 +226,21 @@ def _attend(listener: Listener, seconds: float | None, look: Callable[[], None])
             said = words
 
 
-def _check(tape: Recorder) -> None:
-    if tape.failure:
-        raise RecordingError(tape.failure)
+def _check(recorder: Recorder) -> None:
+    if recorder.failure:
+        raise RecordingError(recorder.failure)
 
 
-def _report(tape: Recorder, listener: Listener) -> None:
-    lost = listener.lost_seconds - sum(gap.seconds for gap in tape.gaps)
-    other = " more" if tape.gaps else ""
+def _report(recorder: Recorder, listener: Listener) -> None:
+    lost = listener.lost_seconds - sum(gap.seconds for gap in recorder.gaps)
+    other = " more" if recorder.gaps else ""
     missing = f", {lost:.2f} s{other} were lost on the way" if lost >= LEAST_LOSS else f", nothing{other} lost"
-    gaps = f", {tape.gap_words}" if tape.gaps else ""
-    for path in tape.paths[:-1]:
+    gaps = f", {recorder.gap_words}" if recorder.gaps else ""
+    for path in recorder.paths[:-1]:
         print(f"phonemeanalyser: {path}: recorded until the microphone changed", file=sys.stderr)
-    if tape.path is not None and tape.seconds:
-        print(f"phonemeanalyser: {tape.path}: {tape.seconds:.2f} s recorded{gaps}{missing}", file=sys.stderr)
-    for note in tape.notes:
+    if recorder.path is not None and recorder.seconds:
+        print(f"phonemeanalyser: {recorder.path}: {recorder.seconds:.2f} s recorded{gaps}{missing}", file=sys.stderr)
+    for note in recorder.notes:
         print(f"phonemeanalyser: note: {note}", file=sys.stderr)
 
 
