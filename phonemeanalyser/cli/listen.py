@@ -23,6 +23,7 @@ from phonemeengine import (
     Listener,
     OscAddress,
     OscMouth,
+    Performer,
     Phoneme,
     Preset,
     Recorder,
@@ -30,10 +31,12 @@ from phonemeengine import (
     devices,
     load_preset,
     load_table,
+    timed_frames,
 )
 from phonemeengine.audio.devices import chosen_input, inputs_of
 from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.mouth.osc import OscSettings
+from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE
 
 LOOK = 0.2
@@ -114,12 +117,13 @@ def listen(
     """
     chosen_input(choice, devices())
     changes = _Changes(_as_json if kind == "json" else _as_text)
-    with _sending(osc) as mouth, _quiet_libraries(), _ended_by_signals():
+    with _sending(osc) as performer, _quiet_libraries(), _ended_by_signals():
 
         def follow(analysis: Analysis) -> None:
             changes.follow(analysis)
-            if mouth is not None:
-                mouth.add_analysis(analysis)
+            if performer is not None:
+                now = time.monotonic()
+                performer.hear(timed_frames(analysis, now), now, live=True)
 
         changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_analysis=follow)
         try:
@@ -161,14 +165,15 @@ def record(
 
 
 @contextmanager
-def _sending(osc: OscSettings | None) -> Iterator[OscMouth | None]:
-    """Send the mouth meanwhile, and say at the end if nothing could be sent."""
+def _sending(osc: OscSettings | None) -> Iterator[Performer | None]:
+    """Send what a performer shows meanwhile, and say at the end if nothing could be sent."""
     if osc is None:
         yield None
         return
-    mouth = OscMouth(osc.address, osc.table)
+    performer = Performer(osc.table, MOUTH_ALONE)
+    mouth = OscMouth(osc.address, performer)
     try:
-        yield mouth
+        yield performer
     finally:
         mouth.close()
         if mouth.failure:

@@ -89,7 +89,7 @@ def export(
     ExportError : there is no such format, it cannot do what is asked for, or the file cannot be written.
     """
     exporter, target = Exporter(form, options), Path(target)
-    said = transcribe(sound, preset, channel=channel, pitch=exporter.format.moves_head and exporter.life.head)
+    said = transcribe(sound, preset, channel=channel, pitch=exporter.format.moves_head and exporter.idle.head)
     try:
         with atomic_write(target) as file:
             file.writelines(exporter.chunks_of(said))
