@@ -124,6 +124,7 @@ class MainWindow(QMainWindow):
         head = self.heads.add("guide", HeadView(self._talking, self.theme))
         page, dialogs = CalibrationPage(self._calibration, head, self.theme), self.calibration_dialogs
         page.takes.project_asked.connect(dialogs.ask_project)
+        page.takes.empty_asked.connect(dialogs.ask_empty_deleted)
         page.takes.import_asked.connect(dialogs.ask_recordings)
         page.guide.save_asked.connect(self.dialogs.save_as)
         page.workbench.compare.file_asked.connect(self._ask_preset_to_compare)

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
@@ -41,6 +41,19 @@ class CalibrationDialogs(QObject):
         name = QFileDialog.getExistingDirectory(self._window, "The folder of the takes", str(folder))
         if name:
             self._calibration.takes.open(Path(name))
+
+    def ask_empty_deleted(self) -> None:
+        """Remove deleted takes for ever, if the user says so once more."""
+        takes = self._calibration.takes
+        n = takes.now.n_deleted
+        if not n:
+            takes.info.emit("No take is deleted.")
+            return
+        what = "the deleted take" if n == 1 else f"{n} deleted takes"
+        text = f"Remove {what} from the disk for ever? What was done to takes before cannot be undone then."
+        yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
+        if QMessageBox.question(self._window, "Empty deleted takes", text, yes | no, no) == yes:
+            takes.empty_deleted()
 
     def ask_recordings(self, folder: bool) -> None:
         """Let the user choose a folder of labelled recordings, or some sounds with their labels beside them."""

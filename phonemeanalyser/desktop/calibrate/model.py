@@ -55,6 +55,7 @@ class CalibrationModel(QObject):
         self.room.info.connect(self.info)
         self.takes.edited.connect(self._note_edit)
         self.takes.opened.connect(self._forget_edits)
+        self.takes.emptied.connect(self._forget_edits)
         preset.loaded.connect(self._keep_edits)
         for model in (self.takes, self.recordings):
             model.changed.connect(self._load_workbench)

@@ -38,11 +38,13 @@ class Snapshot:
     takes : all of it that is not deleted, in the order in which they were made.
     reports : what the check found, by number.
     changes : what was done with them since the project was opened, and not undone, in words.
+    n_deleted : how many takes are deleted, and still on the disk.
     """
 
     takes: tuple[Take, ...] = ()
     reports: Mapping[int, TakeReport] = field(default_factory=dict)
     changes: tuple[str, ...] = ()
+    n_deleted: int = 0
 
 
 class TakeEdit(QUndoCommand):
@@ -78,6 +80,7 @@ class TakesModel(QObject):
     opened : another project is in hand.
     changed : the takes are others.
     edited : a change was made that can be undone: what, in words.
+    emptied : deleted takes are gone for ever, and what was done before cannot be undone.
     added : number of a take that is new.
     sound_read : the sound of the selected take is there.
     info : a sentence for the user about something that went well.
@@ -88,6 +91,7 @@ class TakesModel(QObject):
     opened = Signal()
     changed = Signal()
     edited = Signal(str)
+    emptied = Signal()
     added = Signal(int)
     sound_read = Signal()
     info = Signal(str)
@@ -233,6 +237,14 @@ class TakesModel(QObject):
         """Do again what was undone."""
         self._change(lambda project: self._checked(project, project.redo()), is_new=False)
 
+    def empty_deleted(self) -> None:
+        """Remove deleted takes for ever; what was done before cannot be undone then."""
+        project = self._project
+        if project is not None:
+            self._disk.submit(
+                lambda _progress: (project.empty_deleted(), self._snapshot_of(project)), self._show_emptied
+            )
+
     def write_labels(self, suffix: str, program: str) -> None:
         """Write label files for another program beside the sounds of all takes: its name, and how they end."""
         self._disk.submit(lambda _progress: _write_labels(self._project, suffix, program), self.info.emit)
@@ -288,6 +300,11 @@ class TakesModel(QObject):
             before.close()
         return self._snapshot_of(project)
 
+    def _show_emptied(self, found: tuple[int, Snapshot]) -> None:
+        self._show(found[1])
+        self.emptied.emit()
+        self.info.emit(f"Deleted takes removed from the disk: {found[0]}.")
+
     def _show(self, now: Snapshot) -> None:
         self.now = now
         if self._project is not None and self.folder != self._shown:
@@ -307,7 +324,7 @@ class TakesModel(QObject):
         return take
 
     def _snapshot_of(self, project: TakeProject) -> Snapshot:
-        return Snapshot(project.takes, dict(self._reports), project.changes)
+        return Snapshot(project.takes, dict(self._reports), project.changes, len(project.deleted))
 
     def _noise_now(self, project: TakeProject) -> float:
         return room_level(project.takes, self._reports)

@@ -24,11 +24,13 @@ class TakesPanel(QWidget):
     Signals
     -------
     project_asked : the user wants another folder for his takes.
+    empty_asked : the user wants deleted takes to be removed for ever.
     import_asked : the user wants to load labelled recordings: a folder (True) or files.
     guide_asked : the user wants to be led through all sounds.
     """
 
     project_asked = Signal()
+    empty_asked = Signal()
     import_asked = Signal(bool)
     guide_asked = Signal()
 
@@ -78,6 +80,7 @@ class TakesPanel(QWidget):
             ("Choose the Folder…", self.project_asked.emit),
             ("Write Labels for Praat (TextGrid)", lambda: write(".TextGrid", "Praat")),
             ("Write Labels for Audacity (txt)", lambda: write(".txt", "Audacity")),
+            ("Empty Deleted Takes…", self.empty_asked.emit),
         )
         self.guide.setSizePolicy(self.record.sizePolicy())
         for button in (self.guide, self.room):

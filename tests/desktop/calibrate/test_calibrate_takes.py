@@ -19,7 +19,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, in_room, said
-from tests.desktop.hands import DEMO, LEFT, click, drag, edits, press
+from tests.desktop.hands import DEMO, LEFT, answer, choose, click, drag, edits, press
 from tests.desktop.studio import Booth
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.sounds import silence
@@ -221,6 +221,29 @@ def test_delete_is_undone_and_redone_by_the_keys(calibrator: Calibrator):
     press(calibrator.booth.window, Qt.Key.Key_Y, CONTROL)
     calibrator.settle()
     assert [take.phoneme for take in calibrator.takes] == [Phoneme.I]
+
+
+def test_deleted_takes_are_removed_for_ever_if_the_user_says_so_once_more(calibrator: Calibrator):
+    window, panel = calibrator.booth.window, calibrator.page.takes
+    calibrator.keep(Phoneme.A)
+    click_row(calibrator, 0)
+    press(window, Qt.Key.Key_Delete)
+    calibrator.settle()
+    sounds = list(calibrator.model.takes.folder.rglob("*.flac"))
+    for button, left in (("No", sounds), ("Yes", [])):
+        asked = answer(button)
+        choose(panel.open.menu(), "Empty Deleted Takes…")
+        calibrator.settle()
+        assert asked == [
+            "Remove the deleted take from the disk for ever? What was done to takes before cannot be undone then."
+        ]
+        assert list(calibrator.model.takes.folder.rglob("*.flac")) == left
+    assert calibrator.booth.banner == "Deleted takes removed from the disk: 1."
+    press(window, Qt.Key.Key_Z, CONTROL)
+    calibrator.settle()
+    assert not calibrator.takes
+    choose(panel.open.menu(), "Empty Deleted Takes…")
+    assert calibrator.booth.banner == "No take is deleted."
 
 
 def test_undo_takes_back_what_changed_last_be_it_a_take_or_a_threshold(calibrator: Calibrator):
