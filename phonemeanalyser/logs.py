@@ -72,16 +72,16 @@ def _opened(path: Path) -> logging.Handler:
 @contextmanager
 def _kept_by(handler: logging.Handler) -> Iterator[None]:
     handler.setFormatter(logging.Formatter(LINE))
-    loggers = [logging.getLogger(name) for name in PACKAGES]
-    for logger in loggers:
+    before = {logger: logger.level for logger in map(logging.getLogger, PACKAGES)}
+    for logger in before:
         logger.addHandler(handler)
         logger.setLevel(logging.INFO)
     try:
         yield
     finally:
-        for logger in loggers:
+        for logger, level in before.items():
             logger.removeHandler(handler)
-            logger.setLevel(logging.NOTSET)
+            logger.setLevel(level)
         handler.close()
 
 

@@ -29,7 +29,7 @@ def moved_by(numbers: tuple[int, ...], offset: tuple[float, float, float]) -> ND
     return offsets
 
 
-def figure_of_cube() -> MorphMesh:
+def morph_mesh_of_cube() -> MorphMesh:
     """The cube, with a lid that rises, a side that widens, and a state that moves nothing."""
     return MorphMesh(
         cube(),

@@ -29,10 +29,10 @@ Files become mouth cues, or whatever another program reads::
 
 Movestates (morph targets) move the vertices of a mesh::
 
-    figure = load_head()                     # or load_morph_mesh("face.glb")
-    face = MovestateSet(figure.mesh, figure.states)
-    face.set_percentage("jawOpen", 60, Mode.INTERACT)
-    positions = face.morphed()               # of all vertices
+    head = load_head()                       # or load_morph_mesh("face.glb")
+    states = MovestateSet(head.mesh, head.states)
+    states.set_percentage("jawOpen", 60, Mode.INTERACT)
+    positions = states.morphed()             # of all vertices
 
 A preset learns a voice from labelled recordings of it, and is told how right it is on others::
 
@@ -74,9 +74,10 @@ _PAGE = {
     "mouth.cues": "Cue",
     "mouth.exports.exporter": "ExportOptions",
     "mouth.exports.formats": "FORMATS",
-    "mouth.animation": "IdleMotion",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
+    "mouth.performer": "FaceState IdleMotion Performer TimedFrame timed_frames",
+    "mouth.viseme_override": "VisemeOverride",
     "mouth.table": "MouthTable load_table",
     "mouth.motion_settings": "MotionSettings TransitionTimes",
     "mouth.blinks": "Blinker",

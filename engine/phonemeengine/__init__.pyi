@@ -43,7 +43,6 @@ from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.sound import Sound
 from phonemeengine.live.status import Status
-from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.exports.exporter import ExportOptions
@@ -60,8 +59,10 @@ from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
@@ -120,6 +121,7 @@ __all__ = [
     "EngineError",
     "ExportError",
     "ExportOptions",
+    "FaceState",
     "Features",
     "Filter",
     "FrameBlock",
@@ -155,6 +157,7 @@ __all__ = [
     "OscAddress",
     "OscMouth",
     "OutputHead",
+    "Performer",
     "PhoneClass",
     "Phoneme",
     "PhonemeData",
@@ -186,6 +189,7 @@ __all__ = [
     "TakeError",
     "Templates",
     "Thresholds",
+    "TimedFrame",
     "Trace",
     "Transcript",
     "TransitionTimes",
@@ -193,6 +197,7 @@ __all__ = [
     "UnknownPhonemeError",
     "Utterance",
     "Variable",
+    "VisemeOverride",
     "WindowFunction",
     "__version__",
     "aligned",
@@ -221,6 +226,7 @@ __all__ = [
     "save_morph_targets",
     "save_preset",
     "score",
+    "timed_frames",
     "transcribe",
 ]
 

@@ -4,8 +4,6 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
 from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset
 from phonemeanalyser.cli.jobs import say_cut_off
 from phonemeengine import (
@@ -25,9 +23,9 @@ from phonemeengine import (
 )
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.takes.room_noise import measure_room
+from phonemeengine.settings import SAMPLE_RATE
 
-BLOCK = 1 << 16
-MOST_ROOM = 60.0
+MOST_ROOM = 60
 """Seconds of a room's sound that are read."""
 
 
@@ -110,5 +108,4 @@ def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[Ut
 
 def _sound_of(path: Path, channel: Channel) -> Float32Array:
     with SoundReader(path, channel) as reader:
-        n = min(reader.n_samples, round(MOST_ROOM * reader.n_samples / max(reader.duration, MOST_ROOM)))
-        return np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])[:n]
+        return reader.read_mono(MOST_ROOM * SAMPLE_RATE)

@@ -30,9 +30,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Export sound files as the command line asks; 1 where one could not be."""
-    life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
-    wishes = ExportOptions(options.fps, options.minimum, options.anticipation, options.table, options.mesh, life)
-    exporter = Exporter(options.kind, wishes)
+    idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
+    written = ExportOptions(options.fps, options.minimum, options.anticipation, options.table, options.mesh, idle)
+    exporter = Exporter(options.kind, written)
     if exporter.format.moves_mesh and options.out is None:
         raise EngineError(f"{options.kind} is no text to be printed; name a file or a folder with -o")
     preset = load_preset(options.preset)
@@ -44,7 +44,7 @@ def run(options: argparse.Namespace) -> int:
 def _export(job: Job, channel: Channel, preset: Preset, exporter: Exporter, guard: Guard) -> None:
     guard.check(job.target)
     with open_sound(job, channel) as reader:
-        pitch = exporter.format.moves_head and exporter.life.head
+        pitch = exporter.format.moves_head and exporter.idle.head
         analyses = analyse_with_progress(reader, preset, pitch=pitch)
         speech = transcript_of(analyses, printable_name(job.source), reader.duration, job.source)
     parts = exporter.chunks_of(speech)

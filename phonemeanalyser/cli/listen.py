@@ -23,6 +23,7 @@ from phonemeengine import (
     Listener,
     OscAddress,
     OscMouth,
+    Performer,
     Phoneme,
     Preset,
     Recorder,
@@ -30,10 +31,12 @@ from phonemeengine import (
     devices,
     load_preset,
     load_table,
+    timed_frames,
 )
 from phonemeengine.audio.devices import chosen_input, inputs_of
 from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.mouth.osc import OscSettings
+from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE
 
 LOOK = 0.2
@@ -114,12 +117,13 @@ def listen(
     """
     chosen_input(choice, devices())
     changes = _Changes(_as_json if kind == "json" else _as_text)
-    with _sending(osc) as mouth, _quiet_libraries(), _ended_by_signals():
+    with _sending(osc) as performer, _quiet_libraries(), _ended_by_signals():
 
         def follow(analysis: Analysis) -> None:
             changes.follow(analysis)
-            if mouth is not None:
-                mouth.add_analysis(analysis)
+            if performer is not None:
+                now = time.monotonic()
+                performer.hear(timed_frames(analysis, now), now, live=True)
 
         changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_analysis=follow)
         try:
@@ -143,32 +147,33 @@ def record(
     """
     chosen_input(choice, devices())
     limit = math.inf if seconds is None else seconds
-    tape = Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
+    recorder = Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
     with _quiet_libraries(), _ended_by_signals():
-        listener = Listener(preset, choice, phonemes_only=True, recorder=tape)
+        listener = Listener(preset, choice, phonemes_only=True, recorder=recorder)
         try:
-            _attend(listener, seconds, lambda: _check(tape))
+            _attend(listener, seconds, lambda: _check(recorder))
         finally:
             listener.close()
-            tape.close()
-            _report(tape, listener)
-    if tape.failure:
-        raise RecordingError(tape.failure)
-    if not tape.paths:
+            recorder.close()
+            _report(recorder, listener)
+    if recorder.failure:
+        raise RecordingError(recorder.failure)
+    if not recorder.paths:
         raise RecordingError(
             f"{path.name}: no sound came from the microphone, so nothing was recorded; check its plug"
         )
 
 
 @contextmanager
-def _sending(osc: OscSettings | None) -> Iterator[OscMouth | None]:
-    """Send the mouth meanwhile, and say at the end if nothing could be sent."""
+def _sending(osc: OscSettings | None) -> Iterator[Performer | None]:
+    """Send what a performer shows meanwhile, and say at the end if nothing could be sent."""
     if osc is None:
         yield None
         return
-    mouth = OscMouth(osc.address, osc.table)
+    performer = Performer(osc.table, MOUTH_ALONE)
+    mouth = OscMouth(osc.address, performer)
     try:
-        yield mouth
+        yield performer
     finally:
         mouth.close()
         if mouth.failure:
@@ -221,21 +226,21 @@ def _attend(listener: Listener, seconds: float | None, look: Callable[[], None])
             said = words
 
 
-def _check(tape: Recorder) -> None:
-    if tape.failure:
-        raise RecordingError(tape.failure)
+def _check(recorder: Recorder) -> None:
+    if recorder.failure:
+        raise RecordingError(recorder.failure)
 
 
-def _report(tape: Recorder, listener: Listener) -> None:
-    lost = listener.lost_seconds - sum(gap.seconds for gap in tape.gaps)
-    other = " more" if tape.gaps else ""
+def _report(recorder: Recorder, listener: Listener) -> None:
+    lost = listener.lost_seconds - sum(gap.seconds for gap in recorder.gaps)
+    other = " more" if recorder.gaps else ""
     missing = f", {lost:.2f} s{other} were lost on the way" if lost >= LEAST_LOSS else f", nothing{other} lost"
-    gaps = f", {tape.gap_words}" if tape.gaps else ""
-    for path in tape.paths[:-1]:
+    gaps = f", {recorder.gap_words}" if recorder.gaps else ""
+    for path in recorder.paths[:-1]:
         print(f"phonemeanalyser: {path}: recorded until the microphone changed", file=sys.stderr)
-    if tape.path is not None and tape.seconds:
-        print(f"phonemeanalyser: {tape.path}: {tape.seconds:.2f} s recorded{gaps}{missing}", file=sys.stderr)
-    for note in tape.notes:
+    if recorder.path is not None and recorder.seconds:
+        print(f"phonemeanalyser: {recorder.path}: {recorder.seconds:.2f} s recorded{gaps}{missing}", file=sys.stderr)
+    for note in recorder.notes:
         print(f"phonemeanalyser: note: {note}", file=sys.stderr)
 
 

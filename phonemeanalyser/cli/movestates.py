@@ -20,7 +20,7 @@ from phonemeengine import (
     movestate_of,
     save_morph_targets,
 )
-from phonemeengine.mouth.files.io import FACES
+from phonemeengine.mouth.files.io import TARGET_SUFFIXES
 from phonemeengine.mouth.morph_mesh import TOLERANCE
 from phonemeengine.mouth.movestate import LONGEST_NAME
 
@@ -61,18 +61,18 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _export(options: argparse.Namespace) -> Iterator[str]:
-    base = _figure_of(options.base)
+    base = _morph_mesh_of(options.base)
     states = [*base.states, *(state for path in options.targets for state in _states_of(path, base))]
     if not states:
         raise MeshError(f"{options.base.name}: there are no morph targets in it; name the files of targets after it")
-    face = _named_apart(base, states)
-    save_morph_targets(face, options.out, base)
-    yield _summary(options.out, face)
+    targets = _named_apart(base, states)
+    save_morph_targets(targets, options.out, base)
+    yield _summary(options.out, targets)
 
 
 def _states_of(path: Path, base: MorphMesh) -> list[Movestate]:
     """Return what a target's file holds: its mesh as a movestate of the file's name, and its own morph targets."""
-    target = _figure_of(path)
+    target = _morph_mesh_of(path)
     if len(target.mesh) != len(base.mesh):
         raise MeshError(
             f"{path.name}: it has {len(target.mesh)} vertices, and the base has {len(base.mesh)}; export both alike"
@@ -93,45 +93,47 @@ def _named_apart(base: MorphMesh, states: list[Movestate]) -> MorphTargets:
 
 def _info(options: argparse.Namespace) -> Iterator[str]:
     path: Path = options.file
-    if path.suffix.lower() not in FACES:
-        figure = _figure_of(path)
-        mesh = figure.mesh
+    if path.suffix.lower() not in TARGET_SUFFIXES:
+        morph_mesh = _morph_mesh_of(path)
+        mesh = morph_mesh.mesh
         yield f"{path.name}: {_many(len(mesh), 'vertex')}, {_many(len(mesh.triangles), 'triangle')}, " + _many(
             len(mesh.materials), "material"
         )
-        yield from _table(figure.states)
+        yield from _table(morph_mesh.states)
         return
-    face = _face_of(path)
-    yield _summary(path, face)
-    yield from _table(face.states)
+    targets = _targets_of(path)
+    yield _summary(path, targets)
+    yield from _table(targets.states)
 
 
 def _convert(options: argparse.Namespace) -> Iterator[str]:
-    face = _face_of(options.source)
-    figure = _figure_of(options.source) if options.source.suffix.lower() not in FACES else None
+    targets = _targets_of(options.source)
+    morph_mesh = _morph_mesh_of(options.source) if options.source.suffix.lower() not in TARGET_SUFFIXES else None
     if options.mesh is not None:
-        figure = _figure_of(options.mesh)
-        as_it_was, face = face, matched(face, figure.mesh, options.tolerance)
-        if face is not as_it_was:
+        morph_mesh = _morph_mesh_of(options.mesh)
+        as_it_was, targets = targets, matched(targets, morph_mesh.mesh, options.tolerance)
+        if targets is not as_it_was:
             yield f"{options.source.name}: the vertices are renumbered as {options.mesh.name} has them"
-    save_morph_targets(face, options.out, figure)
-    yield _summary(options.out, face)
+    save_morph_targets(targets, options.out, morph_mesh)
+    yield _summary(options.out, targets)
 
 
-def _figure_of(path: Path) -> MorphMesh:
+def _morph_mesh_of(path: Path) -> MorphMesh:
     return load_head() if str(path) == OWN else load_morph_mesh(path)
 
 
-def _face_of(path: Path) -> MorphTargets:
+def _targets_of(path: Path) -> MorphTargets:
     if str(path) == OWN:
         head = load_head()
         return morph_targets_of(head.mesh, head.states)
     return load_morph_targets(path)
 
 
-def _summary(path: Path, face: MorphTargets) -> str:
+def _summary(path: Path, targets: MorphTargets) -> str:
     size = path.stat().st_size / 1000
-    return f"{path.name}: {_many(len(face.states), 'movestate')}, {len(face.numbers)} vertices move, {size:.0f} kB"
+    return (
+        f"{path.name}: {_many(len(targets.states), 'movestate')}, {len(targets.numbers)} vertices move, {size:.0f} kB"
+    )
 
 
 def _table(states: tuple[Movestate, ...]) -> Iterator[str]:

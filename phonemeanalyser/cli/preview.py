@@ -68,14 +68,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Make the clip that the command line asks for."""
     _check_target(options.out, options.size)
-    figure = subdivided(_figure_of(options.mesh, options.movestates))
+    morph_mesh = subdivided(_morph_mesh_of(options.mesh, options.movestates))
     with open_sound(Job(options.file, options.out), options.channel) as reader:
-        actor = AnimationPlayer(figure, _animation_of(reader, options))
-        if options.out.suffix.lower() == ".gif" and (reason := why_no_gif(len(actor), options.fps)):
+        player = AnimationPlayer(morph_mesh, _animation_of(reader, options))
+        if options.out.suffix.lower() == ".gif" and (reason := why_no_gif(len(player), options.fps)):
             raise RenderingError(reason)
-        with OffscreenRenderer(figure, options.size) as offscreen:
+        with OffscreenRenderer(morph_mesh, options.size) as offscreen:
             background = colour_of({"light": LIGHT, "dark": DARK}[options.theme].window)
-            _write(options, reader, len(actor), _pictures_of(actor, figure, offscreen, background))
+            _write(options, reader, len(player), _pictures_of(player, morph_mesh, offscreen, background))
     return 0
 
 
@@ -87,36 +87,39 @@ def _check_target(out: Path, size: tuple[int, int]) -> None:
         raise RenderingError(reason)
 
 
-def _figure_of(mesh: Path | None, movestates: Path | None) -> MorphMesh:
+def _morph_mesh_of(mesh: Path | None, movestates: Path | None) -> MorphMesh:
     """Return the head that ships with the program, or a mesh with its movestates."""
     if mesh is None:
         if movestates is not None:
             raise RenderingError(f"{movestates.name}: movestates move a mesh of their own; name it with --mesh")
         return load_head()
-    figure = load_morph_mesh(mesh)
+    morph_mesh = load_morph_mesh(mesh)
     if movestates is not None:
-        figure = MorphMesh(figure.mesh, matched(load_morph_targets(movestates), figure.mesh).states)
-    if not figure.states:
+        morph_mesh = MorphMesh(morph_mesh.mesh, matched(load_morph_targets(movestates), morph_mesh.mesh).states)
+    if not morph_mesh.states:
         raise RenderingError(f"{mesh.name}: there are no morph targets in it; name its movestates with --movestates")
-    return figure
+    return morph_mesh
 
 
 def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation:
-    life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
+    idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     table, preset = load_table(options.table), load_preset(options.preset)
     name = printable_name(options.file)
-    speech = transcript_of(analyse_with_progress(reader, preset, pitch=life.head), name, reader.duration)
+    speech = transcript_of(analyse_with_progress(reader, preset, pitch=idle.head), name, reader.duration)
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
-    return animation_of(speech, cues, table, options.fps, life)
+    return animation_of(speech, cues, table, options.fps, idle)
 
 
 def _pictures_of(
-    actor: AnimationPlayer, figure: MorphMesh, offscreen: OffscreenRenderer, background: tuple[float, float, float]
+    player: AnimationPlayer,
+    morph_mesh: MorphMesh,
+    offscreen: OffscreenRenderer,
+    background: tuple[float, float, float],
 ) -> Iterator[UInt8Array]:
     """Take the pictures with a progress bar."""
-    camera = Camera.facing(figure.mesh).orbit(ASIDE, ABOVE)
-    scenes = tqdm(actor.scenes(), total=len(actor), unit="frame", disable=None, leave=False, file=sys.stderr)
+    camera = Camera.facing(morph_mesh.mesh).orbit(ASIDE, ABOVE)
+    scenes = tqdm(player.scenes(), total=len(player), unit="frame", disable=None, leave=False, file=sys.stderr)
     for positions, pose in scenes:
         yield offscreen.picture(camera, positions, pose, background=background)
 

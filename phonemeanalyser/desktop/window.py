@@ -134,7 +134,7 @@ class MainWindow(QMainWindow):
 
     def _make_talk_page(self) -> TalkPage:
         page, dialogs = TalkPage(self._talking, self.theme), self.talking_dialogs
-        self.heads.add("page", page.head)
+        self.heads.add("page", page.head, page)
         page.sound_asked.connect(self._say_another)
         page.preset_asked.connect(self.dialogs.ask_preset)
         page.choices.mesh_asked.connect(dialogs.ask_mesh)

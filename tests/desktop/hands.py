@@ -60,10 +60,14 @@ def wav(folder: Path, sound: NDArray[np.float32], name: str = "sound.wav") -> Pa
     return folder / name
 
 
+def menu(window: MainWindow, title: str) -> QMenu:
+    """Find a menu by its title."""
+    return next(action.menu() for action in window.menuBar().actions() if action.text() == title)
+
+
 def edits(window: MainWindow) -> list[str]:
     """Give what undo and redo would do, as the menu says it."""
-    menu = next(action.menu() for action in window.menuBar().actions() if action.text() == "&Edit")
-    return [action.text() for action in menu.actions() if action.isEnabled()]
+    return [action.text() for action in menu(window, "&Edit").actions() if action.isEnabled()]
 
 
 def click(widget: QWidget, x: float | None = None) -> None:

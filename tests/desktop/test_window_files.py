@@ -4,12 +4,12 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
 from phonemeengine.presets.files import FACTORY, THESIS_PRESET, save_preset
 from tests.bad_files import BAD_FILES, DAMAGED, ODD_FILES
-from tests.desktop.hands import CARDS, DEMO, click, followed, press, shown, wav
+from tests.desktop.hands import CARDS, DEMO, click, followed, menu, press, shown, wav
 from tests.sounds import tone
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -102,7 +102,13 @@ def test_a_link_to_the_web_is_refused_with_a_sentence(desktop, window):
 
 
 def recent(window) -> list[str]:
-    return [action.text() for action in window._recent.actions()]
+    return [action.text() for action in recent_actions(window)]
+
+
+def recent_actions(window) -> list[QAction]:
+    return next(
+        action.menu() for action in menu(window, "&File").actions() if action.text() == "Open Recent"
+    ).actions()
 
 
 def test_recent_sounds_are_listed_newest_first_and_once(desktop, window, tmp_path):
@@ -117,7 +123,7 @@ def test_recent_sounds_are_listed_newest_first_and_once(desktop, window, tmp_pat
 
 def test_a_recent_sound_is_opened_from_the_menu(desktop, window):
     window.dialogs.open_sound(DEMO)
-    window._recent.actions()[1].trigger()
+    recent_actions(window)[1].trigger()
     assert desktop.session.path == CARDS
 
 
@@ -126,7 +132,7 @@ def test_a_recent_sound_that_has_gone_is_said(desktop, window, tmp_path):
     window.dialogs.open_sound(gone)
     window.dialogs.open_sound(CARDS)
     gone.unlink()
-    window._recent.actions()[1].trigger()
+    recent_actions(window)[1].trigger()
     assert window.banner.label.text().startswith("gone.wav: there is no such file")
     assert desktop.session.path == CARDS
 

@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import Channel
-from tests.desktop.hands import click, followed, press, shown, type_number
+from tests.desktop.hands import click, followed, menu, press, shown, type_number
 
 
 def pixels(window) -> np.ndarray:
@@ -49,7 +49,7 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     press(window, Qt.Key.Key_F)
     n, path = desktop.session.history.n, desktop.session.path
-    next(a for a in window.menus._menus["&View"].actions() if a.text() == "Theme: dark").trigger()
+    next(a for a in menu(window, "&View").actions() if a.text() == "Theme: dark").trigger()
     assert desktop.window is not window
     assert desktop.window.isVisible()
     assert not window.isVisible()
@@ -95,7 +95,7 @@ def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbo
     shown(desktop, qtbot, None)
     for name in ("dark", "light", "system"):
         desktop.set_theme(name)
-        themes = [a for a in desktop.window.menus._menus["&View"].actions() if a.text().startswith("Theme: ")]
+        themes = [a for a in menu(desktop.window, "&View").actions() if a.text().startswith("Theme: ")]
         assert [a.text() for a in themes if a.isChecked()] == [f"Theme: {name}"]
         assert settings.value("theme") == name
 
@@ -106,8 +106,8 @@ def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbo
 def keys_of(window) -> dict[str, list[str]]:
     return {
         action.text().replace("&", ""): [key.toString() for key in action.shortcuts()]
-        for menu in window.menus._menus.values()
-        for action in menu.actions()
+        for title in window.menuBar().actions()
+        for action in title.menu().actions()
     }
 
 
@@ -254,7 +254,7 @@ def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
     for name in ("Filters", "Phoneme", "Thresholds"):
         dock = window.findChild(QDockWidget, name)
         dock.close()
-        toggle = next(a for a in window.menus._menus["&View"].actions() if a.text() == name)
+        toggle = next(a for a in menu(window, "&View").actions() if a.text() == name)
         assert not toggle.isChecked()
         toggle.trigger()
         assert dock.isVisible()

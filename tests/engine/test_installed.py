@@ -1,6 +1,7 @@
 """Installed as a package, the engine works without Qt, sound card and checkout, and has types."""
 
 import os
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -98,6 +99,14 @@ def requirements_of(wheel: Path) -> list[Distribution]:
     return list(found.values())
 
 
+def lend(source: Path, target: Path) -> None:
+    """Have a file or folder appear elsewhere; it is copied where the system allows no links."""
+    try:
+        target.symlink_to(source)
+    except OSError:
+        (shutil.copytree if source.is_dir() else shutil.copy)(source, target)
+
+
 def fresh_python(folder: Path, wheel: Path) -> Path:
     """Make an environment that has a wheel, and of this machine's packages what that needs; its Python."""
     venv.create(folder, symlinks=os.name != "nt")
@@ -107,7 +116,7 @@ def fresh_python(folder: Path, wheel: Path) -> Path:
         for top in sorted(
             {file.parts[0] for file in package.files or () if file.parts[0] not in {"..", "__pycache__"}}
         ):
-            (site / top).symlink_to(Path(str(package.locate_file(top))))
+            lend(Path(str(package.locate_file(top))), site / top)
     pip = (sys.executable, "-m", "pip", "--python", python, "install", "--quiet", "--disable-pip-version-check")
     run(*pip, "--no-index", "--no-deps", wheel, folder=folder)
     return python

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.analyser import analyse_blocks
+from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.fits.templates import LogMelsByPhoneme, log_mels_by_phoneme, templates_from
@@ -21,7 +21,6 @@ from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import AnalysisSettings
 
 STEM, NAME = "templates", "Templates"
-BLOCK = 1 << 16
 MINIMUM_HOLD, HYSTERESIS = 0.0, 0.25
 
 
@@ -40,7 +39,7 @@ def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, LogMelsB
 
 def _recognised(path: Path, preset: Preset) -> UInt8Array:
     with SoundReader(path) as reader:
-        return np.concatenate([a.phonemes for a in analyse_blocks(reader.blocks(BLOCK), preset)])
+        return np.concatenate([a.phonemes for a in analyse_file(reader, preset)])
 
 
 NOTES = """\

@@ -3,6 +3,7 @@
 import io
 import math
 import os
+import sys
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -168,6 +169,10 @@ class SoundReader(Closing):
         """Return what is analysed, from the position to the end: float32 blocks of shape (m,), m <= n."""
         while len(block := self.read(n)):
             yield mono_of(block, self.channel)
+
+    def read_mono(self, n: int = sys.maxsize) -> Float32Array:
+        """Return the next samples of what is analysed, or all that are left; shape (m,), m <= n."""
+        return mono_of(self.read(n), self.channel)
 
     def close(self) -> None:
         """Let go of the file."""

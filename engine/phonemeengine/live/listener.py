@@ -176,7 +176,7 @@ class Listener(Closing):
 
     @property
     def preset(self) -> Preset:
-        """What it recognises with; `use` takes another one."""
+        """What it recognises with; `set_preset` takes another one."""
         return self._preset
 
     def set_preset(self, preset: Preset) -> None:

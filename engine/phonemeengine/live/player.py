@@ -124,7 +124,7 @@ class Player:
 
     @property
     def preset(self) -> Preset:
-        """What it recognises with; `use` takes another one."""
+        """What it recognises with; `set_preset` takes another one."""
         return self._preset
 
     def set_preset(self, preset: Preset) -> None:

@@ -30,12 +30,12 @@ def load_head() -> MorphMesh:
     MeshError : the program's own file is missing or damaged.
     """
     try:
-        return _figure_of(read_npz(HEAD, LARGEST))
+        return _morph_mesh_of(read_npz(HEAD, LARGEST))
     except (OSError, ValueError, KeyError) as error:
         raise MeshError(f"{HEAD.name}: the program's own head cannot be read; install the program again") from error
 
 
-def _figure_of(arrays: dict[str, NDArray[Any]]) -> MorphMesh:
+def _morph_mesh_of(arrays: dict[str, NDArray[Any]]) -> MorphMesh:
     colours = (arrays["colours"] / 255).astype(np.float32)
     mesh = mesh_of(arrays["positions"], arrays["triangles"], name="head", colours=colours)
     names = [str(name) for name in arrays["names"]]

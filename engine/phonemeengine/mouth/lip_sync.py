@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from phonemeengine.analyser import BLOCK, analyse_blocks
+from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import ExportError
 from phonemeengine.files import atomic_write, printable_name, reason_of
@@ -12,7 +12,7 @@ from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript, transcript_of
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import HOP, Channel
+from phonemeengine.settings import Channel
 
 
 def transcribe(
@@ -32,7 +32,7 @@ def transcribe(
     AudioError : the file cannot be read.
     """
     with SoundReader(sound, channel) as reader:
-        analyses = analyse_blocks(reader.blocks(BLOCK * HOP), preset, pitch=pitch)
+        analyses = analyse_file(reader, preset, pitch=pitch)
         return transcript_of(analyses, printable_name(reader.path), reader.duration, reader.path)
 
 
@@ -89,7 +89,7 @@ def export(
     ExportError : there is no such format, it cannot do what is asked for, or the file cannot be written.
     """
     exporter, target = Exporter(form, options), Path(target)
-    said = transcribe(sound, preset, channel=channel, pitch=exporter.format.moves_head and exporter.life.head)
+    said = transcribe(sound, preset, channel=channel, pitch=exporter.format.moves_head and exporter.idle.head)
     try:
         with atomic_write(target) as file:
             file.writelines(exporter.chunks_of(said))

@@ -5,7 +5,7 @@ They are TOML files that an animator edits, read strictly.
 
 import os
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -35,6 +35,8 @@ USUAL_TIMES = {"attack": 0.09, "closing": 0.05, "release": 0.16}
 
 _REQUIRED = ("movestates", "phonemes", "shapes")
 _OPTIONAL = ("name", "notes", "firm", "times", "manner")
+_MOTION_KEYS = {"loudness": "loudness", "quiet": "minimum_opening", "randomness": "randomness"}
+"""What [manner] calls the fields of `MotionSettings`."""
 
 
 @dataclass(frozen=True)
@@ -48,8 +50,8 @@ class MouthTable:
     phonemes : the mouth shape of every phoneme.
     shapes : for each mouth shape the percentages of its movestates, 100 for the whole movement.
     times : how fast the mouth is for each phoneme but silence.
-    firm : phonemes at which the lips meet: they do so in time, and wholly at any loudness. Silence is always whole.
-    manner : how far the mouth moves, and how much that varies.
+    closed_phonemes : those at which the lips meet: they do so in time, and wholly at any loudness, as silence does.
+    motion : how far the mouth moves, and how much that varies.
     notes : for people.
     """
 
@@ -58,8 +60,8 @@ class MouthTable:
     phonemes: Mapping[Phoneme, str]
     shapes: Mapping[str, Mapping[str, float]]
     times: Mapping[Phoneme, TransitionTimes]
-    firm: frozenset[Phoneme] = frozenset({Phoneme.M, Phoneme.P})
-    manner: MotionSettings = field(default_factory=MotionSettings)
+    closed_phonemes: frozenset[Phoneme] = frozenset({Phoneme.M, Phoneme.P})
+    motion: MotionSettings = field(default_factory=MotionSettings)
     notes: str = ""
 
     def weights(self) -> Float32Array:
@@ -71,11 +73,11 @@ class MouthTable:
                 rows[phoneme, columns[movestate]] = percent / 100
         return rows
 
-    def moved_as(self, attack: float, release: float, *, random: bool) -> "MouthTable":
+    def with_motion(self, attack: float, release: float, *, random: bool) -> "MouthTable":
         """Return the table with all its times multiplied by factors above 0, and with its randomness or without."""
         times = {phoneme: times.scaled(attack, release) for phoneme, times in self.times.items()}
-        manner = self.manner if random else replace(self.manner, randomness=0.0)
-        return replace(self, times=times, manner=manner)
+        motion = self.motion if random else replace(self.motion, randomness=0.0)
+        return replace(self, times=times, motion=motion)
 
 
 def shipped_tables() -> tuple[str, ...]:
@@ -115,16 +117,16 @@ def table_of(text: str) -> MouthTable:
     movestates = _movestates_of(top)
     tables = top.table("shapes")
     shapes = {name: _shape_of(tables.table(name), movestates) for name in tables.entries}
-    firm = frozenset(top.members("firm", Phoneme)) if "firm" in top else MouthTable.firm
-    general, manner = _manner_of(top.table("manner"))
+    closed = frozenset(top.members("firm", Phoneme)) if "firm" in top else MouthTable.closed_phonemes
+    general, motion = _motion_of(top.table("manner"))
     return MouthTable(
         name=top.value("name", str) if "name" in top else "untitled",
         movestates=movestates,
         phonemes=_phonemes_of(top.table("phonemes"), shapes),
         shapes=shapes,
-        times=_times_of(top.table("times"), general, firm),
-        firm=firm,
-        manner=manner,
+        times=_times_of(top.table("times"), general, closed),
+        closed_phonemes=closed,
+        motion=motion,
         notes=top.value("notes", str) if "notes" in top else "",
     )
 
@@ -172,7 +174,7 @@ def _phonemes_of(table: StrictTable, shapes: Collection[str]) -> dict[Phoneme, s
 
 
 def _times_of(
-    table: StrictTable, general: Mapping[str, float], firm: Collection[Phoneme]
+    table: StrictTable, general: Mapping[str, float], closed: Collection[Phoneme]
 ) -> dict[Phoneme, TransitionTimes]:
     """Return the times of every phoneme: its own, else those of [manner] for all, else the usual ones."""
     own = {phoneme: _own_times(table, name) for phoneme, name in table.phonemes().items()}
@@ -183,7 +185,7 @@ def _times_of(
     used: set[str] = set()
     times: dict[Phoneme, TransitionTimes] = {}
     for phoneme in SPEAKING:
-        sources = {"attack": "closing" if phoneme in firm else "attack", "release": "release"}
+        sources = {"attack": "closing" if phoneme in closed else "attack", "release": "release"}
         used |= {source for name, source in sources.items() if name not in own.get(phoneme, {})}
         usual = {name: general.get(source, USUAL_TIMES[source]) for name, source in sources.items()}
         times[phoneme] = TransitionTimes(**usual | own.get(phoneme, {}))
@@ -200,15 +202,16 @@ def _own_times(table: StrictTable, phoneme: str) -> dict[str, float]:
     return {name: _seconds(times, name) for name in entry}
 
 
-def _manner_of(table: StrictTable) -> tuple[dict[str, float], MotionSettings]:
-    """Return the times for all phonemes that [times] leaves out, and the manner."""
-    ways = [field.name for field in fields(MotionSettings)]
-    table.check_keys((), (*USUAL_TIMES, *ways))
+def _motion_of(table: StrictTable) -> tuple[dict[str, float], MotionSettings]:
+    """Return the times for all phonemes that [times] leaves out, and the settings."""
+    table.check_keys((), (*USUAL_TIMES, *_MOTION_KEYS))
     general = {name: _seconds(table, name) for name in USUAL_TIMES if name in table}
-    try:
-        return general, MotionSettings(**{name: table.value(name, float) for name in ways if name in table})
-    except MouthError as error:
-        raise MouthError(f"[manner] {error}") from error
+    settings = {}
+    for name in filter(table.__contains__, _MOTION_KEYS):
+        low, high, unit = LIMITS[_MOTION_KEYS[name]]
+        what = f"a number of seconds in {low:g}..{high:g}" if unit else f"a number in {low:g}..{high:g}"
+        settings[_MOTION_KEYS[name]] = table.limited(name, low, high, what)
+    return general, MotionSettings(**settings)
 
 
 def _seconds(table: StrictTable, name: str) -> float:

@@ -143,7 +143,7 @@ class GuideView(QWidget):
         column.addWidget(self.steps)
         column.addWidget(self.ring, 3)
         column.addWidget(self.hint)
-        column.addLayout(self._findings(), 3)
+        column.addLayout(self._outcome_row(), 3)
         for widget in (self.advice, self.meter, self.room):
             column.addWidget(widget)
         self.accept.setStyleSheet(
@@ -160,7 +160,7 @@ class GuideView(QWidget):
         row.addStretch(1)
         column.addLayout(row)
 
-    def _findings(self) -> QHBoxLayout:
+    def _outcome_row(self) -> QHBoxLayout:
         """Lay the head beside the figures, with what it says below it."""
         beside, below, sides = QVBoxLayout(), QHBoxLayout(), QHBoxLayout()
         for button in (self.hear_old, self.hear_new):

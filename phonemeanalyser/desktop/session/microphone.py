@@ -255,10 +255,6 @@ class Microphone(QObject):
         """Return the recordings that were cut off when the program ended."""
         return interrupted_recordings(self._journal)
 
-    def take_analyses(self) -> list[Analysis]:
-        """Return what was found since the last call; raises what ended the listening."""
-        return self.listener.take_analyses()
-
     def close(self) -> None:
         """Let everything go; waits until recordings are complete."""
         self.stop()

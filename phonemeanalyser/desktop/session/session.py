@@ -17,7 +17,6 @@ from phonemeengine.audio.tone.reader import ToneReader
 from phonemeengine.audio.tone.settings import Tone
 from phonemeengine.errors import EngineError
 from phonemeengine.live.player import Player
-from phonemeengine.recognition.trace import Trace
 from phonemeengine.settings import FRAME_PERIOD, Channel
 
 QUIETEST_DB = -60.0
@@ -347,7 +346,7 @@ class Session(QObject):
     def poll(self) -> bool:
         """Gather what has been heard since the last tick; say whether there was anything."""
         try:
-            blocks = (self._player or self.microphone).take_analyses()
+            blocks = (self._player or self.microphone.listener).take_analyses()
         except EngineError as error:
             self.stop()
             self.error.emit(str(error))
@@ -372,10 +371,6 @@ class Session(QObject):
     def upcoming(self) -> list[tuple[float, Analysis]]:
         """Return what is known of the file before it is heard, each block with the seconds until then."""
         return self._player.upcoming() if self._player is not None and self.source is SoundSource.FILE else []
-
-    def explain(self) -> Trace | None:
-        """Return why the newest frame was recognised as it was."""
-        return self.results.explain()
 
     def _forget(self, cause: str) -> None:
         self.averages.begin(cause, self.name)

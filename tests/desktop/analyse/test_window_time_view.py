@@ -126,7 +126,7 @@ def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbo
     window.analysis.scroll_view.colours.setCurrentText(GREY)
     sound = np.concatenate((tone(ON_BIN, 62.0), tone(3 * ON_BIN, 2.0)))
     for analysis in analyse_blocks(np.array_split(sound, 30), desktop.preset.preset):
-        desktop.session.results.gather(analysis)
+        desktop.session.results.add(analysis)
         window.analysis.scroll_view.refresh()
     assert desktop.session.history.n > CAPACITY + 300
     eyes = TimeEyes(window)
@@ -199,11 +199,11 @@ def test_under_a_still_mouse_the_read_out_follows_the_moving_picture(desktop, wi
     label = window.analysis.scroll_view._cursor_label
     qtbot.waitUntil(label.isVisible, timeout=30_000)
     assert float(label.text().split(" s")[0]) == pytest.approx(1.0, abs=0.025)
-    findings, session = desktop.session.results, desktop.session
-    findings.follow(session.path, session.channel, 96)
+    results, session = desktop.session.results, desktop.session
+    results.add_file_start(session.path, session.channel, 96)
     window.redraw.refresh_all()
     assert label.text() == ""  # it lies in the gap before what begins anew
-    findings.follow(session.path, session.channel, 30)
+    results.add_file_start(session.path, session.channel, 30)
     window.redraw.refresh_all()
     assert float(label.text().split(" s")[0]) == pytest.approx(0.36, abs=0.025)
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import soundfile
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -89,8 +89,8 @@ class Calibrator:
         model = self.model
         bench = (model.workbench.measuring, model.workbench.looking)
         rooms = (model.takes, model.recordings, *bench, model.fit.searching, model.comparison.measuring)
-        self.until(lambda: not any(room.busy for room in rooms))
-        QTest.qWait(40)
+        timers = model.workbench.findChildren(QTimer)  # it answers a little later
+        self.until(lambda: not any(room.busy for room in rooms) and not any(timer.isActive() for timer in timers))
 
     def listen(self) -> None:
         """Have the microphone heard."""

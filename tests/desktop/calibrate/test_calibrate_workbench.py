@@ -349,7 +349,7 @@ def test_a_recogniser_of_another_package_is_fitted_where_it_can_be(
     click(fit.accept, 10)
     loaded.settle()
     assert preset.preset.thresholds == report.preset.thresholds
-    assert loaded.model.bench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
+    assert loaded.model.workbench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
 
 
 def test_a_fit_that_is_cancelled_changes_nothing(loaded: Calibrator):

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from phonemeengine.audio.devices import Device, InputChoice
-from phonemeengine.errors import DeviceError
 from phonemeengine.settings import HOP
 from tests.desktop.studio import DESK, HEADSET, Studio
 from tests.fakes.microphones import HandDrivenMicrophone, offline
@@ -92,7 +91,7 @@ def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicropho
     studio.model.stop()
     assert not studio.model.active
     assert mic.closed.wait(60)
-    assert studio.model.take_analyses() == []
+    assert studio.model.listener.take_analyses() == []
     assert studio.model.listener.level.peak == 0
 
 
@@ -129,11 +128,7 @@ def test_a_sound_system_that_does_not_answer_gives_an_empty_list(open_studio: Ca
     studio = open_studio()
     studio.model.refresh_devices()
     studio.until(lambda: studio.model.devices)
-
-    def refuse() -> list[Device]:
-        raise DeviceError("the sound system does not answer")
-
-    studio.model.inputs._list_devices = refuse
+    studio.refusal = "the sound system does not answer"
     studio.model.refresh_devices()
     studio.until(lambda: studio.model.devices == [])
 

@@ -106,7 +106,7 @@ def test_a_microphone_that_hangs_when_it_is_opened_holds_nobody_up(
     studio.until(lambda: studio.failed)
     assert studio.failed == ["Opening the microphone."]
     studio.model.stop()
-    assert studio.model.take_analyses() == []
+    assert studio.model.listener.take_analyses() == []
     studio.model.close()
     assert studio.openers.hangs
     studio.openers.may_answer.set()

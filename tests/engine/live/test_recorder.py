@@ -209,3 +209,19 @@ def test_closing_while_the_listening_thread_writes_trips_nobody_and_leaves_a_who
         assert [row[1] for row in rows[:-1]] == [row[0] for row in rows[1:]]
         assert not rows or rows[-1][1] == pytest.approx(length, abs=1e-6)
     assert not [t for t in threading.enumerate() if t.name == "recording"]
+
+
+def test_one_path_names_the_first_file_and_with_a_number_those_after_it(tmp_path: Path) -> None:
+    with recorder_to(str(tmp_path / "take.wav"), tmp_path) as recorder:
+        for rate in (44_100, 48_000, 44_100):
+            recorder.write(np.zeros((4800, 1), np.float32), rate, 0.0)
+    assert [path.name for path in recorder.paths] == ["take.wav", "take (2).wav", "take (3).wav"]
+    assert all(path.exists() for path in recorder.paths)
+
+
+def test_a_file_that_is_there_already_is_not_recorded_over(tmp_path: Path) -> None:
+    (tmp_path / "take.wav").write_text("mine")
+    with recorder_to(tmp_path / "take.wav", tmp_path) as recorder:
+        recorder.write(np.zeros((4800, 1), np.float32), 48_000, 0.0)
+    assert recorder.failure is not None
+    assert (tmp_path / "take.wav").read_text() == "mine"

@@ -112,7 +112,7 @@ def test_an_animator_sets_the_times_of_one_sound_and_the_manner() -> None:
     )
     assert table.times[Phoneme.A] == TransitionTimes(0.3, 0.4)
     assert table.times[Phoneme.E] == load_table("vrm").times[Phoneme.E]
-    assert table.manner == MotionSettings(quiet=0)
+    assert table.motion == MotionSettings(minimum_opening=0)
 
 
 def test_a_table_that_gives_one_attack_and_release_for_all_still_means_it() -> None:

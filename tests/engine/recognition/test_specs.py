@@ -1,5 +1,6 @@
 """What specifications say of recognisers is true, and one of another package can do as much."""
 
+import ast
 import itertools
 from dataclasses import replace
 from pathlib import Path
@@ -9,6 +10,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+import phonemeanalyser
+import phonemeengine
 from phonemeanalyser.cli.main import main
 from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.calibrate import calibrate
@@ -107,6 +110,29 @@ def test_what_a_specification_names_is_there(name: str):
     assert (recogniser.scores == SCORES) == (Tuning.SENSITIVITIES in spec.tuned_by)
     late = replace(preset, settings=replace(preset.settings, look_ahead=0.05))
     assert (recogniser_of(name, late.config).look_ahead > 0) == spec.looks_ahead
+
+
+def compares_recognisers(node: ast.AST) -> bool:
+    """Whether a piece of code tells recognisers apart by their names or classes."""
+    if isinstance(node, ast.Compare):
+        literals = {n.value for n in ast.walk(node) if isinstance(n, ast.Constant) and isinstance(n.value, str)}
+        return "recogniser" in ast.unparse(node) and bool(literals & BUILT_IN.keys())
+    is_check = isinstance(node, ast.Call) and ast.unparse(node.func) == "isinstance"
+    return is_check and ast.unparse(node).endswith(("Recogniser)", "ThesisRules)", "PlugIn)"))
+
+
+def test_nothing_in_the_code_tells_recognisers_apart_by_their_names_or_classes():
+    folders = [Path(phonemeengine.__file__).parent, Path(phonemeanalyser.__file__).parent]
+    found = [
+        f"{path.name}:{node.lineno}"
+        for folder in folders
+        for path in folder.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if compares_recognisers(node)
+    ]
+    assert found == []
+    for told in ("preset.recogniser == 'rules'", "recogniser in ('x', 'learned')", "isinstance(r, RuleRecogniser)"):
+        assert compares_recognisers(ast.parse(told, mode="eval").body)
 
 
 @pytest.mark.parametrize("name", BUILT_IN)

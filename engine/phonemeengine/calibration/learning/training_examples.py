@@ -17,7 +17,6 @@ from phonemeengine.dsp.log_mel import FLOOR, mel_powers, warped_mel_bank
 from phonemeengine.errors import EngineError
 from phonemeengine.labels.label import Label
 
-BLOCK = 1 << 16
 TOGETHER = 512
 """Frames that are measured at once."""
 
@@ -97,7 +96,7 @@ def _examples(task: tuple[Utterance, int, int]) -> tuple[TrainingExample, ...] |
 
 def _sound_of(utterance: Utterance) -> Float32Array:
     with utterance.opened() as reader:
-        return np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])
+        return reader.read_mono()
 
 
 def _augmented_example(

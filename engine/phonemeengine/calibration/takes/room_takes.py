@@ -12,7 +12,6 @@ from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 
-BLOCK = 1 << 16
 BRIEF = frozenset({Phoneme.P, Phoneme.UNIDENTIFIED})
 """What is no speech to measure by: puffs are mostly the room."""
 
@@ -50,7 +49,7 @@ def _stretches(take: Utterance, without: frozenset[Phoneme] = BRIEF) -> Iterator
     if not wanted:
         return
     with SoundReader(take.path) as reader:
-        sound = _joined(reader.blocks(BLOCK))
+        sound = reader.read_mono()
     for label in wanted:
         yield sound[round(label.start * SAMPLE_RATE) : round(label.end * SAMPLE_RATE)]
 

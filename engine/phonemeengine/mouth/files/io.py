@@ -18,8 +18,8 @@ from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, morph_target
 LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".x": 16}
 """Megabytes of a file of each kind: so much is read, and no more."""
 LARGEST_BESIDE = 64
-FACES = (".3dm", ".3dma")
-FIGURES = (".obj", ".gltf", ".glb", ".x")
+TARGET_SUFFIXES = (".3dm", ".3dma")
+MESH_SUFFIXES = (".obj", ".gltf", ".glb", ".x")
 
 Beside = Callable[[str], bytes | None]
 
@@ -32,13 +32,13 @@ def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
     MeshError : the file cannot be read or is no mesh; the message begins with the file's name.
     """
     path = Path(path)
-    kind = _kind_of(path, FIGURES)
+    kind = _kind_of(path, MESH_SUFFIXES)
     content = read_file(path, LARGEST[kind] * MEGABYTE, "such a file", MeshError)
     try:
-        figure = _figure_of(kind, content, _beside(path.parent))
+        morph_mesh = _morph_mesh_of(kind, content, _beside(path.parent))
     except MeshError as error:
         raise MeshError(f"{path.name}: {error}") from error
-    return MorphMesh(replace(figure.mesh, name=figure.mesh.name or path.stem), figure.states)
+    return MorphMesh(replace(morph_mesh.mesh, name=morph_mesh.mesh.name or path.stem), morph_mesh.states)
 
 
 def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:
@@ -49,12 +49,12 @@ def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:
     MeshError : the file cannot be read or holds no movestates; the message begins with the file's name.
     """
     path = Path(path)
-    kind = _kind_of(path, (*FACES, *FIGURES))
-    if kind in FIGURES:
-        figure = load_morph_mesh(path)
-        if not figure.states:
+    kind = _kind_of(path, (*TARGET_SUFFIXES, *MESH_SUFFIXES))
+    if kind in MESH_SUFFIXES:
+        morph_mesh = load_morph_mesh(path)
+        if not morph_mesh.states:
             raise MeshError(f"{path.name}: this is a mesh without morph targets; use 'movestates export'")
-        return morph_targets_of(figure.mesh, figure.states)
+        return morph_targets_of(morph_mesh.mesh, morph_mesh.states)
     content = read_file(path, LARGEST[kind] * MEGABYTE, "such a file", MeshError)
     try:
         return parse_3dm(content) if kind == ".3dm" else parse_3dma(content)
@@ -62,7 +62,9 @@ def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:
         raise MeshError(f"{path.name}: {error}") from error
 
 
-def save_morph_targets(face: MorphTargets, path: str | os.PathLike[str], figure: MorphMesh | None = None) -> None:
+def save_morph_targets(
+    targets: MorphTargets, path: str | os.PathLike[str], morph_mesh: MorphMesh | None = None
+) -> None:
     """Save movestates: .3dm, .3dma, or .glb, which holds the mesh too if it is given, else just points.
 
     The old file stays until the new one is complete.
@@ -72,12 +74,16 @@ def save_morph_targets(face: MorphTargets, path: str | os.PathLike[str], figure:
     MeshError : the file cannot be written; the message begins with its name.
     """
     path = Path(path)
-    kind = _kind_of(path, (*FACES, ".glb"))
+    kind = _kind_of(path, (*TARGET_SUFFIXES, ".glb"))
     try:
         if kind == ".glb":
-            content = format_points(face) if figure is None else format_glb(MorphMesh(figure.mesh, face.states))
+            content = (
+                format_points(targets)
+                if morph_mesh is None
+                else format_glb(MorphMesh(morph_mesh.mesh, targets.states))
+            )
         else:
-            content = format_3dm(face) if kind == ".3dm" else format_3dma(face)
+            content = format_3dm(targets) if kind == ".3dm" else format_3dma(targets)
     except MeshError as error:
         raise MeshError(f"{path.name}: {error}") from error
     if len(content) > LARGEST[kind] * MEGABYTE:
@@ -85,7 +91,7 @@ def save_morph_targets(face: MorphTargets, path: str | os.PathLike[str], figure:
     write_file(path, content, MeshError)
 
 
-def _figure_of(kind: str, content: bytes, beside: Beside) -> MorphMesh:
+def _morph_mesh_of(kind: str, content: bytes, beside: Beside) -> MorphMesh:
     if kind == ".obj":
         return parse_obj(content, beside)
     return parse_x(content) if kind == ".x" else parse_gltf(content, beside)
