@@ -20,13 +20,13 @@ from phonemeanalyser.reports.report import (
     clock,
     flicker_of,
     look_ahead_of,
-    printable,
     short,
     signed,
     written,
 )
 from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions, group_scores_of
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.files import printable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 

@@ -12,6 +12,7 @@ from phonemeengine.calibration.scores.comparison import PresetComparison
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.files import printable, printable_name
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -49,7 +50,7 @@ class Report:
     @property
     def name(self) -> str:
         """The name of the corpus."""
-        return printable(self.folder.absolute().name or str(self.folder))
+        return printable_name(self.folder.absolute())
 
     @property
     def first(self) -> CorpusScores:
@@ -135,8 +136,3 @@ def clock(seconds: float) -> str:
     """Write a place in a recording as minutes and seconds."""
     hundredths = round(100 * seconds)
     return f"{hundredths // 6000}:{hundredths // 100 % 60:02d}.{hundredths % 100:02d}"
-
-
-def printable(name: str) -> str:
-    """Return a name without characters that would break the line it stands in."""
-    return "".join(c if c.isprintable() else "?" for c in name)

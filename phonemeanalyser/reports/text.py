@@ -10,13 +10,13 @@ from phonemeanalyser.reports.report import (
     clock,
     confusion_shares,
     look_ahead_of,
-    printable,
     short,
     written,
 )
 from phonemeengine.calibration.scores.comparison import DifferingSegment, PresetComparison
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.files import printable
 
 MOST_SHOWN = 10
 """Recordings and stretches that are listed of each preset."""
