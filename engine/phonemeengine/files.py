@@ -115,9 +115,14 @@ def is_own(path: Path, owns: Owns) -> bool:
         return False
 
 
+def printable(words: str) -> str:
+    """Return words without characters that would break the line they stand in."""
+    return "".join(c if c.isprintable() else "?" for c in words)
+
+
 def printable_name(path: Path) -> str:
     """Return the file's name, without characters that would break the sentence it stands in."""
-    return "".join(c if c.isprintable() else "?" for c in path.name or str(path))
+    return printable(path.name or str(path))
 
 
 def reason_of(error: OSError | ValueError) -> str:

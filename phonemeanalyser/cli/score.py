@@ -13,7 +13,7 @@ from phonemeanalyser.cli.jobs import say_cut_off
 from phonemeanalyser.cli.output_files import print_whole, write_whole
 from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
-from phonemeanalyser.reports.report import Report, ScoredPreset, printable
+from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeanalyser.reports.text import text_of
 from phonemeengine import (
     AddedNoise,
@@ -34,6 +34,7 @@ from phonemeengine import (
 )
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
+from phonemeengine.files import printable, printable_name
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
 """The formats that an ending asks for; text is the format of all others."""
@@ -127,7 +128,7 @@ def _presets_of(first: Path, against: Path | None) -> list[Named]:
     other = load_preset(against)
     if one == other:
         raise PresetError(
-            f"{printable(first.name)} and {printable(against.name)} hold the same preset; name two that differ"
+            f"{printable_name(first)} and {printable_name(against)} hold the same preset; name two that differ"
         )
     titles = [one.name, other.name]
     if one.name == other.name:

@@ -4,11 +4,15 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
+from phonemeengine.arrays import Float64Array, Int64Array
 from phonemeengine.calibration.scores.added_noise import AddedNoise
 from phonemeengine.calibration.scores.comparison import PresetComparison
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.files import printable, printable_name
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -46,7 +50,7 @@ class Report:
     @property
     def name(self) -> str:
         """The name of the corpus."""
-        return printable(self.folder.absolute().name or str(self.folder))
+        return printable_name(self.folder.absolute())
 
     @property
     def first(self) -> CorpusScores:
@@ -72,11 +76,12 @@ class Report:
 
 @dataclass(frozen=True)
 class ReportedFigure:
-    """A figure of agreement: its field in `Scores`, and what people call it and read in it."""
+    """A figure of agreement: its field in `Scores`, what people call it and read in it; `better` is -1 for less."""
 
     field: str
     title: str
     meaning: str
+    better: int = 1
 
 
 FIGURES = (
@@ -86,7 +91,7 @@ FIGURES = (
     ReportedFigure("viseme_accuracy", "Mouth shapes", "share of all frames with the right one of six mouth shapes"),
     ReportedFigure("viseme_f1", "Mouth F1", "mean F1 of the six mouth shapes"),
     ReportedFigure("silence_recall", "Silence found", "share of silent frames called silence"),
-    ReportedFigure("false_silence", "False silence", "share of spoken frames called silence: less is better"),
+    ReportedFigure("false_silence", "False silence", "share of spoken frames called silence: less is better", -1),
 )
 """The shares, all 0..1."""
 
@@ -99,6 +104,17 @@ def flicker_of(group: GroupScores) -> float:
 def look_ahead_of(scores: CorpusScores) -> str:
     """Return how long the recogniser waits, in words."""
     return f"{1000 * scores.look_ahead * FRAME_PERIOD:g} ms"
+
+
+def confusion_shares(confusion: Int64Array) -> Float64Array:
+    """Return what share of each label's frames got which answer, labels and answers in the order of `CLASSES`."""
+    ordered = confusion[np.ix_(CLASSES, CLASSES)]
+    return np.asarray(ordered / np.maximum(1, ordered.sum(axis=1, keepdims=True)))
+
+
+def short(phoneme: Phoneme) -> str:
+    """Return a name that fits over a narrow column."""
+    return "other" if phoneme is Phoneme.UNIDENTIFIED else phoneme.label
 
 
 def counted(n: int, noun: str) -> str:
@@ -120,8 +136,3 @@ def clock(seconds: float) -> str:
     """Write a place in a recording as minutes and seconds."""
     hundredths = round(100 * seconds)
     return f"{hundredths // 6000}:{hundredths // 100 % 60:02d}.{hundredths % 100:02d}"
-
-
-def printable(name: str) -> str:
-    """Return a name without characters that would break the line it stands in."""
-    return "".join(c if c.isprintable() else "?" for c in name)

@@ -8,13 +8,15 @@ from phonemeanalyser.reports.report import (
     Report,
     ScoredPreset,
     clock,
+    confusion_shares,
     look_ahead_of,
-    printable,
+    short,
     written,
 )
 from phonemeengine.calibration.scores.comparison import DifferingSegment, PresetComparison
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.files import printable
 
 MOST_SHOWN = 10
 """Recordings and stretches that are listed of each preset."""
@@ -51,14 +53,13 @@ def _cells(scores: Scores) -> Iterator[str]:
 
 def _confusion_lines(scores: CorpusScores) -> Iterator[str]:
     """Write what became of each label, in percent; answers in the columns."""
-    names = [p.label.replace("unidentified", "other") for p in CLASSES]
+    names = [short(p) for p in CLASSES]
     width = max(CELL, *(len(name) + 1 for name in names))
     yield "label, % answered".ljust(FIRST) + "".join(name.rjust(width) for name in names) + "  frames"
-    confusion = scores.overall.confusion
-    for name, phoneme in zip(names, CLASSES, strict=True):
-        row = confusion[phoneme, list(CLASSES)]
-        shares = [f"{100 * n / max(1, row.sum()):.0f}" if n else "·" for n in row.tolist()]
-        yield name.ljust(FIRST) + "".join(share.rjust(width) for share in shares) + f"{row.sum():8d}"
+    rows = confusion_shares(scores.overall.confusion).tolist()
+    for name, phoneme, row in zip(names, CLASSES, rows, strict=True):
+        shares = "".join((f"{100 * share:.0f}" if share else "·").rjust(width) for share in row)
+        yield name.ljust(FIRST) + shares + f"{scores.overall.confusion[phoneme].sum():8d}"
 
 
 def _comparison_lines(report: Report, comparison: PresetComparison) -> Iterator[str]:

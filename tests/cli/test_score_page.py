@@ -1,6 +1,9 @@
 """The page of ``phonemeanalyser score``: whole in itself, well-formed, and what it shows is what was scored."""
 
 import re
+import subprocess
+import sys
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -111,11 +114,17 @@ def test_what_is_wrong_is_marked_as_long_as_it_is(tmp_path: Path) -> None:
 
 def test_hostile_names_are_only_words(tmp_path: Path) -> None:
     put(tmp_path, "u", speech(), (Label(0, 1.2, "a", Phoneme.A),))
-    write_manifest(tmp_path, [(HOSTILE, HOSTILE, "u.wav", "u.csv"), ("c", "s", "u.wav", "u.csv")])
-    page = page_of(report_on(tmp_path, two=True, left_out=(HOSTILE,)))
+    put(tmp_path, "v&amp;_x", speech(), (Label(0, 1.2, "a", Phoneme.A),))
+    rows = [(HOSTILE, HOSTILE, "u.wav", "u.csv"), ("c", "s", "v&amp;_x.wav", "v&amp;_x.csv")]
+    write_manifest(tmp_path, rows)
+    report = report_on(tmp_path, two=True, left_out=(HOSTILE,))
+    hostile = tuple(replace(preset, title=f"%s {HOSTILE}") for preset in report.presets)
+    page = page_of(replace(report, presets=hostile))
     root = parsed(page)
     assert "\x07" not in page
     said = words_of(root)
+    assert "v&amp;_ x.wav" in said
+    assert f"A is %s {HOSTILE[:-1]}?, B is" in said
     assert f"{HOSTILE[:-1]}?/{HOSTILE[:-1]}?" in said
     assert '<b>"' not in page
 
@@ -148,6 +157,15 @@ def test_a_long_recording_is_drawn_as_far_as_it_says(tmp_path: Path) -> None:
     assert lines[0] == "0:00.00 to 0:06.00"
     assert lines[-1] == "0:24.00 to 0:30.00"
     assert "The first 30 s of 37.5 s" in words_of(root)
+
+
+def test_who_asks_for_no_page_does_not_wait_for_templates(tmp_path: Path) -> None:
+    words = ["score", str(write_corpus(tmp_path, THESIS, ["c/s"])), "--preset", str(FACTORY / "thesis.toml")]
+    code = "import sys; from phonemeanalyser.cli.main import main; main(sys.argv[1:]); print('jinja2' in sys.modules)"
+    for kind, loaded in (("text", "False"), ("html", "True")):
+        command = [sys.executable, "-c", code, *words, "--format", kind]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        assert done.stdout.splitlines()[-1] == loaded
 
 
 def test_figures_are_written_as_people_read_them() -> None:

@@ -14,7 +14,9 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from phonemeengine import load_preset
 from tests.conftest import ROOT
+from tests.corpora import write_corpus
 
 GAME = """
 import sys
@@ -153,6 +155,12 @@ def test_a_wheel_from_the_source_distribution_is_the_same(wheel: Path, tmp_path:
 def test_a_game_recognises_with_what_is_installed(installed: Path, tmp_path: Path) -> None:
     home = run(installed, "-c", GAME, ROOT / "phonemeanalyser" / "demo" / "demo.flac", folder=tmp_path)
     assert installed.parents[1] in Path(home.strip()).parents
+
+
+def test_what_is_installed_writes_the_page_of_a_report(installed: Path, tmp_path: Path) -> None:
+    write_corpus(tmp_path, load_preset("thesis"), ["c/s"])
+    run(installed, "-m", "phonemeanalyser", "score", tmp_path, "-o", "report.html", folder=tmp_path)
+    assert (tmp_path / "report.html").read_text().endswith("</html>\n")
 
 
 def test_a_checkout_that_is_installed_for_editing_finds_the_presets(tmp_path: Path) -> None:

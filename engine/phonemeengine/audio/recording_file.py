@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from phonemeengine.errors import RecordingError
-from phonemeengine.files import free_path, printable_name, reason_of
+from phonemeengine.files import free_path, printable, printable_name, reason_of
 
 COPIED_AT_ONCE = 1 << 20
 """Bytes."""
@@ -91,7 +91,7 @@ def describe_os_error(error: OSError) -> tuple[str, str]:
 
 def shown_folder(path: Path) -> str:
     """Return the folder of a file, without characters that would break the sentence it stands in."""
-    return "".join(c if c.isprintable() else "?" for c in str(path.absolute().parent))
+    return printable(str(path.absolute().parent))
 
 
 def _made(path: Path) -> io.FileIO:
