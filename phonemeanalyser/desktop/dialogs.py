@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QIODevice, QObject, QSaveFile, QSettings, Signal
@@ -180,9 +179,9 @@ class Dialogs(QObject):
             self.rejected.emit(f"The changes that were not saved when the program ended cannot be read: {error}")
             return
         if found:
-            name, stack = self._preset.preset.name, self._preset.undo_stack
+            name = self._preset.preset.name
             sentence = f"The changes of the preset {name} that were not saved when the program ended are here again."
-            self.action_offered.emit(sentence, "Undo Them", partial(stack.setIndex, 0))
+            self.action_offered.emit(sentence, "Undo Them", self._preset.revert)
 
     def ask_preset(self) -> None:
         """Let the user choose a preset file."""

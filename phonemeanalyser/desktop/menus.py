@@ -31,8 +31,6 @@ class Menus:
     def __init__(self, window: QMainWindow) -> None:
         self.actions: dict[str, QAction] = {}
         self._window = window
-        self._edits: list[QAction] = []
-        self._edits_of_page: list[QAction] = []
         self._menus: dict[str, QMenu] = {}
         self._keys: dict[str, str] = {}
 
@@ -58,25 +56,6 @@ class Menus:
         ):
             action.setShortcuts(QKeySequence.keyBindings(key))  # Ctrl+Y and Ctrl+Shift+Z
             menu.addAction(action)
-            self._edits.append(action)
-
-    def add_edit_of_page(self, undo: Callable[[], object], redo: Callable[[], object]) -> None:
-        """Add undo and redo of a page that has more to undo than the preset."""
-        for act, key in ((undo, QKeySequence.StandardKey.Undo), (redo, QKeySequence.StandardKey.Redo)):
-            action = QAction(self._window, visible=False)
-            action.setShortcuts(QKeySequence.keyBindings(key))
-            action.triggered.connect(partial(_call, act))
-            self._menus["&Edit"].addAction(action)
-            self._edits_of_page.append(action)
-
-    def show_edits(self, *, of_page: bool, undo: str, redo: str) -> None:
-        """Show what undo and redo would do, on a page that has its own, or on the others."""
-        for action in self._edits:
-            action.setVisible(not of_page)
-        for action, word, what in zip(self._edits_of_page, ("Undo", "Redo"), (undo, redo), strict=True):
-            action.setVisible(of_page)
-            action.setEnabled(bool(what))
-            action.setText(f"{word} {what}".strip())
 
     def add_choice(
         self, menu: QMenu, label: str, names: tuple[str, ...], chosen: str, act: Callable[[str], Any]

@@ -8,7 +8,6 @@ from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.phoneme_view import PhonemeView
 from phonemeanalyser.desktop.analyse.threshold_view import ThresholdView
 from phonemeanalyser.desktop.analyse.transport import Transport
-from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.heads import Heads
 from phonemeanalyser.desktop.session.session import Session, SoundSource
@@ -32,16 +31,15 @@ class RedrawLoop(QObject):
     """
 
     def __init__(
-        self, parent: QObject, session: Session, calibration: CalibrationModel, pages: PageStack,
-        analysis: AnalysisPage, calibrating: LazyPage[CalibrationPage], heads: Heads, phoneme: PhonemeView,
-        thresholds: ThresholdView, transport: Transport, status: StatusLine,
+        self, parent: QObject, session: Session, pages: PageStack, analysis: AnalysisPage,
+        calibrating: LazyPage[CalibrationPage], heads: Heads, phoneme: PhonemeView, thresholds: ThresholdView,
+        transport: Transport, status: StatusLine,
     ) -> None:  # fmt: skip
         super().__init__(parent)
         self.frozen = False
         self.stale = True
         self.n_ticks = 0
         self._session = session
-        self._calibration = calibration
         self._pages = pages
         self._analysis = analysis
         self._calibrating = calibrating
@@ -61,7 +59,6 @@ class RedrawLoop(QObject):
         if self._session.poll():
             self.stale = True
             known_at = time.monotonic() - self._session.microphone.known_for
-        self._calibration.tick()
         self._heads.move(frozen=self.frozen)
         self.n_ticks += 1
         slow = self.n_ticks % SLOW == 0

@@ -1,111 +1,149 @@
-"""Where work is done that would hold up the window: one piece after another, each with its progress."""
+"""The one way to do work in the background: a queue whose results come back in the thread of the window."""
 
 import threading
 from collections import deque
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from phonemeanalyser.desktop.threads import start_thread
+from PySide6.QtCore import QObject, Qt, Signal
+
 from phonemeengine.errors import EngineError
 from phonemeengine.progress import Cancelled, Progress
 
 Result = TypeVar("Result")
+STEPS = 100
+"""In how many steps the progress of a task is told."""
 
 
 class Task:
     """A piece of work: what is done, and what becomes of the result."""
 
     def __init__(self, act: Callable[[Progress], Any], then: Callable[[Any], object]) -> None:
-        self.share = 0.0
-        self.cancelled = False
+        self.act = act
         self.then = then
+        self.progress = 0.0
+        self.cancelled = False
         self.result: Any = None
         self.error: Exception | None = None
-        self._act = act
         self.thread: threading.Thread | None = None
 
-    def run(self) -> None:
-        """Run the work, and keep its result or its error."""
-        try:
-            self.result = self._act(self._progress)
-        except Exception as error:  # noqa: BLE001 - `see` raises it where it is seen
-            self.error = error
 
-    def _progress(self, share: float) -> bool:
-        self.share = share
-        return not self.cancelled
+class TaskQueue(QObject):
+    """Does one task after another in the background; its owner has one for each kind of work.
 
-
-class TaskQueue:
-    """Does one piece of work after another in the background; `see` hands over what came of it.
+    Result, refusal and progress arrive by queued signals, so in the thread in which the queue was made, while its
+    event loop runs. The threads are daemons, unlike those of a pool: the program's end waits for none that hangs.
 
     Parameters
     ----------
-    failed : told the sentence of what the engine refused.
+    on_error : given the sentence of what the engine refused; any other exception is raised in the window's thread.
+
+    Signals
+    -------
+    changed : work was begun, cancelled or done, or is farther by a hundredth.
+    idle : a task has ended, and no other is wanted.
     """
 
-    def __init__(self, failed: Callable[[str], object]) -> None:
-        self._failed = failed
-        self._pieces: deque[Task] = deque()
+    changed = Signal()
+    idle = Signal()
+    _ended = Signal(object)
+    _moved = Signal()
+
+    def __init__(self, on_error: Callable[[str], object]) -> None:
+        super().__init__()
+        self._on_error = on_error
+        self._tasks: deque[Task] = deque()
+        self._ended.connect(self._hand_over, Qt.ConnectionType.QueuedConnection)
+        self._moved.connect(self.changed, Qt.ConnectionType.QueuedConnection)
 
     @property
     def busy(self) -> bool:
         """Whether there is work that is wanted."""
-        return any(not piece.cancelled for piece in self._pieces)
+        return any(not task.cancelled for task in self._tasks)
 
     @property
-    def share(self) -> float:
-        """How much of the work at hand is done, 0..1."""
-        return self._pieces[0].share if self._pieces else 1.0
+    def progress(self) -> float:
+        """How much of the task at hand is done, 0..1."""
+        return self._tasks[0].progress if self._tasks else 1.0
 
-    def do(self, act: Callable[[Progress], Result], then: Callable[[Result], object]) -> None:
-        """Do this when all else is done; `then` is given what came of it, when `see` is called."""
-        self._pieces.append(Task(act, then))
-        self._go_on()
+    def submit(self, act: Callable[[Progress], Result], then: Callable[[Result], object] = lambda _: None) -> None:
+        """Do this when all else is done; `then` is given what came of it."""
+        self._tasks.append(Task(act, then))
+        self._start_next()
+        self.changed.emit()
 
-    def instead(self, act: Callable[[Progress], Result], then: Callable[[Result], object]) -> None:
-        """Do this, and end whatever else was to be done."""
+    def replace(self, act: Callable[[Progress], Result], then: Callable[[Result], object]) -> None:
+        """Do this, and cancel whatever else was to be done."""
         self.cancel()
-        self.do(act, then)
+        self.submit(act, then)
 
     def cancel(self) -> None:
         """End all work; nothing is handed over of it."""
-        for piece in self._pieces:
-            piece.cancelled = True
+        if self.busy:
+            for task in self._tasks:
+                task.cancelled = True
+            self.changed.emit()
 
-    def see(self) -> bool:
-        """Hand over what is done; says whether anything was. What is no refusal of the engine is raised."""
-        seen = False
-        while self._pieces and self._pieces[0].thread is not None and not self._pieces[0].thread.is_alive():
-            piece = self._pieces.popleft()
-            seen = True
-            try:
-                self._hand_over(piece)
-            finally:
-                self._go_on()
-        return seen
+    def finish(self, timeout: float | None = None) -> None:
+        """Do all that was submitted, wait for it, and hand nothing over.
+
+        Parameters
+        ----------
+        timeout : seconds after which each task is left alone; None waits for ever.
+        """
+        while self._tasks:
+            self._start_next()
+            if self._tasks and (thread := self._tasks.popleft().thread) is not None:
+                thread.join(timeout)
 
     def close(self) -> None:
-        """Wait until what was begun is done; work that tells its progress ends early."""
-        while self._pieces:
-            thread = self._pieces.popleft().thread
-            if thread is not None:
-                thread.join()
-            self._go_on()
+        """End all work, and wait for what cannot be ended on its way."""
+        self.cancel()
+        self.finish()
 
-    def _hand_over(self, piece: Task) -> None:
-        if piece.cancelled or isinstance(piece.error, Cancelled):
-            return
-        if isinstance(piece.error, EngineError):
-            self._failed(str(piece.error))
-        elif piece.error is not None:
-            raise piece.error
-        else:
-            piece.then(piece.result)
-
-    def _go_on(self) -> None:
-        while self._pieces and self._pieces[0].thread is None:
-            if self._pieces[0].cancelled:
-                self._pieces.popleft()
+    def _start_next(self) -> None:
+        while self._tasks and self._tasks[0].thread is None:
+            if self._tasks[0].cancelled:
+                self._tasks.popleft()
             else:
-                self._pieces[0].thread = start_thread(self._pieces[0].run)
+                task = self._tasks[0]
+                task.thread = threading.Thread(target=self._run, args=(task,), daemon=True)
+                task.thread.start()
+
+    def _run(self, task: Task) -> None:
+        """Work in the task's own thread."""
+
+        def report(share: float) -> bool:
+            moved = int(STEPS * share) != int(STEPS * task.progress)
+            task.progress = share
+            if moved:
+                self._moved.emit()
+            return not task.cancelled
+
+        try:
+            task.result = task.act(report)
+        except Exception as error:  # noqa: BLE001 - raised again in the window's thread
+            task.error = error
+        self._ended.emit(task)
+
+    def _hand_over(self, task: Task) -> None:
+        if task not in self._tasks:
+            return  # the queue was finished before
+        self._tasks.remove(task)
+        try:
+            self._deliver(task)
+        finally:
+            self._start_next()
+            self.changed.emit()
+            if not self.busy:
+                self.idle.emit()
+
+    def _deliver(self, task: Task) -> None:
+        if task.cancelled or isinstance(task.error, Cancelled):
+            return
+        if isinstance(task.error, EngineError):
+            self._on_error(str(task.error))
+        elif task.error is not None:
+            raise task.error
+        else:
+            task.then(task.result)

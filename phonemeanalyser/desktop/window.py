@@ -113,8 +113,8 @@ class MainWindow(QMainWindow):
         self._late_talk = LazyPage(self.pages, partial(make.talk_page, self._talking))
         self._heads = Heads(self._talking, self._late_talk, self._late_calibration, self.head)
         self.drawing = RedrawLoop(
-            self, session, self._calibration, self.pages, self.analysis, self._late_calibration, self._heads,
-            self.phoneme, self.thresholds, self.transport, self.status,
+            self, session, self.pages, self.analysis, self._late_calibration, self._heads, self.phoneme,
+            self.thresholds, self.transport, self.status,
         )  # fmt: skip
 
     @property
@@ -156,7 +156,6 @@ class MainWindow(QMainWindow):
         self._recent = RecentMenu(self, dialogs)
         file.insertMenu(self.menus.actions["Save the Phonemes…"], self._recent)
         self.menus.add_edit(preset.undo_stack)
-        self.menus.add_edit_of_page(self._calibration.edits.undo, self._calibration.edits.redo)
         add("&Play", *commands.play_commands(session))
         measure = Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency)
         room = Command("Measure the Room (2 s of Quiet)", "", self._calibration.measure_room)
@@ -203,7 +202,6 @@ class MainWindow(QMainWindow):
         for model in (self._calibration, self._talking, session):
             model.error.connect(self.banner.show_error)
         self._calibration.info.connect(self.banner.show_info)
-        self._calibration.edits.changed.connect(self._show_edits)
         self._calibration.guide.changed.connect(self._lend_keys)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         session.opened.connect(self._show_names)
@@ -228,7 +226,6 @@ class MainWindow(QMainWindow):
             self._docks.bring_back()
         self.switch.show_page(number)
         self.state.save_page(number)
-        self._show_edits()
         self._lend_keys()
         focused.setFocus()
         self.drawing.stale = True
@@ -238,11 +235,6 @@ class MainWindow(QMainWindow):
         if number == CALIBRATE:
             return self.calibration.takes.list
         return self.talk.head if number == TALK else self.analysis
-
-    def _show_edits(self) -> None:
-        edits = self._calibration.edits
-        on_page = self.pages.currentIndex() == CALIBRATE
-        self.menus.show_edits(of_page=on_page, undo=edits.undoable, redo=edits.redoable)
 
     def _lend_keys(self) -> None:
         """Leave keys to what the user is in the middle of: the guide, or a region that becomes a variable."""

@@ -60,6 +60,12 @@ def wav(folder: Path, sound: NDArray[np.float32], name: str = "sound.wav") -> Pa
     return folder / name
 
 
+def edits(window: MainWindow) -> list[str]:
+    """Give what undo and redo would do, as the menu says it."""
+    menu = next(action.menu() for action in window.menuBar().actions() if action.text() == "&Edit")
+    return [action.text() for action in menu.actions() if action.isEnabled()]
+
+
 def click(widget: QWidget, x: float | None = None) -> None:
     """Click on a widget's middle, or on x of it; of a check box, on its box."""
     if x is None:

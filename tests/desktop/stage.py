@@ -39,12 +39,8 @@ class Stage:
 
     def settle(self) -> None:
         """Wait until what was asked for is loaded."""
-
-        def settled() -> bool:
-            self.talking.tick()
-            return not self.talking.face.busy and not self.talking._work.busy
-
-        self.qtbot.waitUntil(settled)
+        self.qtbot.waitUntil(lambda: not self.talking.face.busy and not self.talking._work.busy)
+        self.talking.tick()
 
     def open(self, folder: Path, sound: np.ndarray = AN_A) -> None:
         """Have a sound in hand."""

@@ -18,9 +18,10 @@ from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
-from phonemeengine.audio.devices import Device
+from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.live.listener import Listener
+from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.hands import press
 from tests.fakes.microphones import HandDrivenMicrophone, Microphones, frames_in
@@ -38,12 +39,14 @@ class Studio:
         self.takes, self.journal = folder / "takes", folder / "unfinished"
         self.openers = Microphones(*microphones)
         self.devices = [HEADSET, DESK]
+        self.measure: Callable[[InputChoice], Loopback] = measure_loopback
         self.given: Counter[HandDrivenMicrophone] = Counter()
         self.model = Microphone(
             partial(Listener, open_input=self.openers),
             lambda: list(self.devices),
             journal=self.journal,
             folder=self.takes,
+            measure=self._measured,
         )
         self.taken: list[Analysis] = []
         self.told: list[str] = []
@@ -55,10 +58,14 @@ class Studio:
         self.model.recorded.connect(lambda path, seconds, _gaps: self.recorded.append((path, seconds)))
         self.model.recorded.connect(lambda _path, _seconds, gaps: self.gaps.append(gaps))
 
+    def _measured(self, choice: InputChoice) -> Loopback:
+        return self.measure(choice)
+
     def until(self, true: Callable[[], object], what: str = "the microphone") -> None:
         """Wait, taking what is found, until something is so."""
 
         def look() -> bool:
+            QApplication.processEvents()  # what is done in the background comes by signals
             self.taken += self.model.take_analyses()
             return bool(true())
 

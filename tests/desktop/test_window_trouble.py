@@ -5,7 +5,6 @@ from collections.abc import Callable
 import pytest
 from PySide6.QtCore import Qt
 
-from phonemeanalyser.desktop.session import latency_test as click_test
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeengine.audio import stream
 from phonemeengine.errors import EngineError
@@ -161,12 +160,10 @@ def test_without_a_device_a_measurement_by_clicks_says_so_in_one_sentence(
     assert booth.banner.count(". ") == 0
 
 
-def test_a_measurement_by_clicks_is_told_and_counts_from_then_on(
-    open_booth: Open, mic: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
-):
-    monkeypatch.setattr(click_test, "measure_loopback", lambda _choice: MEASURED)
+def test_a_measurement_by_clicks_is_told_and_counts_from_then_on(open_booth: Open, mic: HandDrivenMicrophone):
     back = HandDrivenMicrophone(name=DESK.label)
     booth = open_booth(mic, back)
+    booth.studio.measure = lambda _choice: MEASURED
     booth.listen()
     booth.until(lambda: "capture 20" in booth.status, mic)
     booth.window.menus.actions["Measure the Latency by Clicks"].trigger()

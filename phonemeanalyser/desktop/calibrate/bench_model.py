@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
-from phonemeanalyser.desktop.background_model import BackgroundModel
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
 from phonemeengine.calibration.scores.confusion import ConfusedSegment, Confusion
 from phonemeengine.calibration.scores.corpus import Utterance
@@ -24,6 +24,8 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.progress import Progress
 
 Pair = tuple[Phoneme, Phoneme | None]
+ANSWER_MS = 16
+"""After a change of the preset, until the answers are others: a threshold that is dragged changes all the time."""
 
 
 @dataclass(frozen=True)
@@ -44,19 +46,23 @@ class Line:
     value: float
 
 
-class BenchModel(BackgroundModel):
-    """Measures what is loaded, and follows the preset: what a threshold changes is known at the next `see`.
+class BenchModel(QObject):
+    """Measures what is loaded, and follows the preset: what a threshold changes is known a picture later.
 
-    It is busy while recordings are being measured.
+    Attributes
+    ----------
+    measuring, looking, searching : the work on recordings, on distributions and rankings, and on suggestions.
 
     Signals
     -------
+    error : a sentence for the user.
     measured : another workbench is there, or none.
     confusion_changed : the answers are others.
     distribution_changed : the distribution of the chosen variable, or the ranking, is another.
     suggested : variables were found that are worth adding, or none.
     """
 
+    error = Signal(str)
     measured = Signal()
     confusion_changed = Signal()
     distribution_changed = Signal()
@@ -73,23 +79,14 @@ class BenchModel(BackgroundModel):
         self.variable = "m_szsch1"
         self._preset = preset
         self._utterances: tuple[Utterance, ...] = ()
-        self._stale = False
         self._ranked_for: LabelledFeatures | None = None
         self._looked_with: Mapping[Phoneme, float] = {}
-        self._measuring, self._looking, self._searching = self._room(), self._room(), self._room()
+        self.measuring, self.looking, self.searching = (TaskQueue(self.error.emit) for _ in range(3))
+        self._answering = QTimer(self, singleShot=True, interval=ANSWER_MS)
+        self._answering.timeout.connect(self._answer)
         preset.changed.connect(self._follow_preset)
 
     # -- what there is ------------------------------------------------------------------------------------
-
-    @property
-    def searching(self) -> bool:
-        """Whether variables are being searched for."""
-        return self._searching.busy
-
-    @property
-    def search_share(self) -> float:
-        """How much of the search is done, 0..1."""
-        return self._searching.share
 
     @property
     def utterances(self) -> tuple[Utterance, ...]:
@@ -155,20 +152,15 @@ class BenchModel(BackgroundModel):
         if bench is None:
             self.error.emit("There is nothing to search in yet; record takes or load labelled recordings first.")
             return
-        self._searching.instead(
+        self.searching.replace(
             lambda progress: suggested_variables(bench, preset, one, other, progress), self._take_suggestions
         )
 
-    def cancel_search(self) -> None:
-        """End the search for variables."""
-        self._searching.cancel()
-
-    def see(self) -> None:
-        """Take note of what was measured, and answer anew where the preset is another."""
-        super().see()
-        if self._stale:
-            self._stale = False
-            self._answer()
+    def close(self) -> None:
+        """End all work."""
+        self._answering.stop()
+        for queue in (self.measuring, self.looking, self.searching):
+            queue.close()
 
     # -- the work -----------------------------------------------------------------------------------------
 
@@ -177,7 +169,7 @@ class BenchModel(BackgroundModel):
             self._measure()
         elif self._others_sensitivities() != self._looked_with:
             self._look()
-        self._stale = True
+        self._answer_soon()
 
     def _must_measure(self) -> bool:
         try:
@@ -188,10 +180,10 @@ class BenchModel(BackgroundModel):
     def _measure(self) -> None:
         utterances, preset, known = self._utterances, self._preset.in_force, self.workbench
         if not utterances:
-            self._measuring.cancel()
+            self.measuring.cancel()
             self._take_up(None)
             return
-        self._measuring.instead(
+        self.measuring.replace(
             lambda progress: LabelledFeatures(utterances, preset, known=known, progress=progress), self._take_up
         )
 
@@ -199,9 +191,13 @@ class BenchModel(BackgroundModel):
         self.workbench = workbench
         if self.preview is not None and (workbench is None or self.preview.variable.name in workbench.variables):
             self.variable, self.preview = self.preview.variable.name, None
-        self._stale = True
+        self._answer_soon()
         self.measured.emit()
         self._look()
+
+    def _answer_soon(self) -> None:
+        if not self._answering.isActive():
+            self._answering.start()
 
     def _answer(self) -> None:
         if self.workbench is None:
@@ -226,7 +222,7 @@ class BenchModel(BackgroundModel):
             variable = self.variable = bench.variables[0]
         ranking = self.ranking if self._ranked_for is bench else ()
         sensitivities = self._looked_with = self._others_sensitivities()
-        self._looking.instead(
+        self.looking.replace(
             lambda progress: _looked_at(bench, variable, sensitivities, ranking, progress),
             lambda found: self._take_look(bench, found),
         )

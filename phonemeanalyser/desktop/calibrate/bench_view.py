@@ -53,14 +53,6 @@ class BenchView(QWidget):
         self._connect()
         self._show_confusion()
 
-    def refresh(self) -> None:
-        """Show how far the work in the background is."""
-        self.variables.refresh()
-        self.fit.refresh()
-        self.rival.refresh()
-        if self._calibration.bench.busy:
-            self.figures.setText(f"measuring … {100 * self._calibration.bench.share:.0f} %")
-
     def _lay_out(self) -> None:
         upper = QWidget()
         row = QHBoxLayout(upper)
@@ -103,6 +95,7 @@ class BenchView(QWidget):
         calibration.bench.confusion_changed.connect(self._show_confusion)
         calibration.bench.confusion_changed.connect(self.spread.show_lines)
         calibration.bench.measured.connect(self.fit.show_state)
+        calibration.bench.measuring.changed.connect(self._show_measuring)
         calibration.preset.changed.connect(self.fit.show_state)
         calibration.rival.changed.connect(self._show_matrix)
         self.rival.difference.toggled.connect(lambda _on: self._show_matrix())
@@ -127,6 +120,11 @@ class BenchView(QWidget):
         own, rival = self._calibration.bench.confusion, self._calibration.rival
         against = rival.confusion if self.rival.difference.isChecked() and rival.comparison is not None else None
         self.confusion.show_counts(own.counts if own else None, against.counts if against else None)
+
+    def _show_measuring(self) -> None:
+        measuring = self._calibration.bench.measuring
+        if measuring.busy:
+            self.figures.setText(f"measuring … {100 * measuring.progress:.0f} %")
 
     def _show_figures(self) -> None:
         confusion = self._calibration.bench.confusion

@@ -41,12 +41,6 @@ class ComparePanel(QWidget):
         self._connect()
         self._show()
 
-    def refresh(self) -> None:
-        """Show how far the measuring is."""
-        text = f"measuring {100 * self._rival.share:.0f} %" if self._rival.busy else ""
-        if text != self.state.text():
-            self.state.setText(text)
-
     def offer(self, path: Path) -> None:
         """Choose a preset's file."""
         if self.box.findData(path) < 0:
@@ -79,8 +73,13 @@ class ComparePanel(QWidget):
     def _connect(self) -> None:
         self.box.activated.connect(self._choose)
         self._rival.changed.connect(self._show)
+        self._rival.measuring.changed.connect(self._show_measuring)
         for view in (self.own, self.others):
             view.play_asked.connect(self.play_asked)
+
+    def _show_measuring(self) -> None:
+        measuring = self._rival.measuring
+        self.state.setText(f"measuring {100 * measuring.progress:.0f} %" if measuring.busy else "")
 
     def _choose(self, index: int) -> None:
         data = self.box.itemData(index)

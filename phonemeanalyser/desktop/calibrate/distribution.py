@@ -85,7 +85,7 @@ class DistributionView(QWidget):
         if distribution is None:
             words = (
                 "measuring …"
-                if self._bench.busy
+                if self._bench.measuring.busy
                 else "Record takes, or load labelled recordings, to see how they are spread"
             )
             draw_text(painter, QRectF(self.rect()), words, self._theme.faint, 13, CENTRED)

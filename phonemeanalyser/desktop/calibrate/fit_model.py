@@ -4,11 +4,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.background_model import BackgroundModel
 from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.fitting import FITTED, FitReport, fit_preset
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
@@ -24,22 +24,24 @@ MOST_STRETCHES = 200
 """Stretches that are listed of each preset."""
 
 
-class FitModel(BackgroundModel):
+class FitModel(QObject):
     """Fits in the background; what was found is accepted or refused.
 
     Signals
     -------
-    changed : it began, ended, was accepted or refused.
+    changed : there is a report, or none.
+    error : a sentence for the user.
     """
 
     changed = Signal()
+    error = Signal(str)
 
     def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
         super().__init__()
         self.report: FitReport | None = None
         self._preset = preset
         self._bench = bench
-        self._work = self._room(self._refuse)
+        self.searching = TaskQueue(self.error.emit)
 
     @property
     def why_not(self) -> str:
@@ -53,13 +55,7 @@ class FitModel(BackgroundModel):
         """Search for better thresholds, or for better limits of the preset's own rules."""
         utterances, known, preset = self._bench.utterances, self._bench.workbench, self._preset.preset
         self.report = None
-        self._work.instead(lambda progress: _fitted(utterances, known, preset, progress), self._take_report)
-        self.changed.emit()
-
-    def cancel(self) -> None:
-        """End the search; nothing has changed."""
-        self._work.cancel()
-        self.changed.emit()
+        self.searching.replace(lambda progress: _fitted(utterances, known, preset, progress), self._take_report)
 
     def accept(self) -> None:
         """Use what was found; undo brings the old preset back."""
@@ -77,24 +73,26 @@ class FitModel(BackgroundModel):
         self.report = None
         self.changed.emit()
 
+    def close(self) -> None:
+        """End all work."""
+        self.searching.close()
+
     def _take_report(self, report: FitReport) -> None:
         self.report = report
         self.changed.emit()
 
-    def _refuse(self, sentence: str) -> None:
-        self.error.emit(sentence)
-        self.changed.emit()
 
-
-class ComparisonModel(BackgroundModel):
+class ComparisonModel(QObject):
     """A second preset on the same recordings, compared with the one in use whenever that changes.
 
     Signals
     -------
     changed : there is another comparison, or none.
+    error : a sentence for the user.
     """
 
     changed = Signal()
+    error = Signal(str)
 
     def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
         super().__init__()
@@ -103,8 +101,7 @@ class ComparisonModel(BackgroundModel):
         self.comparison: PresetComparison | None = None
         self._own = preset
         self._bench = bench
-        self._measuring = self._room()
-        self._comparing = self._room()
+        self.measuring, self._comparing = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
         bench.measured.connect(self._measure)
         bench.confusion_changed.connect(self._compare)
 
@@ -123,14 +120,19 @@ class ComparisonModel(BackgroundModel):
         self._measure()
         self.changed.emit()
 
+    def close(self) -> None:
+        """End all work."""
+        for queue in (self.measuring, self._comparing):
+            queue.close()
+
     def _measure(self) -> None:
         utterances, preset = self._bench.utterances, self.preset
         if preset is None or not utterances:
-            self._measuring.cancel()
+            self.measuring.cancel()
             self.confusion = self.comparison = None
             self.changed.emit()
             return
-        self._measuring.instead(
+        self.measuring.replace(
             lambda progress: LabelledFeatures(utterances, preset, progress=progress).confusion(preset),
             self._take_confusion,
         )
@@ -144,7 +146,7 @@ class ComparisonModel(BackgroundModel):
         if own is None or other is None or preset is None or len(own.answers) != len(other.answers):
             return
         now, utterances = self._own.preset, self._bench.utterances
-        self._comparing.instead(
+        self._comparing.replace(
             lambda _progress: compare(
                 _scores_of(now, own, utterances), _scores_of(preset, other, utterances), most=MOST_STRETCHES
             ),

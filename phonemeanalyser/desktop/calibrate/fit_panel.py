@@ -23,20 +23,16 @@ class FitPanel(QWidget):
         self._connect()
         self.show_state()
 
-    def refresh(self) -> None:
-        """Show how far it is."""
-        if self._fit.busy:
-            self.progress.setValue(round(100 * self._fit.share))
-
     def show_state(self) -> None:
         """Show what can be done."""
-        fit, report = self._fit, self._fit.report
-        self.begin.setEnabled(not fit.busy and not fit.why_not)
+        fit, report, busy = self._fit, self._fit.report, self._fit.searching.busy
+        self.begin.setEnabled(not busy and not fit.why_not)
         self.begin.setToolTip(
             fit.why_not or "Search for thresholds that suit what is loaded, with those in use to begin with"
         )
-        self.stop.setVisible(fit.busy)
-        self.progress.setVisible(fit.busy)
+        self.stop.setVisible(busy)
+        self.progress.setVisible(busy)
+        self.progress.setValue(round(100 * fit.searching.progress))
         self.accept.setVisible(report is not None and report.gains)
         self.refuse.setVisible(report is not None)
         self.refuse.setText("refuse" if report is not None and report.gains else "close")
@@ -47,7 +43,7 @@ class FitPanel(QWidget):
 
     def _said(self) -> str:
         report = self._fit.report
-        if self._fit.busy:
+        if self._fit.searching.busy:
             return "Searching; you can go on working meanwhile."
         if report is None:
             return self._fit.why_not or "Finds the thresholds that name the most frames right in what is loaded."
@@ -76,7 +72,8 @@ class FitPanel(QWidget):
 
     def _connect(self) -> None:
         self.begin.clicked.connect(self._fit.begin)
-        self.stop.clicked.connect(self._fit.cancel)
+        self.stop.clicked.connect(self._fit.searching.cancel)
         self.accept.clicked.connect(self._fit.accept)
         self.refuse.clicked.connect(self._fit.refuse)
-        self._fit.changed.connect(self.show_state)
+        for signal in (self._fit.changed, self._fit.searching.changed):
+            signal.connect(self.show_state)

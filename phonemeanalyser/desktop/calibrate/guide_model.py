@@ -92,12 +92,12 @@ class Phase(StrEnum):
 
 
 class GuideModel(QObject):
-    """Leads through all sounds; `tick` moves it on.
+    """Leads through all sounds; it goes on whenever sound was heard.
 
     Signals
     -------
     changed : another phase or another step.
-    failed : a sentence for the user.
+    error : a sentence for the user.
     """
 
     changed = Signal()
@@ -123,6 +123,8 @@ class GuideModel(QObject):
         self._checks = TaskQueue(self._ask_again)
         takes.added.connect(self._note_take)
         takes.error.connect(self._note_refusal)
+        takes.idle.connect(self._learn)
+        session.heard.connect(self._follow)
 
     # -- how far it is ------------------------------------------------------------------------------------
 
@@ -159,7 +161,7 @@ class GuideModel(QObject):
     def share(self) -> float:
         """How much of the sound that is asked for was heard, 0..1; of the learning, how much is done."""
         if self.phase is Phase.LEARNING:
-            return self._work.share
+            return self._work.progress
         if self.phase is Phase.SHOWING:
             return 0.0 if self.advice else 1.0
         if self.phase is not Phase.HEARING or self._voice_at is None:
@@ -216,16 +218,13 @@ class GuideModel(QObject):
 
     def close(self) -> None:
         """End all work."""
-        self._forget_work()
-        self._checks.close()
-        self._work.close()
+        for queue in (self._checks, self._work):
+            queue.close()
 
     # -- how it goes on -----------------------------------------------------------------------------------
 
-    def tick(self) -> None:
-        """Look whether what is awaited has come."""
-        self._work.see()
-        self._checks.see()
+    def _follow(self) -> None:
+        """Look whether what is awaited was heard."""
         catch = self._session.microphone.catch
         if self.phase is Phase.WAITING:
             self._look_for_voice()
@@ -234,14 +233,13 @@ class GuideModel(QObject):
                 self._check()
         elif self.phase is Phase.SHOWING and catch.seconds >= self._pause:
             self._go_to(self.index if self.advice else self.index + 1, advice=self.advice)
-        elif self.phase is Phase.LEARNING and not self._takes.busy and not self._work.busy:
-            self._learn()
 
     def _go_to(self, index: int, advice: str = "") -> None:
         self.index, self.advice, self._voice_at = index, advice, None
         if index >= N_STEPS:
             self._session.microphone.catch.end()
             self._show(Phase.LEARNING)
+            self._learn()
             return
         if not self._session.microphone.active:
             self._session.play()
@@ -292,7 +290,7 @@ class GuideModel(QObject):
                 raise TakeError("No sound was kept before it; go back and say some.")
             return keep_sentence(folder, samples, rate, mono, sentence, speaker)
 
-        self._checks.instead(keep, self._take_sentence)
+        self._checks.replace(keep, self._take_sentence)
         self._show(Phase.CHECKING)
 
     def _take_sentence(self, spoken: Utterance) -> None:
@@ -336,12 +334,15 @@ class GuideModel(QObject):
         return list(room.notes)
 
     def _learn(self) -> None:
+        """Begin to learn, as soon as all takes are on the disk."""
+        if self.phase is not Phase.LEARNING or self._takes.busy or self._work.busy:
+            return
         numbers = set(self.numbers.values())
         wanted = [t for t in self._takes.now.takes if t.number in numbers and not t.excluded]
         sounds = {self._takes.path_of(take) for take in wanted}
         takes = [u for u in self._takes.utterances() if u.path in sounds]
         preset, held_back = self._preset.preset, (self.spoken,) if self.spoken else ()
-        self._work.instead(
+        self._work.replace(
             lambda progress: calibrate(preset, takes, held_back=held_back, progress=progress), self._take_outcome
         )  # fmt: skip
 

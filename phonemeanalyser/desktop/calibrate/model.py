@@ -9,8 +9,7 @@ from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel, FitMode
 from phonemeanalyser.desktop.calibrate.guide_model import GuideModel
 from phonemeanalyser.desktop.calibrate.recordings_model import RecordingsModel
 from phonemeanalyser.desktop.calibrate.room_model import RoomModel
-from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
-from phonemeanalyser.desktop.calibrate.undo import UndoOrder
+from phonemeanalyser.desktop.calibrate.takes_model import TakeEdit, TakesModel
 from phonemeanalyser.desktop.session.capture import SampleCapture
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
@@ -23,14 +22,14 @@ TAKES_FOLDER = "Takes"
 
 
 class CalibrationModel(QObject):
-    """Joins what the page shows; `tick` moves it on.
+    """Joins what the page shows.
 
     Signals
     -------
     held : another phoneme is held, or none any more.
     stretch_changed : another stretch of the file is marked.
-    told : a sentence for the user about something that went well.
-    failed : a sentence for the user.
+    info : a sentence for the user about something that went well.
+    error : a sentence for the user.
     """
 
     held = Signal()
@@ -49,12 +48,14 @@ class CalibrationModel(QObject):
         self.rival = ComparisonModel(preset, self.bench)
         self.guide = GuideModel(session, preset, self.takes)
         self.room = RoomModel(session, preset, self.takes)
-        self.edits = UndoOrder(self, self.takes, preset.undo_stack)
         self.phoneme: Phoneme | None = None
         self.stretch: tuple[float, float] | None = None
         self._from: float | None = None
         self._until: tuple[Path, float] | None = None
         self.room.info.connect(self.info)
+        self.takes.edited.connect(self._note_edit)
+        self.takes.opened.connect(self._forget_edits)
+        preset.loaded.connect(self._keep_edits)
         for model in (self.takes, self.recordings):
             model.changed.connect(self._load_bench)
             model.info.connect(self.info)
@@ -62,6 +63,8 @@ class CalibrationModel(QObject):
         for worker in (self.bench, self.fit, self.rival, self.guide, self.room):
             worker.error.connect(self.error)
         session.opened.connect(self._forget_stretch)
+        session.heard.connect(self._follow)
+        session.transport_changed.connect(self._stop_at_end)
 
     # -- takes from microphone and file -------------------------------------------------------------------
 
@@ -166,18 +169,20 @@ class CalibrationModel(QObject):
         session.play()
         self._until = path, end + around
 
-    def tick(self) -> None:
-        """Take note of what was done in the background, and end what was to be played to its end."""
-        self.takes.see()
-        self.recordings.see()
-        self.bench.see()
-        self.fit.see()
-        self.rival.see()
-        self.room.tick()
-        if self.guide.running:
-            self.guide.tick()
+    def close(self) -> None:
+        """Wait until all takes are on the disk, and end all other work."""
+        for worker in (self.guide, self.room, self.fit, self.rival, self.bench):
+            worker.close()
+        self.recordings.close()
+        self.takes.close()
+
+    def _follow(self) -> None:
+        """End what has lasted long enough."""
         if self.phoneme is not None and self._from is None and self.catch.full:
             self.release()
+        self._stop_at_end()
+
+    def _stop_at_end(self) -> None:
         if self._until is not None:
             path, end = self._until
             session = self.session
@@ -187,12 +192,19 @@ class CalibrationModel(QObject):
                 self._until = None
                 session.pause()
 
-    def close(self) -> None:
-        """Wait until all takes are on the disk, and end all other work."""
-        for worker in (self.guide, self.room, self.fit, self.rival, self.bench):
-            worker.close()
-        self.recordings.close()
-        self.takes.close()
+    def _note_edit(self, what: str) -> None:
+        self.preset.undo_stack.push(TakeEdit(self.takes, what))
+
+    def _forget_edits(self) -> None:
+        """Begin a new history where there are changes of another project in the old one."""
+        stack = self.preset.undo_stack
+        if any(isinstance(stack.command(k), TakeEdit) for k in range(stack.count())):
+            stack.clear()
+
+    def _keep_edits(self) -> None:
+        """Have what was done with the takes in the new history too, which begins with another preset."""
+        for what in self.takes.now.changes:
+            self._note_edit(what)
 
     def _load_bench(self) -> None:
         found = (*self.takes.utterances(), *self.recordings.utterances)

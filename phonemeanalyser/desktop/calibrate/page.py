@@ -37,8 +37,6 @@ class CalibrationPage(QWidget):
         """Show what changes by itself."""
         if self._calibration.guide.running:
             self.guide.refresh()
-        else:
-            self.workbench.refresh()
 
     def _show_guide(self) -> None:
         running = self._calibration.guide.running

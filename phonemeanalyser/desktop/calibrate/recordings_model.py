@@ -17,14 +17,14 @@ Read = tuple[tuple[Utterance, ...], list[str]]
 
 
 class RecordingsModel(QObject):
-    """Reads labelled recordings in the background; `see` hands over what was read.
+    """Reads labelled recordings in the background.
 
     Signals
     -------
     changed : the recordings are others.
     unknown : names in the label files stand for no phoneme: how often each occurs, and what was to be read.
-    told : a sentence for the user about something that went well.
-    failed : a sentence for the user.
+    info : a sentence for the user about something that went well.
+    error : a sentence for the user.
     """
 
     changed = Signal()
@@ -53,7 +53,7 @@ class RecordingsModel(QObject):
         """Read folders or sounds with their labels beside those that are there."""
         wanted = [path for path in sources if path not in self.sources]
         mapping = self.mapping
-        self._reading.do(lambda _progress: _read(wanted, mapping), lambda found: self._take_up(wanted, found))
+        self._reading.submit(lambda _progress: _read(wanted, mapping), lambda found: self._take_up(wanted, found))
 
     def map(self, phonemes: dict[str, Phoneme], sources: Sequence[Path]) -> None:
         """Return what names stand for, and read again what they stood in."""
@@ -66,13 +66,8 @@ class RecordingsModel(QObject):
         self.utterances, self.sources = (), []
         self.changed.emit()
 
-    def see(self) -> None:
-        """Take note of what was read."""
-        self._reading.see()
-
     def close(self) -> None:
         """End all reading."""
-        self._reading.cancel()
         self._reading.close()
 
     def _take_up(self, sources: list[Path], found: Read | dict[str, int]) -> None:

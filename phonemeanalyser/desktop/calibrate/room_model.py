@@ -23,13 +23,13 @@ Found = tuple[RoomNoise, Preset, SilenceAccuracy]
 
 
 class RoomModel(QObject):
-    """Hears the room, sets the preset's silence by it, and says how sure that is; `tick` moves it on.
+    """Hears the room, sets the preset's silence by it, and says how sure that is.
 
     Signals
     -------
     changed : it begins to listen, or has ended.
-    told : a sentence for the user about what was found.
-    failed : a sentence for the user.
+    info : a sentence for the user about what was found.
+    error : a sentence for the user.
     """
 
     changed = Signal()
@@ -43,6 +43,8 @@ class RoomModel(QObject):
         self._preset = preset
         self._takes = takes
         self._work = TaskQueue(self.error.emit)
+        session.heard.connect(self._look_for_end)
+        session.microphone.changed.connect(self._look_for_end)
 
     def begin(self) -> None:
         """Hear the room for two seconds; the microphone listens already."""
@@ -57,9 +59,13 @@ class RoomModel(QObject):
             self._listen(on=False)
         self._work.cancel()
 
-    def tick(self) -> None:
-        """Look whether enough was heard, and take note of what was found."""
-        self._work.see()
+    def close(self) -> None:
+        """End all work."""
+        self.cancel()
+        self._work.close()
+
+    def _look_for_end(self) -> None:
+        """Take what was heard, once it is enough."""
         if not self.listening:
             return
         if not self._session.microphone.active:
@@ -69,12 +75,7 @@ class RoomModel(QObject):
             samples, rate = self._session.microphone.catch.end()
             self._listen(on=False)
             preset, takes = self._preset.preset, self._takes.utterances()
-            self._work.instead(lambda _progress: _found_in(samples, rate, preset, takes), self._use)
-
-    def close(self) -> None:
-        """End all work."""
-        self.cancel()
-        self._work.close()
+            self._work.replace(lambda _progress: _found_in(samples, rate, preset, takes), self._use)
 
     def _use(self, found: Found) -> None:
         room, preset, sure = found

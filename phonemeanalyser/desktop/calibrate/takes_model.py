@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand
 
 from phonemeanalyser.desktop.calibrate.take_labels import write_labels_of
 from phonemeanalyser.desktop.calibrate.take_reports import noise_in, report_of, reports_of, sound_in
@@ -36,36 +37,62 @@ class Snapshot:
     ----------
     takes : all of it that is not deleted, in the order in which they were made.
     reports : what the check found, by number.
-    undoable, redoable : what can be taken back or done again, in words.
+    changes : what was done with them since the project was opened, and not undone, in words.
     """
 
     takes: tuple[Take, ...] = ()
     reports: Mapping[int, TakeReport] = field(default_factory=dict)
-    undoable: str | None = None
-    redoable: str | None = None
+    changes: tuple[str, ...] = ()
+
+
+class TakeEdit(QUndoCommand):
+    """A change of a take, which the project has made already; its journal takes it back and does it again.
+
+    Parameters
+    ----------
+    what : the change in words, for the Edit menu.
+    """
+
+    def __init__(self, takes: "TakesModel", what: str) -> None:
+        super().__init__(what)
+        self._takes = takes
+        self._done = True
+
+    def undo(self) -> None:
+        """Take the project's last change back."""
+        self._done = False
+        self._takes.undo()
+
+    def redo(self) -> None:
+        """Do it again, but for the first time, when it is pushed."""
+        if not self._done:
+            self._takes.redo()
+        self._done = True
 
 
 class TakesModel(QObject):
-    """The takes of the project in hand. The disk is asked in the background; `see` hands over what it said.
+    """The takes of the project in hand. The disk is asked in the background.
 
     Signals
     -------
     opened : another project is in hand.
     changed : the takes are others.
-    kept : a change was made that can be undone.
+    edited : a change was made that can be undone: what, in words.
     added : number of a take that is new.
     sound_read : the sound of the selected take is there.
-    told : a sentence for the user about something that went well.
-    failed : a sentence for the user.
+    info : a sentence for the user about something that went well.
+    error : a sentence for the user.
+    idle : all that was asked of the disk is done.
     """
 
     opened = Signal()
     changed = Signal()
-    kept = Signal()
+    edited = Signal(str)
     added = Signal(int)
     sound_read = Signal()
     info = Signal(str)
     error = Signal(str)
+    idle = Signal()
 
     def __init__(self, default_folder: Callable[[], Path]) -> None:
         super().__init__()
@@ -78,6 +105,7 @@ class TakesModel(QObject):
         self._shown: Path | None = None
         self._reports: dict[int, TakeReport] = {}
         self._disk = TaskQueue(self.error.emit)
+        self._disk.idle.connect(self.idle)
 
     # -- what there is ------------------------------------------------------------------------------------
 
@@ -117,18 +145,14 @@ class TakesModel(QObject):
         """Open a project, made where there is none; what was in hand is let go when that went well."""
 
         if self.folder is None or folder.resolve() != self.folder.resolve():
-            self._disk.do(lambda _progress: self._opened_in_work(folder), self._show)
+            self._disk.submit(lambda _progress: self._opened_in_work(folder), self._show)
 
     def close(self) -> None:
         """Wait until everything is on the disk, and let the project go."""
-        self._disk.close()
+        self._disk.finish()
         if self._project is not None:
             self._project.close()
             self._project = None
-
-    def see(self) -> None:
-        """Take note of what the disk said."""
-        self._disk.see()
 
     # -- changes ------------------------------------------------------------------------------------------
 
@@ -211,7 +235,7 @@ class TakesModel(QObject):
 
     def write_labels(self, suffix: str, program: str) -> None:
         """Write label files for another program beside the sounds of all takes: its name, and how they end."""
-        self._disk.do(lambda _progress: write_labels_of(self._project, suffix, program), self.info.emit)
+        self._disk.submit(lambda _progress: write_labels_of(self._project, suffix, program), self.info.emit)
 
     def select(self, number: int | None) -> None:
         """Choose a take, whose sound is read."""
@@ -222,7 +246,7 @@ class TakesModel(QObject):
             self.sound_read.emit()
             return
         path = self.path_of(take)
-        self._disk.do(lambda _progress: sound_in(path), lambda sound: self._show_sound(number, sound))
+        self._disk.submit(lambda _progress: sound_in(path), lambda sound: self._show_sound(number, sound))
 
     # -- in the background --------------------------------------------------------------------------------
 
@@ -247,14 +271,14 @@ class TakesModel(QObject):
             return act(project), self._snapshot_of(project)
 
         def hand_over(found: tuple[Take | None, Snapshot]) -> None:
-            before = self.now.takes
+            before = len(self.now.changes)
             self._show(found[1])
-            if is_new and self.now.takes != before:
-                self.kept.emit()
+            for what in self.now.changes[before:] if is_new else ():
+                self.edited.emit(what)
             if found[0] is not None:
                 then(found[0])
 
-        self._disk.do(lambda _progress: work(), hand_over)
+        self._disk.submit(lambda _progress: work(), hand_over)
 
     def _opened_in_work(self, folder: Path) -> Snapshot:
         project, before = TakeProject(folder), self._project
@@ -283,7 +307,7 @@ class TakesModel(QObject):
         return take
 
     def _snapshot_of(self, project: TakeProject) -> Snapshot:
-        return Snapshot(project.takes, dict(self._reports), project.undoable, project.redoable)
+        return Snapshot(project.takes, dict(self._reports), project.changes)
 
     def _noise_now(self, project: TakeProject) -> float:
         return noise_in(project.takes, self._reports)

@@ -53,11 +53,6 @@ class VariablesPanel(QWidget):
         self._connect()
         self._fill()
 
-    def refresh(self) -> None:
-        """Show how far a search is."""
-        busy = self._bench.searching
-        self.search.setText(f"stop {100 * self._bench.search_share:.0f} %" if busy else "suggest")
-
     def _lay_out(self) -> None:
         self.setFixedWidth(216)
         self.table.setHorizontalHeaderLabels(["variable", "separates"])
@@ -122,6 +117,7 @@ class VariablesPanel(QWidget):
         self.add.clicked.connect(self._add)
         self._bench.distribution_changed.connect(self._fill)
         self._bench.suggested.connect(self._fill)
+        self._bench.searching.changed.connect(self._show_search)
         self._bench.confusion_changed.connect(self._tell)  # the recogniser may be another
 
     def _fill(self) -> None:
@@ -161,9 +157,13 @@ class VariablesPanel(QWidget):
             self._bench.look_at(suggestion)
         self._show_add()
 
+    def _show_search(self) -> None:
+        searching = self._bench.searching
+        self.search.setText(f"stop {100 * searching.progress:.0f} %" if searching.busy else "suggest")
+
     def _search(self) -> None:
-        if self._bench.searching:
-            self._bench.cancel_search()
+        if self._bench.searching.busy:
+            self._bench.searching.cancel()
         else:
             self._bench.suggest(Phoneme(self.one.currentData()), self.other.currentData())
 

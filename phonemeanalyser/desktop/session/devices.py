@@ -1,17 +1,15 @@
 """The microphones that there are."""
 
-import threading
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.threads import start_thread
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.audio.devices import Device, inputs_of
-from phonemeengine.errors import EngineError
 
 
 class DeviceList(QObject):
-    """Lists what records, the default first; `look` looks anew, and `see` takes note of what was found.
+    """Lists what records, the default first; a sound system that does not answer has none.
 
     Signals
     -------
@@ -24,25 +22,14 @@ class DeviceList(QObject):
         super().__init__()
         self.devices: list[Device] = []
         self._list_devices = list_devices
-        self._found: list[Device] | None = None
-        self._looking: threading.Thread | None = None
+        self._looking = TaskQueue(lambda _sentence: self._show([]))
 
     def look(self) -> None:
         """Look which there are now."""
-        if self._looking is None:
-            self._looking = start_thread(self._look)
+        if not self._looking.busy:
+            self._looking.submit(lambda _progress: inputs_of(self._list_devices()), self._show)
 
-    def see(self) -> None:
-        """Take note of what was found, if it was."""
-        if self._looking is None or self._looking.is_alive():
-            return
-        self._looking = None
-        if self._found is not None and self._found != self.devices:
-            self.devices = self._found
+    def _show(self, devices: list[Device]) -> None:
+        if devices != self.devices:
+            self.devices = devices
             self.changed.emit()
-
-    def _look(self) -> None:
-        try:
-            self._found = inputs_of(self._list_devices())
-        except EngineError:
-            self._found = []

@@ -1,23 +1,23 @@
 """The microphone: which one, what it does, and what is recorded of it."""
 
-import threading
 import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from phonemeanalyser.desktop.session.capture import SampleCapture
 from phonemeanalyser.desktop.session.devices import DeviceList
 from phonemeanalyser.desktop.session.latency_test import LatencyTest
-from phonemeanalyser.desktop.threads import start_thread
+from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.journal import InterruptedRecording, interrupted_recordings
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
 from phonemeengine.live.listener import Listener
+from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.paths import journal_folder, new_recording_path, recordings_folder
@@ -31,18 +31,22 @@ PATIENCE = 0.5
 """Seconds for which nothing may come, as when a microphone is opened, before that counts as trouble."""
 MOST_CHANNELS = 8
 """Channels to choose from at most; some devices claim any number."""
+WATCH_MS = 100
+"""How often it is looked whether the microphone, or the recording, is in trouble."""
+CLOSE_TIMEOUT = 6.0
+"""Seconds after which the end of the program waits no longer for a card, or a disk."""
 
 
 class Microphone(QObject):
-    """Listens and records; `take` moves it on.
+    """Listens and records.
 
     Signals
     -------
     changed : another choice, or a recording begins or ends.
     devices_changed : the list of devices is another.
     recorded : a recording is complete: its path, its seconds, and the gaps in it, in words.
-    told : a sentence for the user about something that went well.
-    failed : a sentence for the user.
+    info : a sentence for the user about something that went well.
+    error : a sentence for the user.
     """
 
     changed = Signal()
@@ -54,11 +58,13 @@ class Microphone(QObject):
     def __init__(
         self, make_listener: Callable[..., Listener] = Listener, list_devices: Callable[[], list[Device]] = devices,
         journal: Path | None = None, folder: Path | None = None,
+        measure: Callable[[InputChoice], Loopback] = measure_loopback,
     ) -> None:  # fmt: skip
         super().__init__()
         self.choice = InputChoice()
         self.inputs = DeviceList(list_devices)
-        self.clicks = LatencyTest()
+        self._cards, self._files = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
+        self.latency_test = LatencyTest(self._cards, measure)
         self.catch = SampleCapture()
         self.folder = self._rescue = folder or recordings_folder()
         self.suffix = ".wav"
@@ -68,15 +74,16 @@ class Microphone(QObject):
         self._make_listener = make_listener
         self._listener: Listener | None = None
         self._tape: Recorder | None = None
-        self._ending: list[tuple[threading.Thread, Recorder]] = []
-        self._leaving: list[threading.Thread] = []
         self._preset = Preset()
         self._goes_on = False
         self._troubled = self._words = ""
         self._since = 0.0
         self.inputs.changed.connect(self.devices_changed)
-        self.clicks.info.connect(self.info)
-        self.clicks.error.connect(self.error)
+        self.latency_test.info.connect(self.info)
+        self.latency_test.error.connect(self.error)
+        self.latency_test.ended.connect(self._go_on)
+        self._watch = QTimer(self, interval=WATCH_MS)
+        self._watch.timeout.connect(self._look_for_trouble)
 
     # -- how it is ----------------------------------------------------------------------------------------
 
@@ -104,7 +111,7 @@ class Microphone(QObject):
     def words(self) -> str:
         """What is going on, in words."""
         if self._listener is None:
-            return "measuring its latency" if self.clicks.running else "not listening"
+            return "measuring its latency" if self.latency_test.running else "not listening"
         status = self._listener.status
         rate = f"{self._listener.rate:,} Hz".replace(",", " ")
         return f"{status.words}, {rate}" if status.listening else status.words
@@ -143,7 +150,7 @@ class Microphone(QObject):
         if self._listener is None or not self.listening:
             return None
         latency = self._listener.latency
-        measured = self.clicks.result
+        measured = self.latency_test.result
         return replace(latency, capture=measured.capture) if measured and measured.capture else latency
 
     @property
@@ -156,10 +163,11 @@ class Microphone(QObject):
     def listen(self, preset: Preset) -> None:
         """Begin to listen; while the latency is measured, as soon as that is done."""
         self._preset = preset
-        if self.clicks.running:
+        if self.latency_test.running:
             self._goes_on = True
         elif self._listener is None:
             self._listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self.catch.add_samples)
+            self._watch.start()
             self.changed.emit()
 
     def stop(self) -> None:
@@ -168,7 +176,9 @@ class Microphone(QObject):
         self._goes_on = False
         listener, self._listener = self._listener, None
         if listener is not None:
-            self._leaving.append(start_thread(listener.close))  # a sound server that hangs must not hang the window
+            self._watch.stop()
+            self._troubled = self._words = ""
+            self._cards.submit(lambda _progress: listener.close())  # a sound server that hangs, hangs no window
             self.changed.emit()
 
     def set_preset(self, preset: Preset) -> None:
@@ -181,7 +191,7 @@ class Microphone(QObject):
         """Listen to another microphone, channel or rate."""
         if choice != self.choice:
             self.choice = choice
-            self.clicks.result = None
+            self.latency_test.result = None
             if self._listener is not None:
                 self._listener.choose(choice)
             self.changed.emit()
@@ -199,17 +209,17 @@ class Microphone(QObject):
         self.inputs.look()
 
     def measure(self) -> None:
-        """Play clicks and listen for them; `told` or `failed` tells what came of it. Listening goes on afterwards."""
-        if not self.clicks.running:
+        """Play clicks and listen for them; `info` or `error` tells what came of it. Listening goes on afterwards."""
+        if not self.latency_test.running:
             goes_on = self.active
             self.stop()
             self._goes_on = goes_on
-            self.clicks.begin(self.choice, self._leaving)
+            self.latency_test.begin(self.choice)
             self.changed.emit()
 
     def begin_recording(self) -> None:
         """Record what is heard from now on into a new file in the folder."""
-        if self.clicks.running:
+        if self.latency_test.running:
             self.error.emit("Nothing is recorded, since the latency is being measured; try again in a few seconds.")
         if self._listener is None or self._tape is not None:
             return
@@ -230,7 +240,7 @@ class Microphone(QObject):
         if tape is not None:
             if self._listener is not None:
                 self._listener.record(None)
-            self._ending.append((start_thread(tape.close), tape))
+            self._files.submit(lambda _progress: tape.close(), lambda _none: self._tell_recorded(tape))
             self.changed.emit()
 
     def interrupted_recordings(self) -> list[InterruptedRecording]:
@@ -238,21 +248,14 @@ class Microphone(QObject):
         return interrupted_recordings(self._journal)
 
     def take_analyses(self) -> list[Analysis]:
-        """Return what was found since the last call, and see to recordings; raises what ended the listening."""
-        self._leaving = [thread for thread in self._leaving if thread.is_alive()]
-        self.inputs.see()
-        if self.clicks.see():
-            self._go_on()
-        self._see_to_recordings()
-        self._see_to_trouble()
+        """Return what was found since the last call; raises what ended the listening."""
         return self._listener.take_analyses() if self._listener else []
 
     def close(self) -> None:
         """Let everything go; waits until recordings are complete."""
         self.stop()
-        measuring = [self.clicks.measuring] if self.clicks.measuring else []
-        for thread in [*self._leaving, *measuring, *(thread for thread, _ in self._ending)]:
-            thread.join(timeout=6)
+        for queue in (self._cards, self._files):
+            queue.finish(CLOSE_TIMEOUT)
 
     def _go_on(self) -> None:
         """Listen again, if it was listened to before the latency was measured."""
@@ -261,15 +264,21 @@ class Microphone(QObject):
             self.listen(self._preset)
         self.changed.emit()
 
-    def _see_to_trouble(self) -> None:
+    def _look_for_trouble(self) -> None:
         """Say once when nothing comes any more, and once when it does again."""
-        if self._listener is None or self._listener.status.listening:
-            if self._troubled and self._listener is not None:
-                lost = f"{self.lost_seconds:.1f} s could not be heard"
-                self.info.emit(f"The microphone is there: {self._listener.status.words}; {lost}.")
+        if self._tape is not None and self._tape.failure:
+            self.end_recording()
+        if self._listener is None:
+            return
+        status = self._listener.status
+        if status.listening:
+            if self._troubled:
+                self.info.emit(
+                    f"The microphone is there: {status.words}; {self.lost_seconds:.1f} s could not be heard."
+                )
             self._troubled = self._words = ""
             return
-        words, now = self._listener.status.words.split(" since ")[0], time.monotonic()
+        words, now = status.words.split(" since ")[0], time.monotonic()
         if words != self._words:
             self._words, self._since = words, now
         if words != self._troubled and now - self._since >= PATIENCE:
@@ -277,20 +286,15 @@ class Microphone(QObject):
             waits = "; the recording waits for it" if self.recording else ""
             self.error.emit(f"{words[0].upper()}{words[1:]}{waits}.")
 
-    def _see_to_recordings(self) -> None:
-        if self._tape is not None and self._tape.failure:
-            self.end_recording()
-        for ending in [e for e in self._ending if not e[0].is_alive()]:
-            self._ending.remove(ending)
-            tape = ending[1]
-            if tape.failure:
-                self.error.emit(tape.failure)
-            elif tape.path is not None and tape.seconds:
-                self.recorded.emit(str(tape.path), tape.seconds, tape.gap_words)
-                for remark in _remarks(tape):
-                    self.info.emit(remark)
-            else:
-                self.error.emit("Nothing was recorded, since no sound came; check the microphone.")
+    def _tell_recorded(self, tape: Recorder) -> None:
+        if tape.failure:
+            self.error.emit(tape.failure)
+        elif tape.path is not None and tape.seconds:
+            self.recorded.emit(str(tape.path), tape.seconds, tape.gap_words)
+            for remark in _remarks(tape):
+                self.info.emit(remark)
+        else:
+            self.error.emit("Nothing was recorded, since no sound came; check the microphone.")
 
 
 def _remarks(tape: Recorder) -> list[str]:

@@ -19,12 +19,12 @@ BLOCK = 5 * SAMPLE_RATE
 
 
 class PhonemeWriter(QObject):
-    """Analyses files in the background and writes what was found; `see` hands over what came of it.
+    """Analyses files in the background and writes what was found.
 
     Signals
     -------
-    told : a sentence for the user about something that goes well.
-    failed : a sentence for the user.
+    info : a sentence for the user about something that goes well.
+    error : a sentence for the user.
     """
 
     info = Signal(str)
@@ -47,18 +47,14 @@ class PhonemeWriter(QObject):
         target : its ending says in which format: .TextGrid, .txt (Audacity) or .csv (the corpus format).
         """
         self.info.emit(f"The phonemes of {sound.name} are looked for, and then saved in {target.name} …")
-        self._work.do(
+        self._work.submit(
             lambda progress: _write(sound, channel, preset, target, progress),
             lambda _none: self.info.emit(f"The phonemes of {sound.name} are saved in {target}."),
         )
 
-    def see(self) -> None:
-        """Take note of what was written."""
-        self._work.see()
-
     def close(self) -> None:
         """Wait until what was asked for is written."""
-        self._work.close()
+        self._work.finish()
 
 
 def _write(sound: Path, channel: Channel, preset: Preset, target: Path, progress: Progress) -> None:

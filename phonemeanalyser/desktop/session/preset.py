@@ -81,11 +81,13 @@ class PresetModel(QObject):
     -------
     changed : the preset in force is another one.
     file_changed : the file's name, or whether there are unsaved changes.
-    refused : a sentence for the user: the recogniser in use does not take that number.
+    loaded : another file is in hand, and the history of changes begins anew.
+    rejected : a sentence for the user: the recogniser in use does not take that number.
     """
 
     changed = Signal()
     file_changed = Signal()
+    loaded = Signal()
     rejected = Signal(str)
 
     def __init__(self, path: Path = DEFAULT_PRESET) -> None:
@@ -150,6 +152,7 @@ class PresetModel(QObject):
         self.path = path
         self.undo_stack.clear()
         self._apply(preset)
+        self.loaded.emit()
         self.file_changed.emit()
 
     def lost_in(self, path: Path) -> tuple[str, ...]:
@@ -191,6 +194,11 @@ class PresetModel(QObject):
                 self._made = self._make(preset)
             self.undo_stack.push(_Edit(self._apply_edit, self.preset, preset, what, self._run))
             self.file_changed.emit()
+
+    def revert(self) -> None:
+        """Return to what the preset's file says, in one change."""
+        self.end_edit()
+        self.edit(self._saved, "return to the file")
 
     def end_edit(self) -> None:
         """End a run of changes that undo takes back together, such as a drag."""

@@ -346,12 +346,8 @@ class Session(QObject):
 
     def poll(self) -> bool:
         """Gather what has been heard since the last tick; say whether there was anything."""
-        self.writer.see()
         try:
-            heard = (
-                self.microphone.take_analyses()
-            )  # it tells of devices and recordings even while another source is in use
-            blocks = heard if self._player is None else self._player.take_analyses()
+            blocks = (self._player or self.microphone).take_analyses()
         except EngineError as error:
             self.stop()
             self.error.emit(str(error))

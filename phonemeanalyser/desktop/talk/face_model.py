@@ -35,7 +35,7 @@ class FaceFiles:
 
 
 class FaceModel(QObject):
-    """Loads faces in the background and moves the one that is there; `see` takes note of what was loaded.
+    """Loads faces in the background and moves the one that is there.
 
     Signals
     -------
@@ -89,11 +89,7 @@ class FaceModel(QObject):
         """Load a face instead of the one that is there."""
         self._asked = True
         self.files = files
-        self._work.instead(lambda _progress: _loaded(files), lambda figure: self._take(files, figure))
-
-    def see(self) -> None:
-        """Take note of what was loaded."""
-        self._work.see()
+        self._work.replace(lambda _progress: _loaded(files), lambda figure: self._take(files, figure))
 
     def moved_by(self, table: MouthTable) -> tuple[str, ...]:
         """Name the movestates of this face that a table moves."""
@@ -125,7 +121,6 @@ class FaceModel(QObject):
 
     def close(self) -> None:
         """End the work."""
-        self._work.cancel()
         self._work.close()
 
     def _pairs(self, table: MouthTable) -> list[tuple[int, str]]:

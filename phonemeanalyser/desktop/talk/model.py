@@ -96,7 +96,7 @@ class TalkModel(QObject):
             if name != self.table_name:
                 self._take_table(name, load_table(name))
         else:
-            self._work.instead(lambda _progress: load_table(name), lambda table: self._take_table(name, table))
+            self._work.replace(lambda _progress: load_table(name), lambda table: self._take_table(name, table))
 
     def set_detail(self, detail: Detail) -> None:
         """Follow more of the speech, or less."""
@@ -166,9 +166,6 @@ class TalkModel(QObject):
 
     def tick(self) -> None:
         """Follow what is heard, and move the face there if anybody looks; call it after the session's own tick."""
-        self.face.see()
-        self.osc.see()
-        self._work.see()
         heard, self._heard = self._heard, []
         if not self.watched:
             self._last = None
@@ -182,7 +179,6 @@ class TalkModel(QObject):
         """Let everything go."""
         self.osc.close()
         self.face.close()
-        self._work.cancel()
         self._work.close()
 
     def _listen(self, heard: list[Analysis], now: float) -> None:

@@ -3,10 +3,9 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from phonemeanalyser.desktop.tasks import TaskQueue
-from phonemeanalyser.desktop.threads import start_thread
 from phonemeengine.analyser import Analysis
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.morpher import Detail
@@ -19,6 +18,10 @@ USUAL_ADDRESS = "127.0.0.1:39539"
 AS_THE_HEAD = "head"
 TABLES = (AS_THE_HEAD, "arkit", "vrm", "oculus")
 """What is sent: what moves the head, or one of the sets of movestates that receivers know."""
+CLOSE_TIMEOUT = 2.0
+"""Seconds after which the end of the program waits no longer for the network."""
+WATCH_MS = 100
+"""How often it is looked whether the receiver is still reached."""
 
 
 class OscModel(QObject):
@@ -48,6 +51,8 @@ class OscModel(QObject):
         self._said = ""
         self._asked: tuple[dict[Phoneme, float], float] = ({}, 1.0)
         self._work = TaskQueue(self._fail)
+        self._watch = QTimer(self, interval=WATCH_MS)
+        self._watch.timeout.connect(self._look_for_failure)
 
     @property
     def on(self) -> bool:
@@ -104,9 +109,7 @@ class OscModel(QObject):
         if self._mouth is not None:
             self._mouth.ask(*self._asked)
 
-    def see(self) -> None:
-        """Take note of what the network says."""
-        self._work.see()
+    def _look_for_failure(self) -> None:
         failure = self._mouth.failure if self._mouth else ""
         if failure and failure != self._said:
             self.error.emit(_sentence(failure))
@@ -114,11 +117,8 @@ class OscModel(QObject):
 
     def close(self) -> None:
         """Close the mouth at the receiver, and stop."""
-        self._wanted = None
-        self._work.close()
-        if self._mouth is not None:
-            self._mouth.close()
-            self._mouth = None
+        self._leave()
+        self._work.finish(CLOSE_TIMEOUT)
 
     def _begin(self) -> None:
         table, detail = self._table_of_receiver(), self._detail
@@ -128,7 +128,7 @@ class OscModel(QObject):
         except EngineError as error:
             self._fail(str(error))
             return
-        self._work.do(
+        self._work.submit(
             lambda _progress: OscMouth(address, table, detail=detail), lambda mouth: self._take(wanted, mouth)
         )
 
@@ -141,17 +141,19 @@ class OscModel(QObject):
     def _take(self, wanted: tuple[str, MouthTable, Detail], mouth: OscMouth) -> None:
         """Send with this one, unless something else is wanted by now."""
         if wanted == self._wanted and self._mouth is None:
-            self._mouth = mouth
+            self._mouth, self._said = mouth, ""
+            self._watch.start()
             mouth.ask(*self._asked)
             self.changed.emit()
         else:
-            start_thread(mouth.close)
+            self._work.submit(lambda _progress: mouth.close())
 
     def _leave(self) -> None:
         self._wanted = None
+        self._watch.stop()
         mouth, self._mouth = self._mouth, None
         if mouth is not None:
-            start_thread(mouth.close)
+            self._work.submit(lambda _progress: mouth.close())
 
     def _fail(self, sentence: str) -> None:
         self._leave()

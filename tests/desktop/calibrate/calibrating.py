@@ -87,8 +87,9 @@ class Calibrator:
     def settle(self) -> None:
         """Wait until nothing is done in the background."""
         model = self.model
-        rooms = (model.takes, model.recordings, model.bench, model.fit, model.rival)
-        self.until(lambda: not any(room.busy for room in rooms) and not model.bench._looking.busy)
+        bench = (model.bench.measuring, model.bench.looking)
+        rooms = (model.takes, model.recordings, *bench, model.fit.searching, model.rival.measuring)
+        self.until(lambda: not any(room.busy for room in rooms))
         QTest.qWait(40)
 
     def listen(self) -> None:

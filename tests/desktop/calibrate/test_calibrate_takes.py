@@ -1,6 +1,7 @@
 """Takes by mouse and keyboard: recorded, marked, trimmed, relabelled, excluded, deleted, and all that undone."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,9 +16,10 @@ from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, in_room, said
-from tests.desktop.hands import DEMO, LEFT, click, drag, press
+from tests.desktop.hands import DEMO, LEFT, click, drag, edits, press
 from tests.desktop.studio import Booth
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.sounds import silence
@@ -228,8 +230,7 @@ def test_undo_takes_back_what_changed_last_be_it_a_take_or_a_threshold(calibrato
     preset.tune("sz_s1", 3.0)
     calibrator.keep(Phoneme.I)
     window = calibrator.booth.window
-    undo = next(a for a in window.menus._edits_of_page if a.isVisible())
-    assert undo.text() == "Undo add i-2"
+    assert edits(window) == ["Undo add i-2"]
     press(window, Qt.Key.Key_Z, CONTROL)
     calibrator.settle()
     assert len(calibrator.takes) == 1
@@ -246,6 +247,41 @@ def test_undo_takes_back_what_changed_last_be_it_a_take_or_a_threshold(calibrato
         calibrator.settle()
     assert len(calibrator.takes) == 2
     assert preset.preset.thresholds.sz_s1 == 3.0
+
+
+def test_what_was_done_with_takes_can_be_undone_after_another_preset_was_loaded(calibrator: Calibrator):
+    preset, window = calibrator.booth.desktop.preset, calibrator.booth.window
+    calibrator.keep(Phoneme.A)
+    preset.tune("sz_s1", 3.0)
+    calibrator.keep(Phoneme.I)
+    preset.load(DEFAULT_PRESET)
+    assert edits(window) == ["Undo add i-2"]
+    press(window, Qt.Key.Key_Z, CONTROL)
+    calibrator.settle()
+    assert [take.phoneme for take in calibrator.takes] == [Phoneme.A]
+    assert edits(window) == ["Undo add a-1", "Redo add i-2"]
+
+
+def test_a_take_in_place_of_another_is_two_changes(calibrator: Calibrator):
+    calibrator.keep(Phoneme.A)
+    samples = in_room(said(Phoneme.A, 0.8))[:, np.newaxis]
+    calibrator.model.takes.add(samples, SAMPLE_RATE, Phoneme.A, "Desk", instead_of=1)
+    calibrator.settle()
+    assert [take.name for take in calibrator.takes] == ["a-2"]
+    for names in (["a-1", "a-2"], ["a-1"]):
+        press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
+        calibrator.settle()
+        assert [take.name for take in calibrator.takes] == names
+
+
+def test_what_was_done_in_one_project_is_not_undone_in_another(calibrator: Calibrator, tmp_path: Path):
+    window = calibrator.booth.window
+    calibrator.keep(Phoneme.A)
+    calibrator.model.takes.open(tmp_path / "other")
+    calibrator.settle()
+    assert edits(window) == []
+    calibrator.keep(Phoneme.I)
+    assert edits(window) == ["Undo add i-1"]
 
 
 def test_x_excludes_a_take_and_includes_it_again(calibrator: Calibrator):

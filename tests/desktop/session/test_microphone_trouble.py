@@ -6,14 +6,13 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.session import latency_test as click_test
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live.loopback import Loopback
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.desktop.studio import DESK, Studio
 from tests.fakes.microphones import REFUSAL, HandDrivenMicrophone
-from tests.fakes.players import PRESET, wait_for
+from tests.fakes.players import PRESET
 from tests.fakes.portaudio import FakePortAudio
 from tests.fakes.recorders import samples_in, samples_of_16_bits
 from tests.sounds import noise
@@ -26,11 +25,6 @@ def studio(open_studio: Callable[..., Studio], mic: HandDrivenMicrophone) -> Stu
     studio = open_studio(mic)
     studio.model.listen(PRESET)
     return studio
-
-
-@pytest.fixture
-def measured(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(click_test, "measure_loopback", lambda _choice: MEASURED)
 
 
 def known(first: int, n_hops: int) -> np.ndarray:
@@ -52,6 +46,7 @@ def test_a_missing_microphone_is_told_once_and_so_is_its_coming(
     assert studio.failed == [f"{REFUSAL[0].upper()}{REFUSAL[1:]}; trying again every 2 s."]
     studio.openers.waiting.append(mic)
     studio.hear(mic, noise(0.2))
+    studio.until(lambda: studio.told)
     assert studio.told == ["The microphone is there: Desk · ALSA; 0.0 s could not be heard."]
 
 
@@ -122,10 +117,11 @@ def test_a_microphone_that_hangs_when_it_is_opened_holds_nobody_up(
 
 
 def test_what_clicks_measured_takes_the_place_of_the_cards_word_until_another_is_chosen(
-    open_studio: Callable[..., Studio], mic: HandDrivenMicrophone, measured: None
+    open_studio: Callable[..., Studio], mic: HandDrivenMicrophone
 ) -> None:
     back, third = HandDrivenMicrophone(), HandDrivenMicrophone()
     studio = open_studio(mic, back, third)
+    studio.measure = lambda _choice: MEASURED
     studio.model.listen(PRESET)
     studio.hear(mic, noise(0.2))
     assert studio.model.latency.capture == mic.delay
@@ -139,9 +135,8 @@ def test_what_clicks_measured_takes_the_place_of_the_cards_word_until_another_is
     assert studio.model.latency.capture == third.delay
 
 
-def test_nothing_is_recorded_while_clicks_are_played_which_is_said(
-    studio: Studio, measured: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_nothing_is_recorded_while_clicks_are_played_which_is_said(studio: Studio) -> None:
+    studio.measure = lambda _choice: MEASURED
     studio.model.measure()
     studio.model.begin_recording()
     assert not studio.model.recording
@@ -161,4 +156,4 @@ def test_without_a_device_the_latency_is_not_measured_which_is_one_sentence(
         "The latency was not measured: there is no microphone; plug one in, or check that the sound system runs."
     ]
     assert not studio.model.active
-    wait_for(lambda: not studio.model.clicks.running, "the end")
+    assert not studio.model.latency_test.running

@@ -117,6 +117,17 @@ def test_the_value_it_has_already_is_no_change(model: PresetModel) -> None:
     assert model.undo_stack.count() == 0
 
 
+def test_what_the_file_says_comes_back_as_one_change(model: PresetModel) -> None:
+    saved = model.preset
+    model.tune("a_a1", 1.0)
+    model.set_filter(Filter.MEL, True)
+    tuned = model.preset
+    model.revert()
+    assert (model.preset, model.has_unsaved_changes) == (saved, False)
+    model.undo_stack.undo()
+    assert model.preset == tuned
+
+
 # -- bypass ---------------------------------------------------------------------------------------------------
 
 

@@ -137,7 +137,7 @@ def test_every_change_is_undone_and_done_again(project):
     take = note(project.restore(take))
     assert names == ["add a-1", "trim a-1", "relabel a-1", "exclude u-1", "delete u-1", "restore u-1"]
     for state, name in zip(states[-2::-1], names[::-1], strict=True):
-        assert project.undoable == name
+        assert project.undoable == name == project.changes[-1]
         project.undo()
         assert project.takes == state
         assert all(project.path_of(t).is_file() for t in (*project.takes, *project.deleted))

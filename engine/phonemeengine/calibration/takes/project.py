@@ -64,6 +64,11 @@ class TakeProject:
         return self._chosen(lambda take: take.number in self._disk.missing)
 
     @property
+    def changes(self) -> tuple[str, ...]:
+        """What `undo` takes back, one after the other from the last, in words such as ``delete a-3``."""
+        return tuple(what for what, _, _ in self._done)
+
+    @property
     def undoable(self) -> str | None:
         """What `undo` would take back, such as ``delete a-3``; None where there is nothing."""
         return self._done[-1][0] if self._done else None
