@@ -109,12 +109,11 @@ class ScrollView(QWidget):
         layout = self._graphics.ci
         layout.setContentsMargins(0, 0, 6, 0)
         layout.setSpacing(0)
-        self._plots = [layout.addPlot(row=row, col=0) for row in range(3)]
+        self._plots = [layout.addPlot(row=row, col=0, enableMenu=False) for row in range(3)]
         labels = ("frequency (Hz)", "", "variable")
         for plot, item, label in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
             plot.addItem(item)
             plot.hideButtons()
-            plot.setMenuEnabled(False)
             plot.getAxis("left").setWidth(AXIS_WIDTH)
             plot.getAxis("left").enableAutoSIPrefix(False)
             for side in ("left", "bottom"):
