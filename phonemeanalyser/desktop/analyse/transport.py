@@ -22,6 +22,9 @@ from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundS
 from phonemeanalyser.desktop.theme import Theme
 from phonemeengine.settings import Channel
 
+LEAST_TIME_WIDTH = 112
+"""Of the time, pixels, so that a short one leaves the slider where it is."""
+
 
 class Pages(QStackedWidget):
     """Widgets of which one is seen, and needs room."""
@@ -90,8 +93,16 @@ class Transport(QWidget):
             sign = "●" if session.microphone.listening else "waiting"
             text = f"{sign} {clock_of(session.microphone.recorded_seconds, True)}"
         if text != self.time.text():
-            self.time.setText(text)
-            self.time.setStyleSheet(f"color: {self._theme.bad}; font-weight: bold" if recording else "")
+            self._write_time(text, f"color: {self._theme.bad}; font-weight: bold" if recording else "")
+
+    def _write_time(self, text: str, style: str) -> None:
+        """Write the time; its size is fixed, so that the window is laid out anew only where that changes."""
+        if style != self.time.styleSheet():
+            self.time.setStyleSheet(style)
+        self.time.setText(text)
+        needed = self.time.sizeHint().expandedTo(QSize(LEAST_TIME_WIDTH, 0))
+        if needed != self.time.minimumSize():
+            self.time.setFixedSize(needed)
 
     def _button(self, icon: QStyle.StandardPixmap, tip: str) -> QToolButton:
         button = QToolButton()
@@ -114,7 +125,6 @@ class Transport(QWidget):
             self.source.addItem(source.value, source)
         self.source.setToolTip("Where the sound comes from")
         self.source.setAccessibleName("source")
-        self.time.setMinimumWidth(112)
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         for page in (self.time_line, self.microphone, self.tone):
             self.pages.addWidget(page)
