@@ -20,6 +20,7 @@ from phonemeanalyser.desktop.analyse.tone_bar import ToneBar
 from phonemeanalyser.desktop.session.position_slider import PositionSlider, clock_of
 from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.still_label import StillLabel
 from phonemeengine.settings import Channel
 
 LEAST_TIME_WIDTH = 112
@@ -68,7 +69,7 @@ class Transport(QWidget):
         self.tone = ToneBar(theme)
         self.tone.show_tone(session.tone)
         self.pages = Pages()
-        self.time = QLabel()
+        self.time = StillLabel(LEAST_TIME_WIDTH)
         self.volume_label, self.channel_label = QLabel("volume"), QLabel("channel")
         self.volume = QSlider(Qt.Orientation.Horizontal)
         self.channel = QComboBox()
@@ -92,17 +93,10 @@ class Transport(QWidget):
         if recording:
             sign = "●" if session.microphone.listening else "waiting"
             text = f"{sign} {clock_of(session.microphone.recorded_seconds, True)}"
-        if text != self.time.text():
-            self._write_time(text, f"color: {self._theme.bad}; font-weight: bold" if recording else "")
-
-    def _write_time(self, text: str, style: str) -> None:
-        """Write the time; its size is fixed, so that the window is laid out anew only where that changes."""
+        style = f"color: {self._theme.bad}; font-weight: bold" if recording else ""
         if style != self.time.styleSheet():
             self.time.setStyleSheet(style)
         self.time.setText(text)
-        needed = self.time.sizeHint().expandedTo(QSize(LEAST_TIME_WIDTH, 0))
-        if needed != self.time.minimumSize():
-            self.time.setFixedSize(needed)
 
     def _button(self, icon: QStyle.StandardPixmap, tip: str) -> QToolButton:
         button = QToolButton()
