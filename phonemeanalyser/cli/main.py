@@ -22,8 +22,6 @@ from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import Channel
 
 DEMO = Path(__file__).parents[1] / "demo" / "demo.flac"
-LATENCY = 0.12
-"""What commands ask of the microphone, seconds: half the processor time of the window's, for 10 ms more."""
 NO_DISPLAY = 3
 """Exit code where there is no display."""
 
@@ -108,7 +106,7 @@ def _add_input(parser: argparse.ArgumentParser) -> None:
 
 
 def _choice_of(options: argparse.Namespace) -> InputChoice:
-    return InputChoice(options.device, options.channel.number, options.rate, latency=LATENCY)
+    return InputChoice(options.device, options.channel.number, options.rate)
 
 
 def _screenshot(words: list[str]) -> int:
