@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test bench fuzz soak screenshots fit
+.PHONY: setup run test bench fuzz soak screenshots fit docs hooks
 
 setup: .venv/ready
 
@@ -38,10 +38,22 @@ soak: setup
 screenshots: setup
 	$(BIN)/python -m tools.screenshots
 
-# Fits the factory presets anew; CORPUS is a folder in the corpus format, MORE another one for the extended rules.
-CORPUS ?= ../shared/corpus
+# Fits presets like the factory's to CORPUS, a folder in the corpus format, into FITTED; MORE is another corpus for the
+# extended rules. The factory presets were fitted to more speakers than may be handed on: see tests/data/corpus/README.md.
+CORPUS ?= tests/data/corpus
+FITTED ?= build/presets
 MORE ?=
 fit: setup
-	$(BIN)/python -m tools.fit.thesis $(CORPUS) -o presets
-	$(BIN)/python -m tools.fit.rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o presets
-	$(BIN)/python -m tools.fit.templates $(CORPUS) -o presets
+	$(BIN)/python -m tools.fit.thesis $(CORPUS) -o $(FITTED)
+	$(BIN)/python -m tools.fit.rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o $(FITTED)
+	$(BIN)/python -m tools.fit.templates $(CORPUS) -o $(FITTED)
+
+# Builds the documentation into build/docs; a link that leads nowhere fails.
+docs: setup
+	@$(BIN)/python -c 'import material, mkdocstrings' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[docs]'
+	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict
+
+# Has git check each commit, and its message.
+hooks: setup
+	@$(BIN)/python -c 'import pre_commit' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[hooks]'
+	$(BIN)/pre-commit install

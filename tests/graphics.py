@@ -43,8 +43,8 @@ def offscreen() -> Iterator[Callable[..., OffscreenRenderer]]:
     context_or_skip().release()
     made: list[OffscreenRenderer] = []
 
-    def make(figure: MorphMesh, size: tuple[int, int] = (240, 240)) -> OffscreenRenderer:
-        made.append(OffscreenRenderer(figure, size))
+    def make(morph_mesh: MorphMesh, size: tuple[int, int] = (240, 240)) -> OffscreenRenderer:
+        made.append(OffscreenRenderer(morph_mesh, size))
         return made[-1]
 
     yield make

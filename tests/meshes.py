@@ -29,7 +29,7 @@ def moved_by(numbers: tuple[int, ...], offset: tuple[float, float, float]) -> ND
     return offsets
 
 
-def figure_of_cube() -> MorphMesh:
+def morph_mesh_of_cube() -> MorphMesh:
     """The cube, with a lid that rises, a side that widens, and a state that moves nothing."""
     return MorphMesh(
         cube(),
@@ -119,3 +119,12 @@ GLTF: dict = {
 }  # fmt: skip
 """The cube, twice as large and 10 to the right, with a sparse and an interleaved morph target."""
 GLTF_TEXT = json.dumps(GLTF).encode()
+
+
+def format_obj(mesh: Mesh) -> bytes:
+    """The positions, normals and triangles of a mesh as an .obj file."""
+    lines = [f"o {mesh.name or 'mesh'}"]
+    lines += [f"v {x!s} {y!s} {z!s}" for x, y, z in mesh.positions]
+    lines += [f"vn {x!s} {y!s} {z!s}" for x, y, z in mesh.normals]
+    lines += [f"f {a}//{a} {b}//{b} {c}//{c}" for a, b, c in (mesh.triangles + np.uint32(1)).tolist()]
+    return "\n".join([*lines, ""]).encode()

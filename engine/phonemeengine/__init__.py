@@ -1,129 +1,148 @@
 """The ear and the mouth of PhonemeAnalyser: sound in, phonemes, intensities and mouth shapes out, every 10 ms.
 
-A game plays a file, or listens to a microphone, and asks whenever it likes; no call waits for sound::
+This is the whole API. A game plays a file, or listens to a microphone, and asks whenever it likes; no call waits for
+sound, and whatever lives is a context manager::
 
     from phonemeengine import Listener, Sound, load_preset
 
-    preset = load_preset(path)
-    sound = Sound(speech, preset)           # or Listener(preset) for a microphone
-    sound.play()
-    phoneme, intensity = sound.poll()       # every 10 or 20 ms
+    preset = load_preset("learned")          # or a file: what a calibration made of it
+    with Listener(preset) as voice:          # a microphone; or Sound("line.wav", preset), and .play()
+        phoneme, intensity = voice.poll()    # every 10 or 20 ms
 
-A program with samples of its own pushes them::
+A program with samples of its own pushes them, cut as they come, or asks about a single window::
 
     analyser = Analyser(preset)
-    analysis = analyser.push(samples)       # float32, mono, 44.1 kHz
+    analysis = analyser.push(samples)        # float32, mono, 44.1 kHz, ±1
     analysis.phonemes, analysis.intensities  # one for each 10 ms that are complete
+    phoneme, intensity = recognise_window(samples[:2048], preset)
 
 A face follows what was heard, and may be looked at whenever a picture is drawn::
 
-    morpher = Morpher(load_table("arkit"), seed=character)
-    morpher.hear(now, phoneme, intensity)   # seconds, of a clock of yours
-    weights = morpher.weights(now)          # 0..1, one for each of morpher.movestates
+    morpher = Morpher(load_table("arkit"), seed=1)
+    morpher.hear(now, phoneme, intensity)    # seconds, of a clock of yours
+    weights = morpher.weights(now)           # 0..1, one for each of morpher.movestates
+
+Files become mouth cues, or whatever another program reads::
+
+    cues("line.wav", preset)                 # which shape from when to when
+    export("line.wav", "line.json", "rhubarb-json", preset)
 
 Movestates (morph targets) move the vertices of a mesh::
 
-    figure = load_morph_mesh(path)             # or load_head()
-    face = MovestateSet(figure.mesh, figure.states)
-    face.set_percentage("smile", 60, Mode.INTERACT)
-    positions = face.morphed()              # of all vertices
+    head = load_head()                       # or load_morph_mesh("face.glb")
+    states = MovestateSet(head.mesh, head.states)
+    states.set_percentage("jawOpen", 60, Mode.INTERACT)
+    positions = states.morphed()             # of all vertices
+
+A preset learns a voice from labelled recordings of it, and is told how right it is on others::
+
+    result = calibrate(preset, read_recordings("takes"), held_back=read_recordings("sentence.flac"))
+    save_preset(result.preset, "my-voice.toml")
+    score(result.preset, read_recordings("corpus")).overall.scores.macro_f1
+
+Whatever is refused is an `EngineError` whose text is one sentence for the person at the screen. What happens to
+devices, recordings and files is logged below the logger ``phonemeengine``, silently unless a program listens to it.
 """
 
-from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
-from phonemeengine.audio.devices import Device, InputChoice
-from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.recording import Recording
-from phonemeengine.audio.stream import devices
-from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
-from phonemeengine.errors import (
-    AudioError,
-    CurveError,
-    DeviceError,
-    EngineError,
-    MeshError,
-    MouthError,
-    PresetError,
-    RecogniserError,
-    RecordingError,
-    SettingsError,
-)
-from phonemeengine.live.listener import Listener
-from phonemeengine.live.reading import Reading
-from phonemeengine.live.recorder import Recorder
-from phonemeengine.live.sound import Sound
-from phonemeengine.mouth.blinks import Blinker
-from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.head_motion import HeadMotion
-from phonemeengine.mouth.mesh import Mesh, mesh_of
-from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, matched, morph_targets_of
-from phonemeengine.mouth.morpher import Detail, Morpher
-from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
-from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
-from phonemeengine.mouth.movestate_set import MovestateSet
-from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.table import MouthTable, load_table
-from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
-from phonemeengine.presets.files import load_preset, save_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import BIN_WIDTH, Channel
+import logging
+from importlib import import_module
+from typing import Any
 
-__all__ = [
-    "BIN_WIDTH",
-    "MOUTH_SHAPES",
-    "Analyser",
-    "Analysis",
-    "AudioError",
-    "Blinker",
-    "Channel",
-    "CurveError",
-    "Detail",
-    "Device",
-    "DeviceError",
-    "EngineError",
-    "HeadMotion",
-    "InputChoice",
-    "Listener",
-    "Mesh",
-    "MeshError",
-    "Mode",
-    "MorphMesh",
-    "MorphTargets",
-    "Morpher",
-    "MotionSettings",
-    "MouthError",
-    "MouthShape",
-    "MouthTable",
-    "Movestate",
-    "MovestateSet",
-    "Phoneme",
-    "Preset",
-    "PresetError",
-    "Reading",
-    "RecogniserError",
-    "Recorder",
-    "Recording",
-    "RecordingError",
-    "SettingsError",
-    "Sound",
-    "SoundReader",
-    "TransitionTimes",
-    "analyse_blocks",
-    "denoise",
-    "devices",
-    "high_pass_gains",
-    "load_head",
-    "load_morph_mesh",
-    "load_morph_targets",
-    "load_preset",
-    "load_table",
-    "low_pass_gains",
-    "matched",
-    "mesh_of",
-    "morph_targets_of",
-    "movestate_at",
-    "movestate_of",
-    "normalise",
-    "save_morph_targets",
-    "save_preset",
-]
+__version__ = "0.1.0"
+
+# Everything is imported when it is first asked for: who analyses files does not wait for meshes. The same names, with
+# their types, are in __init__.pyi, which editors and type checkers read; a test holds the two together.
+_PAGE = {
+    # A sound, as it is heard
+    "live.sound": "Sound",
+    "live.listener": "Listener",
+    "live.recorder": "Recorder",
+    "audio.stream": "devices",
+    "audio.devices": "Device InputChoice",
+    "audio.files": "SOUND_SUFFIXES SoundReader",
+    "audio.level": "Level",
+    "live.status": "Status",
+    "live.microphone_analyser": "Latency",
+    # What is said in it
+    "analyser": "Analyser Analysis Reading analyse_blocks recognise_window",
+    "phonemes": "MOUTH_SHAPES MouthShape Phoneme",
+    "features.measure": "Features",
+    "features.front_end": "FrameBlock",
+    "recognition.segments": "Segment",
+    "mouth.transcript": "Transcript",
+    "mouth.lip_sync": "cues export transcribe",
+    "mouth.cues": "Cue",
+    "mouth.exports.exporter": "ExportOptions",
+    "mouth.exports.formats": "FORMATS",
+    # A mouth that says it
+    "mouth.morpher": "Detail Morpher",
+    "mouth.performer": "FaceState IdleMotion Performer TimedFrame timed_frames",
+    "mouth.viseme_override": "VisemeOverride",
+    "mouth.table": "MouthTable load_table",
+    "mouth.motion_settings": "MotionSettings TransitionTimes",
+    "mouth.blinks": "Blinker",
+    "mouth.head_motion": "HeadMotion HeadPose",
+    "mouth.osc": "OscAddress OscMouth",
+    # A face that it moves
+    "mouth.head": "load_head",
+    "mouth.files.io": "load_morph_mesh load_morph_targets save_morph_targets",
+    "mouth.mesh": "Material Mesh mesh_of",
+    "mouth.morph_mesh": "MorphMesh MorphTargets matched morph_targets_of",
+    "mouth.movestate": "Movestate movestate_at movestate_of",
+    "mouth.movestate_set": "MovestateSet",
+    "mouth.percentages": "Mode",
+    # What is recognised with
+    "presets.files": "load_preset save_preset",
+    "presets.preset": "Preset",
+    "settings": (
+        "BIN_WIDTH FRAME_PERIOD HOP SAMPLE_RATE WINDOW AnalysisSettings Channel Decimation Filter WindowFunction"
+    ),
+    "features.variables": "Kind Spectrum Variable",
+    "recognition.phoneme_data": "PhonemeData Thresholds",
+    "recognition.rules": "Condition Rule",
+    "recognition.model": "Model OutputHead",
+    "recognition.network": "Layer",
+    "recognition.templates": "Templates",
+    "dsp.filters": "denoise high_pass_gains low_pass_gains normalise",
+    # A recogniser of one's own
+    "recognition.spec": "Recogniser RecogniserConfig RecogniserSpec Tuning",
+    "recognition.recognition": "Recognition",
+    "recognition.trace": "RuleComparison Trace",
+    # A voice, and how well it is recognised
+    "calibration.scores.corpus": "FrameLabels Utterance read_recordings",
+    "labels.label": "Label",
+    "labels.phoneme_map": "PhonemeMap load_phoneme_map",
+    "labels.phone_sets": "PhoneClass",
+    "calibration.alignment": "aligned",
+    "calibration.sentences": "SENTENCES Sentence SpokenPhone",
+    "calibration.calibrate": "CalibrationResult calibrate",
+    "calibration.takes.room_noise": "ConfidenceInterval SilenceAccuracy",
+    "calibration.scores.evaluation": "CorpusScores GroupScores Predictions score",
+    "calibration.scores.scoring": "Scores",
+    "calibration.scores.added_noise": "AddedNoise NoiseAdder NoiseKind",
+    "progress": "Cancelled Progress",
+    # What is refused
+    "errors": (
+        "AudioError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
+        "MouthError PresetError RecogniserError RecordingError SettingsError TakeError UnknownPhonemeError"
+    ),
+}
+_ALIASES = {"SOUND_SUFFIXES": "SUFFIXES"}
+_HOMES = {name: module for module, names in _PAGE.items() for name in names.split()}
+
+__all__ = ["__version__", *_HOMES]  # noqa: PLE0604 - all of them are names
+
+logging.getLogger(__name__).addHandler(logging.NullHandler())
+
+
+def __getattr__(name: str) -> Any:
+    """Import what the page offers under a name (PEP 562)."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    found = getattr(import_module(f"{__name__}.{_HOMES[name]}"), _ALIASES.get(name, name))
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -5,26 +5,32 @@ frames, and the result does not depend on how the sound was cut.
 """
 
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import Framer
+from phonemeengine.errors import SettingsError
 from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.intensity import intensities_of
-from phonemeengine.recognition.recogniser import NEED_WAVEFORM, Recogniser, recogniser_of
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.smoothing import PhonemeSmoother
+from phonemeengine.recognition.spec import Recogniser, recogniser_of, spec_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
 BLOCK = 512
 """Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
+
+HELD_FRAMES = 5
+"""Frames for which a single window is taken to last: with fewer or more, the network is right less often."""
 
 PRE_ROLL = 100
 """Frames before a place in a sound that are analysed unseen, so that the filters know their past."""
@@ -39,10 +45,7 @@ class Analysis:
     Attributes
     ----------
     start : number of the first frame, counted from the beginning of the sound.
-    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters, bin k at k x 21.53 Hz.
-    mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
-    waveforms : float32, shape (n_frames, n_samples): the windows after the filters of the time domain.
-    features : the measured variables.
+    frames : what was measured.
     recognised : uint8, shape (n_frames,): codes of `Phoneme`, as the recogniser says.
     phonemes : uint8, shape (n_frames,): the same after the statistics.
     intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
@@ -50,10 +53,7 @@ class Analysis:
     """
 
     start: int
-    spectra: Float32Array
-    mel: Float32Array | None
-    waveforms: Float32Array
-    features: Features
+    frames: FrameBlock
     recognised: UInt8Array
     phonemes: UInt8Array
     intensities: Float32Array
@@ -61,6 +61,26 @@ class Analysis:
 
     def __len__(self) -> int:
         return len(self.phonemes)
+
+    @property
+    def spectra(self) -> Float32Array:
+        """Amplitudes after all filters, float32, shape (n_frames, n_bins), bin k at k x 21.53 Hz."""
+        return self.frames.spectra
+
+    @property
+    def mel(self) -> Float32Array | None:
+        """The same through the mel bank, float32, shape (n_frames, n_bands), or None while it is off."""
+        return self.frames.mel
+
+    @property
+    def waveforms(self) -> Float32Array:
+        """The windows after the filters of the time domain, float32, shape (n_frames, n_samples)."""
+        return self.frames.waveforms
+
+    @property
+    def features(self) -> Features:
+        """The measured variables."""
+        return self.frames.features
 
     @property
     def times(self) -> Float64Array:
@@ -73,10 +93,7 @@ class Analysis:
         return replace(
             self,
             start=self.start + first,
-            spectra=self.spectra[first:last],
-            mel=None if self.mel is None else self.mel[first:last],
-            waveforms=self.waveforms[first:last],
-            features=self.features.part(slice(first, last)),
+            frames=self.frames.part(slice(first, last)),
             recognised=self.recognised[first:last],
             phonemes=self.phonemes[first:last],
             intensities=self.intensities[first:last],
@@ -91,16 +108,16 @@ class LookAheadBuffer:
 
     def delay(self, block: FrameBlock, n: int) -> FrameBlock:
         """Take a block, and give the oldest `n` frames of all."""
-        if len(block.spectra):
+        if len(block):
             self._blocks.append(block)
         taken = []
         while n > 0:
             oldest = self._blocks.popleft()
-            if len(oldest.spectra) > n:
+            if len(oldest) > n:
                 self._blocks.appendleft(oldest.part(slice(n, None)))
                 oldest = oldest.part(slice(n))
             taken.append(oldest)
-            n -= len(oldest.spectra)
+            n -= len(oldest)
         return taken[0] if len(taken) == 1 else concatenate(taken) if taken else block.part(slice(0))
 
     def clear(self) -> FrameBlock | None:
@@ -130,7 +147,7 @@ class Analyser:
         self._preset = preset
         self._framer = Framer()
         self._path = self._path_of(preset)
-        self._recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        self._recogniser = recogniser_of(preset.recogniser, preset.config)
         self._statistics = _statistics_of(preset)
         self._waiting = LookAheadBuffer()
         self._unasked = False
@@ -154,8 +171,8 @@ class Analyser:
         EngineError : its recogniser cannot be made; everything stays as it was.
         """
         old, recogniser = self._preset, self._recogniser
-        if (preset.recogniser, preset.tuning) != (old.recogniser, old.tuning):
-            recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        if (preset.recogniser, preset.config) != (old.recogniser, old.config):
+            recogniser = recogniser_of(preset.recogniser, preset.config)
         self._preset = preset
         if self._path_key(preset) != self._path_key(old):
             self._change_path(preset)
@@ -168,10 +185,6 @@ class Analyser:
         """Take the next samples (float32, shape (n,), 44.1 kHz, ±1) and analyse the frames they complete."""
         return self._analyse(self._framer.cut_frames(samples))
 
-    def push_windows(self, windows: Float32Array) -> Analysis:
-        """Analyse windows that the caller cut, shape (n, 2048), as if they followed each other every 10 ms."""
-        return self._analyse(windows)
-
     def finish(self) -> Analysis:
         """Analyse the last frames, with silence after the end of the sound."""
         last = self._analyse(self._framer.finish())
@@ -179,7 +192,7 @@ class Analyser:
         if n == 0:
             return last
         silence = self._path.measure(np.zeros((n, WINDOW), np.float32))
-        return self._join([last, self._recognise(silence)])
+        return concatenate_analyses([last, self._recognise(silence)])
 
     def _analyse(self, frames: Float32Array) -> Analysis:
         if 0 < len(frames) <= BLOCK and not self._unasked:
@@ -187,65 +200,103 @@ class Analyser:
         waiting, self._unasked = self._waiting.clear() if self._unasked else None, False
         ready = [] if waiting is None else [self._recognise(waiting)]
         pushed = [self._path.measure(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
-        return self._join([*ready, *(self._recognise(block) for block in pushed)])
+        found = [*ready, *(self._recognise(block) for block in pushed)]
+        return concatenate_analyses(found) if found else self._recognise(self._path.nothing())
 
     def _recognise(self, measured: FrameBlock) -> Analysis:
-        recognition = self._recogniser.recognise(measured.features)
+        recognition = self._recogniser.recognise(measured.windows, measured.features)
         if self._recogniser.look_ahead:
             measured = self._waiting.delay(measured, len(recognition.phonemes))
         return self._completed(measured, recognition)
 
     def _completed(self, measured: FrameBlock, recognition: Recognition) -> Analysis:
         settings = self._preset.settings
-        features, recognised = measured.features, recognition.phonemes
-        levels = features["volume"]
+        phonemes = recognised = recognition.phonemes
+        levels = measured.features["volume"]
         if recognition.scores is not None:
-            features = features.with_columns(self._recogniser.scores, recognition.scores)
-        phonemes = recognised
+            measured = measured.with_columns(self._recogniser.scores, recognition.scores)
         if settings.statistics:
             wavers = self._statistics.has_change(recognised)
-            phonemes = self._statistics.smooth(recognised, self._recogniser.deficits(features) if wavers else None)
+            deficits = self._recogniser.deficits(measured.features) if wavers else None
+            phonemes = self._statistics.smooth(recognised, deficits)
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         intensities *= phonemes != _SILENCE
         start, self._next = self._next, self._next + len(recognised)
-        return Analysis(
-            start, measured.spectra, measured.mel, measured.waveforms, features, recognised, phonemes, intensities,
-            settings,
-        )  # fmt: skip
+        return Analysis(start, measured, recognised, phonemes, intensities, settings)
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
-        if self._phonemes_only and preset.recogniser in NEED_WAVEFORM:
+        if self._leaves_features_out(preset):
             return LevelFrontEnd()
         return FrontEnd(preset.settings, preset.variables, pitch=self._pitch)
 
     def _path_key(self, preset: Preset) -> object:
-        hears = self._phonemes_only and preset.recogniser in NEED_WAVEFORM
-        return hears, preset.settings, preset.variables
+        return self._leaves_features_out(preset), preset.settings, preset.variables
+
+    def _leaves_features_out(self, preset: Preset) -> bool:
+        return self._phonemes_only and not spec_of(preset.recogniser).needs_features
 
     def _change_path(self, preset: Preset) -> None:
-        last = self._path.smoother.last
-        self._path = self._path_of(preset)
+        old, self._path = self._path, self._path_of(preset)
         waiting = self._waiting.clear()
         if waiting is not None:
-            self._waiting.delay(self._path.measure(waiting.features.windows), 0)
-        self._path.smoother.last = last
+            self._waiting.delay(self._path.measure(waiting.windows), 0)
+        self._path.resume(old)
 
     def _change_recogniser(self, recogniser: Recogniser) -> None:
         """Have the new one asked, with the next frames, about those of which the old one has not said anything."""
         self._recogniser = recogniser
         self._unasked = True
 
-    def _join(self, blocks: list[Analysis]) -> Analysis:
-        if not blocks:
-            return self._recognise(self._path.nothing())
-        measured = concatenate([FrameBlock(b.spectra, b.mel, b.waveforms, b.features) for b in blocks])
-        return Analysis(
-            blocks[0].start, measured.spectra, measured.mel, measured.waveforms, measured.features,
-            recognised=np.concatenate([b.recognised for b in blocks]),
-            phonemes=np.concatenate([b.phonemes for b in blocks]),
-            intensities=np.concatenate([b.intensities for b in blocks]),
-            settings=blocks[-1].settings,
-        )  # fmt: skip
+
+def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
+    """Return consecutive blocks as one; there must be at least one."""
+    return Analysis(
+        analyses[0].start,
+        concatenate([a.frames for a in analyses]),
+        recognised=np.concatenate([a.recognised for a in analyses]),
+        phonemes=np.concatenate([a.phonemes for a in analyses]),
+        intensities=np.concatenate([a.intensities for a in analyses]),
+        settings=analyses[-1].settings,
+    )
+
+
+class Reading(NamedTuple):
+    """A phoneme, and how loud it is, 0..1."""
+
+    phoneme: Phoneme = Phoneme.SILENCE
+    intensity: float = 0.0
+
+
+def latest_reading(newest: Analysis | None) -> Reading:
+    """Return the last frame of a block; silence where there is none yet."""
+    if newest is None or len(newest) == 0:
+        return Reading()
+    return Reading(Phoneme(int(newest.phonemes[-1])), float(newest.intensities[-1]))
+
+
+def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
+    """Return the phoneme and the intensity of one analysis buffer at once, as the engine of the thesis did.
+
+    Nothing is waited for and nothing remembered. Recognisers that look at frames alone (``thesis``, ``extended``,
+    ``templates``) answer as in running speech, but for its calming; the network ``learned`` lives on what came
+    before, takes the window for a sound that holds, and is right far less often than with `Analyser.push`.
+
+    Parameters
+    ----------
+    buffer : 2048 samples, mono, 44.1 kHz, ±1, shape (2048,); the answer is about their middle.
+    preset : what to recognise with.
+
+    Raises
+    ------
+    SettingsError : the buffer has another shape.
+    EngineError : the preset's recogniser cannot be used.
+    """
+    window = np.asarray(buffer, np.float32)
+    if window.shape != (WINDOW,):
+        raise SettingsError(f"an analysis buffer has the shape ({WINDOW},), got {window.shape}; give one of mono")
+    at_once = replace(preset, settings=replace(preset.settings, look_ahead=0.0))
+    held = np.repeat(window[np.newaxis], HELD_FRAMES, axis=0)
+    return latest_reading(Analyser(at_once, phonemes_only=True)._analyse(held))
 
 
 def _statistics_key(preset: Preset) -> object:
@@ -271,6 +322,11 @@ def analyse_blocks(
     analysis = analyser.finish()
     if len(analysis):
         yield analysis
+
+
+def analyse_file(reader: SoundReader, preset: Preset, *, pitch: bool = False) -> Iterator[Analysis]:
+    """Analyse the rest of a sound file, a few seconds at a time."""
+    return analyse_blocks(reader.blocks(BLOCK * HOP), preset, pitch=pitch)
 
 
 def analyse_range(

@@ -10,3 +10,6 @@ UInt32Array = NDArray[np.uint32]
 Int64Array = NDArray[np.int64]
 IndexArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]
+
+LARGEST_FLOAT32 = 3.4028235e38
+"""The largest number that fits, in the digits in which it is written."""

@@ -1,7 +1,6 @@
 """Averaged spectra: accumulated, kept as small text files, compared on one frequency axis."""
 
 import math
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +8,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CurveError
+from phonemeengine.files import read_text_file, write_file
 from phonemeengine.settings import BIN_WIDTH
 
 FORMAT = "phonemeanalyser curve 1"
@@ -107,14 +107,7 @@ def save_averaged_spectrum(curve: AveragedSpectrum, path: Path) -> None:
     lines = [f"# {FORMAT}", *(f"# {key}: {' '.join(str(value).split())}" for key, value in header.items())]
     lines.append(",".join(COLUMNS))
     lines += [f"{f:.9g},{a:.9g}" for f, a in zip(curve.frequencies, curve.amplitudes, strict=True)]
-    part = path.with_name(path.name + ".part")
-    try:
-        part.write_bytes("".join(line + "\n" for line in lines).encode(errors="replace"))
-        part.replace(path)
-    except OSError as error:
-        with suppress(OSError):
-            part.unlink()
-        raise CurveError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
+    write_file(path, "".join(line + "\n" for line in lines).encode(errors="replace"), CurveError)
 
 
 def load_averaged_spectrum(path: Path) -> AveragedSpectrum:
@@ -124,14 +117,7 @@ def load_averaged_spectrum(path: Path) -> AveragedSpectrum:
     ------
     CurveError : the file cannot be read or is no curve; the message begins with the file's name.
     """
-    try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise CurveError(f"{path.name}: a curve is smaller than 4 MB; choose a file saved by Save Curve")
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except UnicodeDecodeError as error:
-        raise CurveError(f"{path.name}: this is not a text file; choose one saved by Save Curve") from error
-    except OSError as error:
-        raise CurveError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
+    lines = read_text_file(path, LARGEST_FILE, "a file of Save Curve", CurveError).splitlines()
     try:
         return _parse(lines)
     except ValueError as error:

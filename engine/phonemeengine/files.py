@@ -1,4 +1,4 @@
-"""Files on the disk: how they are spoken of, free names, and which of them this program wrote itself.
+"""Files on the disk: written whole or not at all, how they are spoken of, free names, and which are our own.
 
 A file that is there already is replaced only by one of the same kind that this program wrote. Each format says what
 its own files look like; where those of other programs look alike, none counts as ours.
@@ -6,17 +6,98 @@ its own files look like; where those of other programs look alike, none counts a
 
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import BinaryIO
+
+from phonemeengine.errors import EngineError
 
 Owns = Callable[[bytes], bool]
 """Says of the content of a file whether a format of this program wrote it; when in doubt, it did not."""
 
+MEGABYTE = 1 << 20
 LARGEST = 1 << 30
 """Bytes of a file that are looked at."""
 
 JSON_TEXT = rb'"(?:[^"\\]|\\.)*"'
 """A text in JSON, as a regular expression."""
+
+
+@contextmanager
+def atomic_write(path: Path, *, durable: bool = False) -> Iterator[BinaryIO]:
+    """Open a file, buffered and for writing bytes, that takes the place of `path` once the block has ended well.
+
+    Until then, and if anything fails, what was at `path` stays as it is. A link is replaced, not followed.
+
+    Parameters
+    ----------
+    durable : wait until the disk has the content before the old file goes, so that a power cut costs neither.
+
+    Raises
+    ------
+    OSError, ValueError : it cannot be written; nothing is left behind.
+    """
+    part = path.with_name(f"{path.name}.{os.urandom(4).hex()}.part")
+    try:
+        with part.open("x+b") as file:
+            yield file
+            file.flush()
+            if durable:
+                os.fsync(file.fileno())
+        part.replace(path)
+    except BaseException:
+        with suppress(OSError, ValueError):
+            part.unlink(missing_ok=True)
+        raise
+
+
+def write_file(path: Path, content: bytes, error: type[EngineError], *, durable: bool = False) -> None:
+    """Write a file whole or not at all, see `atomic_write`.
+
+    Raises
+    ------
+    EngineError : `error`, because it cannot be written.
+    """
+    try:
+        with atomic_write(path, durable=durable) as file:
+            file.write(content)
+    except (OSError, ValueError) as cause:
+        name = printable_name(path)
+        raise error(f"{name}: cannot be written ({reason_of(cause)}); choose another folder") from cause
+
+
+def read_file(path: Path, largest: int, what: str, error: type[EngineError]) -> bytes:
+    """Return the content of a file.
+
+    Parameters
+    ----------
+    largest : bytes that it may have.
+    what : what such a file is called in a sentence, such as ``a preset``.
+
+    Raises
+    ------
+    EngineError : `error`, because it cannot be read, or is too large.
+    """
+    name = printable_name(path)
+    try:
+        size = path.stat().st_size
+        content = path.read_bytes() if size <= largest else b""
+    except (OSError, ValueError) as cause:
+        raise error(f"{name}: cannot be read ({reason_of(cause)}); check the file") from cause
+    if size > largest:
+        tenths = -(-10 * size // MEGABYTE)  # upwards: no file has just the limit
+        raise error(f"{name}: {what} has at most {largest >> 20} MB, this has {tenths / 10} MB; choose another")
+    return content
+
+
+def read_text_file(path: Path, largest: int, what: str, error: type[EngineError]) -> str:
+    """Return the text of a file in UTF-8; line ends become ``\\n``. See `read_file`."""
+    try:
+        text = read_file(path, largest, what, error).decode("utf-8-sig")
+    except UnicodeDecodeError as cause:
+        raise error(f"{printable_name(path)}: this is no text file; choose {what}") from cause
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def begins_like(pattern: bytes) -> Owns:

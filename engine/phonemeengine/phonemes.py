@@ -24,6 +24,10 @@ class Phoneme(IntEnum):
         return self.name.lower()
 
 
+PHONEMES_BY_LABEL: dict[str, Phoneme] = {phoneme.label: phoneme for phoneme in Phoneme}
+VOWELS = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U)
+
+
 class MouthShape(StrEnum):
     """The smallest useful set of visemes."""
 

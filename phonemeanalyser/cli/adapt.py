@@ -4,36 +4,64 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
-from phonemeanalyser.cli.arguments import add_channel
+from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset
 from phonemeanalyser.cli.jobs import say_cut_off
+from phonemeengine import (
+    CalibrationResult,
+    Channel,
+    PhonemeMap,
+    Preset,
+    PresetError,
+    SoundReader,
+    TakeError,
+    Utterance,
+    calibrate,
+    load_phoneme_map,
+    load_preset,
+    read_recordings,
+    save_preset,
+)
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.files import SoundReader
-from phonemeengine.calibration.calibrate import Outcome, calibrate
-from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
 from phonemeengine.calibration.takes.room_noise import measure_room
-from phonemeengine.errors import PresetError, TakeError
-from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import Channel
+from phonemeengine.settings import SAMPLE_RATE
 
-BLOCK = 1 << 16
-MOST_ROOM = 60.0
+MOST_ROOM = 60
 """Seconds of a room's sound that are read."""
 
 
-def adapt(words: list[str]) -> int:
-    """Run the command; returns its exit code."""
-    options = _options(words)
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is learned from, and what is made of it."""
+    parser.epilog = (
+        "The learned recogniser is adapted, rules get thresholds, templates become those of the voice. What gets "
+        "worse than before by more than 0.01 (mouth shapes, silence) on what is held back is refused."
+    )
+    parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help="takes, or labelled recordings")
+    parser.add_argument("-o", "--out", type=Path, required=True, metavar="PRESET", help="the new preset, .toml")
+    add_preset(parser, words="preset to begin with (default: learned)")
+    parser.add_argument(
+        "--held-back", type=Path, nargs="+", default=[], metavar="FILE",
+        help="labelled recordings of the voice to judge by, never learned from (default: quarters of the others)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--room", type=Path, metavar="SOUND", help="seconds of the room in which nobody speaks (default: the takes')"
+    )
+    add_map(parser)
+    add_channel(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Calibrate; returns the exit code."""
+    if options.out.suffix.lower() != ".toml":
+        raise PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")
+    if not options.folders and options.room is None:
+        options.parser.error("give a FOLDER of takes, or --room with the sound of a room")
     preset = load_preset(options.preset)
     room = _sound_of(options.room, options.channel) if options.room else None
     if options.folders:
         found = _calibrated(preset, room, options)
     else:
         assert room is not None
-        found = _quietened(preset, room, options)
+        found = _with_silence(preset, room, options)
     save_preset(replace(found, name=options.out.stem), options.out)
     return 0
 
@@ -42,29 +70,30 @@ def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Nam
     mapping = load_phoneme_map(options.map) if options.map else PhonemeMap()
     takes, held_back = (_read(sources, mapping, options.channel) for sources in (options.folders, options.held_back))
     say_cut_off([*takes, *held_back])
-    outcome = calibrate(preset, takes, held_back=held_back, room=room)
+    result = calibrate(preset, takes, held_back=held_back, room=room)
     seconds = sum(utterance.labels[-1].end for utterance in takes if utterance.labels)
-    print(f"{options.out}: {len(takes)} recordings, {seconds:.0f} s; {_told(outcome)}")
-    for sentence in (outcome.refusal, f"{outcome.sure}." if outcome.sure else ""):
+    print(f"{options.out}: {len(takes)} recordings, {seconds:.0f} s; {_gain_in_words(result)}")
+    for sentence in (result.refusal, f"{result.silence_accuracy}." if result.silence_accuracy else ""):
         if sentence:
             print(sentence)
-    return outcome.preset
+    return result.preset
 
 
-def _quietened(preset: Preset, room: Float32Array, options: argparse.Namespace) -> Preset:
+def _with_silence(preset: Preset, room: Float32Array, options: argparse.Namespace) -> Preset:
     measured = measure_room(room, preset)
     if measured.notes:
         raise TakeError(f"{options.room.name}: {measured.notes[0]}")
-    found = measured.thresholds(preset)
-    print(f"{options.out}: a room of {measured}; {measured.sureness(found)}.")
+    found = measured.set_silence(preset)
+    print(f"{options.out}: a room of {measured}; {measured.silence_accuracy(found)}.")
     return found
 
 
-def _told(outcome: Outcome) -> str:
+def _gain_in_words(result: CalibrationResult) -> str:
     """Return what was gained, and on what that was measured."""
-    one, other = outcome.before, outcome.after
-    on = f"on {'quarters held back in turn' if outcome.in_turn else 'what was held back'}, {outcome.seconds:.0f} s"
-    if not outcome.gains:
+    one, other = result.before, result.after
+    where = "quarters held back in turn" if result.cross_validated else "what was held back"
+    on = f"on {where}, {result.seconds:.0f} s"
+    if not result.gains:
         return f"nothing better was found {on} (macro F1 {one.macro_f1:.1%}); unchanged"
     return (
         f"{on}: macro F1 {one.macro_f1:.1%} -> {other.macro_f1:.1%}, mouth shapes {one.viseme_accuracy:.1%} -> "
@@ -79,35 +108,4 @@ def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[Ut
 
 def _sound_of(path: Path, channel: Channel) -> Float32Array:
     with SoundReader(path, channel) as reader:
-        n = min(reader.n_samples, round(MOST_ROOM * reader.n_samples / max(reader.duration, MOST_ROOM)))
-        return np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])[:n]
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser adapt",
-        description="Calibrate a preset to the takes or labelled recordings of one voice, or to a room alone: the "
-        "learned recogniser is adapted, rules get thresholds, templates become those of the voice. What gets worse "
-        "than before by more than 0.01 (mouth shapes, silence) on what is held back is refused.",
-    )
-    parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help="takes, or labelled recordings")
-    parser.add_argument("-o", "--out", type=Path, required=True, metavar="PRESET", help="the new preset, .toml")
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset to begin with (default: learned)")
-    parser.add_argument(
-        "--held-back", type=Path, nargs="+", default=[], metavar="FILE",
-        help="labelled recordings of the voice to judge by, never learned from (default: quarters of the others)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--room",
-        type=Path,
-        metavar="SOUND",
-        help="seconds of the room in which nobody speaks (default: the takes')",
-    )
-    parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
-    add_channel(parser)
-    options = parser.parse_args(words)
-    if options.out.suffix.lower() != ".toml":
-        raise PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")
-    if not options.folders and options.room is None:
-        parser.error("give a FOLDER of takes, or --room with the sound of a room")
-    return options
+        return reader.read_mono(MOST_ROOM * SAMPLE_RATE)

@@ -5,14 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
-from phonemeanalyser.cli.arguments import add_channel, add_overwrite
+from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, add_sounds
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, is_single, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
+from phonemeengine import Channel, EngineError, Preset, load_preset
 from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
-from phonemeengine.errors import EngineError
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import Channel
 
 
 @dataclass(frozen=True)
@@ -50,19 +47,18 @@ class AnalysisTable:
         return (self.format.write_frames if self.features else None) or self.format.write_runs
 
 
-def analyse(words: list[str]) -> int:
-    """Analyse sound files as the command line asks; 1 where one could not be."""
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser analyse", description="Write the phonemes of sound files as tables."
-    )
-    parser.add_argument("inputs", type=Path, nargs="+", metavar="INPUT", help="sound files, or folders of them")
-    parser.add_argument("-o", "--out", type=Path, help="folder for the tables, or a file for one (default: print)")
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is analysed, and how that is written."""
+    add_sounds(parser)
+    add_preset(parser)
     parser.add_argument("--format", choices=list(TABLES), dest="kind", help="default: as OUT ends, else csv")
     parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
     add_channel(parser)
     add_overwrite(parser)
-    options = parser.parse_args(words)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Analyse sound files as the command line asks; 1 where one could not be."""
     table = AnalysisTable(options.kind or kind_for(options.inputs, options.out), options.features)
     preset = load_preset(options.preset)
     jobs = jobs_of(options.inputs, options.out, table.format.ending)

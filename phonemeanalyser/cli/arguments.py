@@ -1,11 +1,42 @@
-"""Arguments that several commands have."""
+"""Arguments that several commands have, and what reads their numbers."""
 
 import argparse
 import math
+from collections.abc import Callable
+from pathlib import Path
 
+from phonemeengine import Channel, Detail
 from phonemeengine.mouth.cues import MINIMUM
-from phonemeengine.mouth.morpher import Detail
-from phonemeengine.settings import MOST_CHANNELS, Channel
+from phonemeengine.presets.files import DEFAULT_PRESET
+from phonemeengine.settings import MOST_CHANNELS
+
+PRESET = "preset (.toml) or PhonemeData file"
+
+
+def add_preset(
+    parser: argparse.ArgumentParser,
+    default: Path | None = DEFAULT_PRESET,
+    words: str = PRESET,
+    metavar: str = "PRESET",
+) -> None:
+    """Let the user choose what recognises."""
+    parser.add_argument("--preset", type=Path, default=default, metavar=metavar, help=words)
+
+
+def add_sounds(parser: argparse.ArgumentParser) -> None:
+    """Have the user name sound files, and where to write what comes of them."""
+    parser.add_argument("inputs", type=Path, nargs="+", metavar="INPUT", help="sound files, or folders of them")
+    parser.add_argument("-o", "--out", type=Path, help="folder, or a file for one sound (default: print)")
+
+
+def add_map(parser: argparse.ArgumentParser) -> None:
+    """Let the user say what names in labels stand for."""
+    parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
+
+
+def add_theme(parser: argparse.ArgumentParser) -> None:
+    """Let the user choose the colours of a picture."""
+    parser.add_argument("--theme", choices=["light", "dark"], default="light")
 
 
 def add_channel(parser: argparse.ArgumentParser, default: Channel | None = Channel.MIX) -> None:
@@ -16,12 +47,20 @@ def add_channel(parser: argparse.ArgumentParser, default: Channel | None = Chann
 
 
 def add_mouth(parser: argparse.ArgumentParser) -> None:
-    """Let the user choose how closely the mouth follows the speech."""
+    """Let the user choose how closely the mouth follows the speech, and what the face does besides."""
     parser.add_argument("--minimum", type=number, default=MINIMUM, metavar="S", help=f"shortest cue ({MINIMUM} s)")
     parser.add_argument("--anticipation", type=number, metavar="S", help="the mouth is ahead so much, 0..0.12 s")
     parser.add_argument(
         "--detail", choices=[d.value for d in Detail], default=Detail.PHONEMES.value, help="what the mouth follows"
     )
+    parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
+    parser.add_argument("--no-head", action="store_true", help="keep the head still")
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
+
+
+def add_log(parser: argparse.ArgumentParser) -> None:
+    """Let the user keep what happens."""
+    parser.add_argument("--log", type=Path, metavar="FILE", help="append what happens to a file, to send in")
 
 
 def add_overwrite(parser: argparse.ArgumentParser) -> None:
@@ -38,6 +77,49 @@ def number(text: str) -> float:
     if not math.isfinite(value):
         raise argparse.ArgumentTypeError(f"must be a number, got {text!r}")
     return value
+
+
+def number_in(low: float, high: float, unit: str) -> Callable[[str], float]:
+    """Return what reads a number within limits."""
+
+    def read(text: str) -> float:
+        value = number(text)
+        if not low <= value <= high:
+            raise argparse.ArgumentTypeError(f"must be a number {_limits(low, high, unit)}, got {text!r}")
+        return value
+
+    return read
+
+
+def whole_in(low: int, high: float = math.inf, unit: str = "") -> Callable[[str], int]:
+    """Return what reads a whole number within limits, 0 or more."""
+
+    def read(text: str) -> int:
+        if not text.isdecimal() or not low <= int(text) <= high:
+            raise argparse.ArgumentTypeError(f"must be a whole number {_limits(low, high, unit)}, got {text!r}")
+        return int(text)
+
+    return read
+
+
+def size_in(least: tuple[int, int], most: tuple[int, int]) -> Callable[[str], tuple[int, int]]:
+    """Return what reads width and height of a picture, within limits, pixels."""
+
+    def read(text: str) -> tuple[int, int]:
+        try:
+            width, height = (int(part) for part in text.lower().split("x"))
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"must be like {least[0]}x{least[1]}, got {text!r}") from None
+        if not (least[0] <= width <= most[0] and least[1] <= height <= most[1]):
+            limits = "..".join(f"{w}x{h}" for w, h in (least, most))
+            raise argparse.ArgumentTypeError(f"must lie in {limits}, got {text!r}")
+        return width, height
+
+    return read
+
+
+def _limits(low: float, high: float, unit: str) -> str:
+    return f"of {low:g} {unit} or more" if high == math.inf else f"in {low:g}..{high:g} {unit}"
 
 
 def _channel(text: str) -> Channel:

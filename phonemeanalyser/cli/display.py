@@ -1,10 +1,14 @@
 """Whether a window can be opened at all, found out before Qt tries: Qt ends the process where it cannot."""
 
 import ctypes
+import importlib
 import socket
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from types import ModuleType
+
+from phonemeengine import EngineError
 
 XCB_LIBRARIES = {
     "libxcb-cursor.so.0": "libxcb-cursor0",
@@ -39,6 +43,19 @@ def why_no_window(environment: Mapping[str, str]) -> str:
     if not _x_answers():
         return f"the display {environment['DISPLAY']} does not answer; check DISPLAY, or {HINT}"
     return ""
+
+
+def load_desktop() -> ModuleType:
+    """Import the desktop, which needs Qt; analysing files does not.
+
+    Raises
+    ------
+    EngineError : Qt, or what it needs, is not there.
+    """
+    try:
+        return importlib.import_module("phonemeanalyser.desktop.app")
+    except ImportError as error:
+        raise EngineError(why_no_qt(error)) from error
 
 
 def why_no_qt(error: ImportError) -> str:

@@ -3,28 +3,36 @@
 import argparse
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, number
+from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, add_preset, add_sounds, number
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
-from phonemeengine.errors import EngineError
+from phonemeengine import FORMATS, Channel, Detail, EngineError, ExportOptions, IdleMotion, Preset, load_preset
 from phonemeengine.files import printable_name
-from phonemeengine.mouth.animation import IdleMotion
-from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.mouth.utterance import utterance_of
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import Channel
+from phonemeengine.mouth.transcript import transcript_of
 
 
-def export(words: list[str]) -> int:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is exported, and how."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = _formats()
+    add_sounds(parser)
+    parser.add_argument("--format", choices=FORMATS, required=True, dest="kind", metavar="F", help="see below")
+    add_preset(parser)
+    parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
+    parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
+    add_mouth(parser)
+    parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
+    add_channel(parser)
+    add_overwrite(parser)
+
+
+def run(options: argparse.Namespace) -> int:
     """Export sound files as the command line asks; 1 where one could not be."""
-    options = _options(words)
-    life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
-    wishes = ExportOptions(options.fps, options.minimum, options.anticipation, options.table, options.mesh, life)
-    exporter = Exporter(options.kind, wishes)
+    idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
+    written = ExportOptions(options.fps, options.minimum, options.anticipation, options.table, options.mesh, idle)
+    exporter = Exporter(options.kind, written)
     if exporter.format.moves_mesh and options.out is None:
         raise EngineError(f"{options.kind} is no text to be printed; name a file or a folder with -o")
     preset = load_preset(options.preset)
@@ -36,38 +44,15 @@ def export(words: list[str]) -> int:
 def _export(job: Job, channel: Channel, preset: Preset, exporter: Exporter, guard: Guard) -> None:
     guard.check(job.target)
     with open_sound(job, channel) as reader:
-        pitch = exporter.format.moves_head and exporter.life.head
+        pitch = exporter.format.moves_head and exporter.idle.head
         analyses = analyse_with_progress(reader, preset, pitch=pitch)
-        speech = utterance_of(analyses, printable_name(job.source), reader.duration, job.source)
+        speech = transcript_of(analyses, printable_name(job.source), reader.duration, job.source)
     parts = exporter.chunks_of(speech)
     if job.target is None:
         text = b"".join(parts).decode()
         print_whole(lambda file: file.writelines([text]))
     else:
         write_whole_bytes(job.target, parts, guard)
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser export",
-        description="Write what sound files say as mouth cues and movements for other programs.",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog=_formats(),
-    )
-    parser.add_argument("inputs", type=Path, nargs="+", metavar="FILE", help="sound files, or folders of them")
-    parser.add_argument("-o", "--out", type=Path, help="folder, or a file for one (default: print)")
-    parser.add_argument("--format", choices=FORMATS, required=True, dest="kind", metavar="F", help="see below")
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
-    parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
-    parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
-    add_mouth(parser)
-    parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
-    parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
-    parser.add_argument("--no-head", action="store_true", help="keep the head still")
-    add_channel(parser)
-    add_overwrite(parser)
-    return parser.parse_args(words)
 
 
 def _formats() -> str:

@@ -1,5 +1,6 @@
 """Files that a command works through, one after the other: where each goes, and what is said of those that fail."""
 
+import logging
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -8,16 +9,12 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeengine.analyser import Analysis, analyse_blocks
-from phonemeengine.audio.files import SUFFIXES, SoundReader
-from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.errors import AudioError, EngineError
+from phonemeengine import FRAME_PERIOD, Analysis, AudioError, Channel, EngineError, Preset, SoundReader, Utterance
+from phonemeengine.analyser import analyse_file
+from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.files import printable_name
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 
-BLOCK = 5 * SAMPLE_RATE
-"""Samples that are read at a time."""
+_log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -67,6 +64,7 @@ def run_all(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
                 act(job)
             except EngineError as error:
                 progress.write(f"phonemeanalyser: {error}", file=sys.stderr)
+                _log.warning("%s", error)
                 failures += 1
             progress.update()
     return failures
@@ -107,7 +105,7 @@ def analyse_with_progress(reader: SoundReader, preset: Preset, *, pitch: bool) -
     with tqdm(
         total=total, unit="s", desc=name, delay=1, leave=False, disable=None, file=sys.stderr
     ) as progress:  # fmt: skip
-        for analysis in analyse_blocks(reader.blocks(BLOCK), preset, pitch=pitch):
+        for analysis in analyse_file(reader, preset, pitch=pitch):
             progress.update(len(analysis) * FRAME_PERIOD)
             yield analysis
 

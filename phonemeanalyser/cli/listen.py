@@ -1,5 +1,6 @@
-"""Live from the command line: recognise what a microphone hears, or record it."""
+"""``phonemeanalyser listen``: recognise what a microphone hears; and record it, see `record`."""
 
+import argparse
 import json
 import math
 import os
@@ -12,17 +13,31 @@ from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
 
-from phonemeengine.analyser import Analysis
-from phonemeengine.audio.devices import InputChoice, chosen_input, inputs_of
-from phonemeengine.audio.stream import devices
-from phonemeengine.errors import DeviceError, RecordingError
-from phonemeengine.files import free_path
-from phonemeengine.live.listener import Listener
-from phonemeengine.live.recorder import Recorder
-from phonemeengine.mouth.osc import OscMouth, OscSettings
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import FRAME_PERIOD
+from phonemeanalyser.cli.arguments import add_channel, add_preset, number_in, whole_in
+from phonemeengine import (
+    FRAME_PERIOD,
+    Analysis,
+    Channel,
+    DeviceError,
+    InputChoice,
+    Listener,
+    OscAddress,
+    OscMouth,
+    Performer,
+    Phoneme,
+    Preset,
+    Recorder,
+    RecordingError,
+    devices,
+    load_preset,
+    load_table,
+    timed_frames,
+)
+from phonemeengine.audio.devices import chosen_input, inputs_of
+from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
+from phonemeengine.mouth.osc import OscSettings
+from phonemeengine.mouth.performer import MOUTH_ALONE
+from phonemeengine.mouth.table import USUAL_TABLE
 
 LOOK = 0.2
 """Seconds between two looks at how it goes."""
@@ -30,6 +45,41 @@ LEAST_LOSS = 0.005
 """Seconds; less is not told."""
 PATIENCE = 3.0
 """Seconds that a microphone which gives nothing is waited for beyond the time that was asked for."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is listened to, and what is told of it."""
+    add_input(parser)
+    parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind")
+    parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
+    parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")
+    table = f"mouth table of --osc: {USUAL_TABLE} as the head's, vrm, oculus, ... or a file (default: {USUAL_TABLE})"
+    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Listen until the time is over, or Ctrl-C."""
+    if options.list_devices:
+        list_devices()
+    else:
+        osc = None if options.osc is None else OscSettings(OscAddress.of(options.osc), load_table(options.table))
+        listen(load_preset(options.preset), input_of(options), options.seconds, options.kind, osc)
+    return 0
+
+
+def add_input(parser: argparse.ArgumentParser) -> None:
+    """Let the user choose the microphone, and what recognises it for how long."""
+    parser.add_argument("--device", default="", metavar="NAME", help="microphone, by name or a part of it")
+    add_channel(parser, Channel.LEFT)
+    rate = whole_in(LOWEST_RATE, HIGHEST_RATE, "Hz")
+    parser.add_argument("--rate", type=rate, default=0, metavar="HZ", help="sample rate (default: 44100 if it can)")
+    add_preset(parser)
+    parser.add_argument("--seconds", type=number_in(0, math.inf, "s"), metavar="S", help="end after so long")
+
+
+def input_of(options: argparse.Namespace) -> InputChoice:
+    """Return the microphone that the user chose."""
+    return InputChoice(options.device, options.channel.number, options.rate)
 
 
 def list_devices() -> None:
@@ -64,14 +114,15 @@ def listen(
     """
     chosen_input(choice, devices())
     changes = _Changes(_as_json if kind == "json" else _as_text)
-    with _sending(osc) as mouth, _quiet_libraries(), _ended_by_signals():
+    with _sending(osc) as performer, _quiet_libraries(), _ended_by_signals():
 
         def follow(analysis: Analysis) -> None:
             changes.follow(analysis)
-            if mouth is not None:
-                mouth.add_analysis(analysis)
+            if performer is not None:
+                now = time.monotonic()
+                performer.hear(timed_frames(analysis, now), now, live=True)
 
-        changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_heard=follow)
+        changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_analysis=follow)
         try:
             _attend(listener, seconds, lambda: None)
         finally:
@@ -93,32 +144,33 @@ def record(
     """
     chosen_input(choice, devices())
     limit = math.inf if seconds is None else seconds
-    tape = Recorder(_names_from(path), with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
+    recorder = Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
     with _quiet_libraries(), _ended_by_signals():
-        listener = Listener(preset, choice, phonemes_only=True, tape=tape)
+        listener = Listener(preset, choice, phonemes_only=True, recorder=recorder)
         try:
-            _attend(listener, seconds, lambda: _check(tape))
+            _attend(listener, seconds, lambda: _check(recorder))
         finally:
             listener.close()
-            tape.close()
-            _report(tape, listener)
-    if tape.failure:
-        raise RecordingError(tape.failure)
-    if not tape.paths:
+            recorder.close()
+            _report(recorder, listener)
+    if recorder.failure:
+        raise RecordingError(recorder.failure)
+    if not recorder.paths:
         raise RecordingError(
             f"{path.name}: no sound came from the microphone, so nothing was recorded; check its plug"
         )
 
 
 @contextmanager
-def _sending(osc: OscSettings | None) -> Iterator[OscMouth | None]:
-    """Send the mouth meanwhile, and say at the end if nothing could be sent."""
+def _sending(osc: OscSettings | None) -> Iterator[Performer | None]:
+    """Send what a performer shows meanwhile, and say at the end if nothing could be sent."""
     if osc is None:
         yield None
         return
-    mouth = OscMouth(osc.address, osc.table)
+    performer = Performer(osc.table, MOUTH_ALONE)
+    mouth = OscMouth(osc.address, performer)
     try:
-        yield mouth
+        yield performer
     finally:
         mouth.close()
         if mouth.failure:
@@ -171,27 +223,21 @@ def _attend(listener: Listener, seconds: float | None, look: Callable[[], None])
             said = words
 
 
-def _check(tape: Recorder) -> None:
-    if tape.failure:
-        raise RecordingError(tape.failure)
+def _check(recorder: Recorder) -> None:
+    if recorder.failure:
+        raise RecordingError(recorder.failure)
 
 
-def _names_from(path: Path) -> Callable[[], Path]:
-    """Return the path itself, and numbered ones after it."""
-    names: Iterator[Path] = iter([path])
-    return lambda: next(names, None) or free_path(path)
-
-
-def _report(tape: Recorder, listener: Listener) -> None:
-    lost = listener.lost_seconds - sum(gap.seconds for gap in tape.gaps)
-    other = " more" if tape.gaps else ""
+def _report(recorder: Recorder, listener: Listener) -> None:
+    lost = listener.lost_seconds - sum(gap.seconds for gap in recorder.gaps)
+    other = " more" if recorder.gaps else ""
     missing = f", {lost:.2f} s{other} were lost on the way" if lost >= LEAST_LOSS else f", nothing{other} lost"
-    gaps = f", {tape.gap_words}" if tape.gaps else ""
-    for path in tape.paths[:-1]:
+    gaps = f", {recorder.gap_words}" if recorder.gaps else ""
+    for path in recorder.paths[:-1]:
         print(f"phonemeanalyser: {path}: recorded until the microphone changed", file=sys.stderr)
-    if tape.path is not None and tape.seconds:
-        print(f"phonemeanalyser: {tape.path}: {tape.seconds:.2f} s recorded{gaps}{missing}", file=sys.stderr)
-    for note in tape.notes:
+    if recorder.path is not None and recorder.seconds:
+        print(f"phonemeanalyser: {recorder.path}: {recorder.seconds:.2f} s recorded{gaps}{missing}", file=sys.stderr)
+    for note in recorder.notes:
         print(f"phonemeanalyser: note: {note}", file=sys.stderr)
 
 

@@ -1,15 +1,28 @@
 """``phonemeanalyser movestates``: movestates from the files of any modelling program, and between formats."""
 
 import argparse
+import math
 from collections.abc import Iterator
 from pathlib import Path
 
+from phonemeanalyser.cli.arguments import number_in
 from phonemeanalyser.cli.output_files import print_whole
-from phonemeengine.errors import MeshError
-from phonemeengine.mouth.files.io import FACES, load_morph_mesh, load_morph_targets, save_morph_targets
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.morph_mesh import TOLERANCE, MorphMesh, MorphTargets, matched, morph_targets_of
-from phonemeengine.mouth.movestate import LONGEST_NAME, Movestate, movestate_of
+from phonemeengine import (
+    MeshError,
+    MorphMesh,
+    MorphTargets,
+    Movestate,
+    load_head,
+    load_morph_mesh,
+    load_morph_targets,
+    matched,
+    morph_targets_of,
+    movestate_of,
+    save_morph_targets,
+)
+from phonemeengine.mouth.files.io import TARGET_SUFFIXES
+from phonemeengine.mouth.morph_mesh import TOLERANCE
+from phonemeengine.mouth.movestate import LONGEST_NAME
 
 OWN = "head"
 """What is named instead of a file, for the head that ships with the program."""
@@ -19,27 +32,47 @@ EPILOG = (
 )
 
 
-def movestates(words: list[str]) -> int:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is to be done with movestates."""
+    parser.epilog = EPILOG
+    kinds = parser.add_subparsers(required=True, metavar="WHAT")
+    export = kinds.add_parser("export", help="make movestates of a mesh and its targets")
+    export.add_argument("base", type=Path, metavar="BASE", help="the mesh at rest; its morph targets count")
+    export.add_argument("targets", type=Path, nargs="*", metavar="TARGET", help="the mesh moved, named as the state")
+    export.add_argument("-o", "--out", type=Path, required=True, metavar="FACE", help=".3dm, .3dma or .glb")
+    export.set_defaults(act=_export)
+    info = kinds.add_parser("info", help="say what a file holds")
+    info.add_argument("file", type=Path, metavar="FILE")
+    info.set_defaults(act=_info)
+    convert = kinds.add_parser("convert", help="write movestates in another format")
+    convert.add_argument("source", type=Path, metavar="IN", help="a file, or the word head")
+    convert.add_argument("out", type=Path, metavar="OUT", help=".3dm, .3dma or .glb")
+    convert.add_argument("--mesh", type=Path, help="the mesh of IN, by whose vertices it is renumbered if need be")
+    distance = number_in(0, math.inf, "units of the mesh")
+    convert.add_argument("--tolerance", type=distance, default=TOLERANCE, help=f"of a place (default {TOLERANCE})")
+    convert.set_defaults(act=_convert)
+
+
+def run(options: argparse.Namespace) -> int:
     """Run the command; returns its exit code."""
-    options = _options(words)
     lines: list[str] = list(options.act(options))
     print_whole(lambda file: file.writelines(f"{line}\n" for line in lines))
     return 0
 
 
 def _export(options: argparse.Namespace) -> Iterator[str]:
-    base = _figure_of(options.base)
+    base = _morph_mesh_of(options.base)
     states = [*base.states, *(state for path in options.targets for state in _states_of(path, base))]
     if not states:
         raise MeshError(f"{options.base.name}: there are no morph targets in it; name the files of targets after it")
-    face = _named_apart(base, states)
-    save_morph_targets(face, options.out, base)
-    yield _summary(options.out, face)
+    targets = _named_apart(base, states)
+    save_morph_targets(targets, options.out, base)
+    yield _summary(options.out, targets)
 
 
 def _states_of(path: Path, base: MorphMesh) -> list[Movestate]:
     """Return what a target's file holds: its mesh as a movestate of the file's name, and its own morph targets."""
-    target = _figure_of(path)
+    target = _morph_mesh_of(path)
     if len(target.mesh) != len(base.mesh):
         raise MeshError(
             f"{path.name}: it has {len(target.mesh)} vertices, and the base has {len(base.mesh)}; export both alike"
@@ -60,45 +93,47 @@ def _named_apart(base: MorphMesh, states: list[Movestate]) -> MorphTargets:
 
 def _info(options: argparse.Namespace) -> Iterator[str]:
     path: Path = options.file
-    if path.suffix.lower() not in FACES:
-        figure = _figure_of(path)
-        mesh = figure.mesh
+    if path.suffix.lower() not in TARGET_SUFFIXES:
+        morph_mesh = _morph_mesh_of(path)
+        mesh = morph_mesh.mesh
         yield f"{path.name}: {_many(len(mesh), 'vertex')}, {_many(len(mesh.triangles), 'triangle')}, " + _many(
             len(mesh.materials), "material"
         )
-        yield from _table(figure.states)
+        yield from _table(morph_mesh.states)
         return
-    face = _face_of(path)
-    yield _summary(path, face)
-    yield from _table(face.states)
+    targets = _targets_of(path)
+    yield _summary(path, targets)
+    yield from _table(targets.states)
 
 
 def _convert(options: argparse.Namespace) -> Iterator[str]:
-    face = _face_of(options.source)
-    figure = _figure_of(options.source) if options.source.suffix.lower() not in FACES else None
+    targets = _targets_of(options.source)
+    morph_mesh = _morph_mesh_of(options.source) if options.source.suffix.lower() not in TARGET_SUFFIXES else None
     if options.mesh is not None:
-        figure = _figure_of(options.mesh)
-        as_it_was, face = face, matched(face, figure.mesh, options.tolerance)
-        if face is not as_it_was:
+        morph_mesh = _morph_mesh_of(options.mesh)
+        as_it_was, targets = targets, matched(targets, morph_mesh.mesh, options.tolerance)
+        if targets is not as_it_was:
             yield f"{options.source.name}: the vertices are renumbered as {options.mesh.name} has them"
-    save_morph_targets(face, options.out, figure)
-    yield _summary(options.out, face)
+    save_morph_targets(targets, options.out, morph_mesh)
+    yield _summary(options.out, targets)
 
 
-def _figure_of(path: Path) -> MorphMesh:
+def _morph_mesh_of(path: Path) -> MorphMesh:
     return load_head() if str(path) == OWN else load_morph_mesh(path)
 
 
-def _face_of(path: Path) -> MorphTargets:
+def _targets_of(path: Path) -> MorphTargets:
     if str(path) == OWN:
         head = load_head()
         return morph_targets_of(head.mesh, head.states)
     return load_morph_targets(path)
 
 
-def _summary(path: Path, face: MorphTargets) -> str:
+def _summary(path: Path, targets: MorphTargets) -> str:
     size = path.stat().st_size / 1000
-    return f"{path.name}: {_many(len(face.states), 'movestate')}, {len(face.numbers)} vertices move, {size:.0f} kB"
+    return (
+        f"{path.name}: {_many(len(targets.states), 'movestate')}, {len(targets.numbers)} vertices move, {size:.0f} kB"
+    )
 
 
 def _table(states: tuple[Movestate, ...]) -> Iterator[str]:
@@ -113,35 +148,3 @@ def _table(states: tuple[Movestate, ...]) -> Iterator[str]:
 def _many(n: int, what: str) -> str:
     plural = "vertices" if what == "vertex" else f"{what}s"
     return f"{n} {what if n == 1 else plural}"
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser movestates", description="Make, look at and convert files of movestates.", epilog=EPILOG
-    )
-    kinds = parser.add_subparsers(required=True, metavar="WHAT")
-    export = kinds.add_parser("export", help="make movestates of a mesh and its targets")
-    export.add_argument("base", type=Path, metavar="BASE", help="the mesh at rest; its morph targets count")
-    export.add_argument("targets", type=Path, nargs="*", metavar="TARGET", help="the mesh moved, named as the state")
-    export.add_argument("-o", "--out", type=Path, required=True, metavar="FACE", help=".3dm, .3dma or .glb")
-    export.set_defaults(act=_export)
-    info = kinds.add_parser("info", help="say what a file holds")
-    info.add_argument("file", type=Path, metavar="FILE")
-    info.set_defaults(act=_info)
-    convert = kinds.add_parser("convert", help="write movestates in another format")
-    convert.add_argument("source", type=Path, metavar="IN", help="a file, or the word head")
-    convert.add_argument("out", type=Path, metavar="OUT", help=".3dm, .3dma or .glb")
-    convert.add_argument("--mesh", type=Path, help="the mesh of IN, by whose vertices it is renumbered if need be")
-    convert.add_argument("--tolerance", type=_distance, default=TOLERANCE, help=f"of a place (default {TOLERANCE})")
-    convert.set_defaults(act=_convert)
-    return parser.parse_args(words)
-
-
-def _distance(text: str) -> float:
-    try:
-        distance = float(text)
-    except ValueError:
-        distance = -1.0
-    if not 0 <= distance < float("inf"):
-        raise argparse.ArgumentTypeError(f"must be 0 or more, in units of the mesh, got {text!r}")
-    return distance

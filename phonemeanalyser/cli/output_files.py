@@ -1,16 +1,14 @@
 """What commands write: complete, or not at all."""
 
 import io
-import os
 import sys
-import tempfile
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
-from phonemeengine.errors import EngineError
-from phonemeengine.files import Owns, is_own
+from phonemeengine import EngineError
+from phonemeengine.files import Owns, atomic_write, is_own, reason_of
 
 
 @dataclass(frozen=True)
@@ -99,18 +97,14 @@ def write_whole_file(target: Path, write: Callable[[BinaryIO], None], guard: Gua
     ------
     EngineError : it cannot be written, or the guard leaves alone what is there.
     """
-    name = ""
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=target.name, suffix=".part")
-        with os.fdopen(handle, "wb") as file:
+        with atomic_write(target) as file:
             write(file)
-        Path(name).chmod(0o644)
-        if guard is not None:
-            guard.check_written(target, Path(name))
-        Path(name).replace(target)
+            if guard is not None:
+                file.flush()
+                guard.check_written(target, Path(file.name))
     except OSError as error:
-        raise EngineError(f"{target}: cannot be written ({error.strerror}); choose another place with -o") from error
-    finally:
-        if name:
-            Path(name).unlink(missing_ok=True)
+        raise EngineError(
+            f"{target}: cannot be written ({reason_of(error)}); choose another place with -o"
+        ) from error

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, add_mouth
+from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_preset, add_theme, size_in
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, open_sound
 from phonemeanalyser.cli.output_files import write_whole_file
 from phonemeanalyser.colours import DARK, LIGHT
@@ -18,19 +18,25 @@ from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif, write_film, write_gif, write_pictures
+from phonemeengine import (
+    SAMPLE_RATE,
+    Detail,
+    IdleMotion,
+    MorphMesh,
+    SoundReader,
+    load_head,
+    load_morph_mesh,
+    load_morph_targets,
+    load_preset,
+    load_table,
+    matched,
+)
 from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.audio.files import SoundReader
 from phonemeengine.files import printable_name
-from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
+from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
-from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.morph_mesh import MorphMesh, matched
-from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
-from phonemeengine.mouth.utterance import utterance_of
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
-from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.mouth.table import USUAL_TABLE, shipped_tables
+from phonemeengine.mouth.transcript import transcript_of
 
 SMALLEST, LARGEST = 16, 4096
 """Pixels along an edge of the picture."""
@@ -41,18 +47,35 @@ BLOCK = SAMPLE_RATE // 10
 """Samples of the sound that are encoded at a time."""
 
 
-def preview(words: list[str]) -> int:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is shown, and how."""
+    parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
+    parser.add_argument(
+        "-o", "--out", type=Path, required=True, metavar="OUT", help=".mp4, .gif or a folder for .png"
+    )
+    parser.add_argument("--fps", type=float, default=RATE, metavar="N", help=f"frames per second ({RATE:g})")
+    size = size_in((SMALLEST, SMALLEST), (LARGEST, LARGEST))
+    parser.add_argument("--size", type=size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
+    add_preset(parser)
+    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
+    add_mouth(parser)
+    add_channel(parser)
+    add_theme(parser)
+    parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
+    parser.add_argument("--movestates", type=Path, metavar="F", help="its movestates: .3dm or .3dma")
+
+
+def run(options: argparse.Namespace) -> int:
     """Make the clip that the command line asks for."""
-    options = _options(words)
     _check_target(options.out, options.size)
-    figure = subdivided(_figure_of(options.mesh, options.movestates))
+    morph_mesh = subdivided(_morph_mesh_of(options.mesh, options.movestates))
     with open_sound(Job(options.file, options.out), options.channel) as reader:
-        actor = AnimationPlayer(figure, _animation_of(reader, options))
-        if options.out.suffix.lower() == ".gif" and (reason := why_no_gif(len(actor), options.fps)):
+        player = AnimationPlayer(morph_mesh, _animation_of(reader, options))
+        if options.out.suffix.lower() == ".gif" and (reason := why_no_gif(len(player), options.fps)):
             raise RenderingError(reason)
-        with OffscreenRenderer(figure, options.size) as offscreen:
+        with OffscreenRenderer(morph_mesh, options.size) as offscreen:
             background = colour_of({"light": LIGHT, "dark": DARK}[options.theme].window)
-            _write(options, reader, len(actor), _pictures_of(actor, figure, offscreen, background))
+            _write(options, reader, len(player), _pictures_of(player, morph_mesh, offscreen, background))
     return 0
 
 
@@ -64,36 +87,39 @@ def _check_target(out: Path, size: tuple[int, int]) -> None:
         raise RenderingError(reason)
 
 
-def _figure_of(mesh: Path | None, movestates: Path | None) -> MorphMesh:
+def _morph_mesh_of(mesh: Path | None, movestates: Path | None) -> MorphMesh:
     """Return the head that ships with the program, or a mesh with its movestates."""
     if mesh is None:
         if movestates is not None:
             raise RenderingError(f"{movestates.name}: movestates move a mesh of their own; name it with --mesh")
         return load_head()
-    figure = load_morph_mesh(mesh)
+    morph_mesh = load_morph_mesh(mesh)
     if movestates is not None:
-        figure = MorphMesh(figure.mesh, matched(load_morph_targets(movestates), figure.mesh).states)
-    if not figure.states:
+        morph_mesh = MorphMesh(morph_mesh.mesh, matched(load_morph_targets(movestates), morph_mesh.mesh).states)
+    if not morph_mesh.states:
         raise RenderingError(f"{mesh.name}: there are no morph targets in it; name its movestates with --movestates")
-    return figure
+    return morph_mesh
 
 
 def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation:
-    life = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
+    idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     table, preset = load_table(options.table), load_preset(options.preset)
     name = printable_name(options.file)
-    speech = utterance_of(analyse_with_progress(reader, preset, pitch=life.head), name, reader.duration)
+    speech = transcript_of(analyse_with_progress(reader, preset, pitch=idle.head), name, reader.duration)
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
-    return animation_of(speech, cues, table, options.fps, life)
+    return animation_of(speech, cues, table, options.fps, idle)
 
 
 def _pictures_of(
-    actor: AnimationPlayer, figure: MorphMesh, offscreen: OffscreenRenderer, background: tuple[float, float, float]
+    player: AnimationPlayer,
+    morph_mesh: MorphMesh,
+    offscreen: OffscreenRenderer,
+    background: tuple[float, float, float],
 ) -> Iterator[UInt8Array]:
     """Take the pictures with a progress bar."""
-    camera = Camera.facing(figure.mesh).orbit(ASIDE, ABOVE)
-    scenes = tqdm(actor.scenes(), total=len(actor), unit="frame", disable=None, leave=False, file=sys.stderr)
+    camera = Camera.facing(morph_mesh.mesh).orbit(ASIDE, ABOVE)
+    scenes = tqdm(player.scenes(), total=len(player), unit="frame", disable=None, leave=False, file=sys.stderr)
     for positions, pose in scenes:
         yield offscreen.picture(camera, positions, pose, background=background)
 
@@ -113,36 +139,3 @@ def _write(options: argparse.Namespace, reader: SoundReader, n_frames: int, pict
 def _blocks_of(reader: SoundReader) -> Iterator[Float32Array]:
     while len(block := reader.read(BLOCK)):
         yield block
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser preview", description="Make a clip in which a head says a sound file."
-    )
-    parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
-    parser.add_argument(
-        "-o", "--out", type=Path, required=True, metavar="OUT", help=".mp4, .gif or a folder for .png"
-    )
-    parser.add_argument("--fps", type=float, default=RATE, metavar="N", help=f"frames per second ({RATE:g})")
-    parser.add_argument("--size", type=_size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, help="preset (.toml) or PhonemeData file")
-    parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
-    add_mouth(parser)
-    add_channel(parser)
-    parser.add_argument("--theme", choices=["light", "dark"], default="light")
-    parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
-    parser.add_argument("--movestates", type=Path, metavar="F", help="its movestates: .3dm or .3dma")
-    parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
-    parser.add_argument("--no-head", action="store_true", help="keep the head still")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
-    return parser.parse_args(words)
-
-
-def _size(text: str) -> tuple[int, int]:
-    try:
-        width, height = (int(part) for part in text.lower().split("x"))
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"must be like 640x640, got {text!r}") from None
-    if not (SMALLEST <= width <= LARGEST and SMALLEST <= height <= LARGEST):
-        raise argparse.ArgumentTypeError(f"must lie in {SMALLEST}..{LARGEST} both ways, got {text!r}")
-    return width, height

@@ -8,22 +8,32 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, number
+from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset, number_in, whole_in
 from phonemeanalyser.cli.jobs import say_cut_off
 from phonemeanalyser.cli.output_files import print_whole, write_whole
 from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset, printable
 from phonemeanalyser.reports.text import text_of
-from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, AddedNoise, NoiseAdder, NoiseKind
+from phonemeengine import (
+    AddedNoise,
+    AudioError,
+    Channel,
+    CorpusError,
+    CorpusScores,
+    NoiseAdder,
+    NoiseKind,
+    PhonemeMap,
+    Preset,
+    PresetError,
+    Utterance,
+    load_phoneme_map,
+    load_preset,
+    read_recordings,
+    score,
+)
+from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
-from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
-from phonemeengine.calibration.scores.evaluation import CorpusScores, score_corpus
-from phonemeengine.errors import AudioError, CorpusError, PresetError
-from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import Channel
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
 """The formats that an ending asks for; text is the format of all others."""
@@ -38,9 +48,32 @@ class Named:
     preset: Preset
 
 
-def score(words: list[str]) -> int:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is scored, and how that is told."""
+    parser.add_argument(
+        "corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv, or with sounds beside label files"
+    )
+    add_preset(parser, metavar="A")
+    parser.add_argument("--against", type=Path, metavar="B", help="another one, which is compared with it")
+    parser.add_argument(
+        "--format", choices=["text", "json", "html"], dest="kind", help="(default: as OUT ends, else text)"
+    )
+    parser.add_argument("-o", "--out", type=Path, help="file to write (default: print)")
+    parser.add_argument("--by", choices=["corpus", "speaker"], default="corpus", help="rows of the text's table")
+    lag = number_in(-MOST_LAG_MS, MOST_LAG_MS, "ms")
+    parser.add_argument("--lag", type=lag, default=0.0, metavar="MS", help="take the answers to come so late")
+    add_map(parser)
+    add_channel(parser)
+    parser.add_argument("--noise", choices=[k.value for k in NoiseKind], help="add noise before the analysis")
+    snr = number_in(LOWEST_SNR, HIGHEST_SNR, "dB")
+    parser.add_argument("--snr", type=snr, metavar="DB", help="how far the noise is below the speech")
+    parser.add_argument("--seed", type=whole_in(0), default=0, metavar="N", help="of the noise (default: 0)")
+
+
+def run(options: argparse.Namespace) -> int:
     """Score presets as the command line asks; 1 where a sound could not be read."""
-    options = _options(words)
+    if (options.noise is None) != (options.snr is None):
+        options.parser.error("--noise and --snr go together: say what noise, and how far below the speech")
     presets = _presets_of(options.preset, options.against)
     noise = None if options.noise is None else AddedNoise(NoiseKind(options.noise), options.snr, options.seed)
     mapping = None if options.map is None else load_phoneme_map(options.map)
@@ -50,7 +83,7 @@ def score(words: list[str]) -> int:
     for named in presets:
         adder = None if noise is None else NoiseAdder(noise, utterances)
         scored.append(ScoredPreset(named.title, _scored(utterances, named, options.lag / 1000, adder, troubles)))
-        utterances = tuple(answers.utterance for answers in scored[-1].scores.answers)
+        utterances = tuple(p.utterance for p in scored[-1].scores.predictions)
     comparison = compare(*(preset.scores for preset in scored)) if len(scored) > 1 else None
     report = Report(options.corpus, tuple(scored), comparison, noise, tuple(troubles.sentences))
     _write(report, options.kind or KINDS.get((options.out or Path()).suffix.lower(), "text"), options.by, options.out)
@@ -73,18 +106,18 @@ def _recordings_in(
 ) -> tuple[Utterance, ...]:
     if not folder.exists():
         raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")
-    utterances = read_recordings(folder, mapping, channel=channel, passed_over=troubles.push)
+    utterances = read_recordings(folder, mapping, channel=channel, on_skipped=troubles.push)
     say_cut_off(utterances)
     return utterances
 
 
 def _scored(
-    utterances: Sequence[Utterance], named: Named, lag: float, adder: NoiseAdder | None, troubles: _Troubles
+    utterances: Sequence[Utterance], named: Named, delay: float, adder: NoiseAdder | None, troubles: _Troubles
 ) -> CorpusScores:
     with tqdm(
         utterances, desc=named.title, unit="recording", leave=False, delay=1, disable=None, file=sys.stderr
     ) as progress:
-        return score_corpus(progress, named.preset, lag=lag, noise=adder, passed_over=troubles.push)
+        return score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push)
 
 
 def _presets_of(first: Path, against: Path | None) -> list[Named]:
@@ -118,48 +151,3 @@ def _parts_of(report: Report, kind: str, by: str) -> Iterator[str]:
         yield json_of(report)
     else:
         yield text_of(report, by)
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser score",
-        description="Recognise labelled recordings with one or two presets, and tell how right the answers are.",
-    )
-    parser.add_argument(
-        "corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv, or with sounds beside label files"
-    )
-    parser.add_argument("--preset", type=Path, default=DEFAULT_PRESET, metavar="A", help="preset or PhonemeData file")
-    parser.add_argument("--against", type=Path, metavar="B", help="another one, which is compared with it")
-    parser.add_argument(
-        "--format", choices=["text", "json", "html"], dest="kind", help="(default: as OUT ends, else text)"
-    )
-    parser.add_argument("-o", "--out", type=Path, help="file to write (default: print)")
-    parser.add_argument("--by", choices=["corpus", "speaker"], default="corpus", help="rows of the text's table")
-    parser.add_argument("--lag", type=_lag, default=0.0, metavar="MS", help="take the answers to come so late")
-    parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
-    add_channel(parser)
-    parser.add_argument("--noise", choices=[k.value for k in NoiseKind], help="add noise before the analysis")
-    parser.add_argument("--snr", type=_snr, metavar="DB", help="how far the noise is below the speech")
-    parser.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the noise (default: 0)")
-    options = parser.parse_args(words)
-    if (options.noise is None) != (options.snr is None):
-        parser.error("--noise and --snr go together: say what noise, and how far below the speech")
-    return options
-
-
-def _lag(text: str) -> float:
-    if not abs(lag := number(text)) <= MOST_LAG_MS:
-        raise argparse.ArgumentTypeError(f"must lie in -{MOST_LAG_MS:g}..{MOST_LAG_MS:g} ms, got {text!r}")
-    return lag
-
-
-def _snr(text: str) -> float:
-    if not LOWEST_SNR <= (snr := number(text)) <= HIGHEST_SNR:
-        raise argparse.ArgumentTypeError(f"must lie in {LOWEST_SNR:g}..{HIGHEST_SNR:g} dB, got {text!r}")
-    return snr
-
-
-def _seed(text: str) -> int:
-    if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f"must be a whole number from 0, got {text!r}")
-    return int(text)

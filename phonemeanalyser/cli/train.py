@@ -7,19 +7,36 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel
+from phonemeanalyser.cli.arguments import add_channel, whole_in
 from phonemeanalyser.cli.output_files import write_whole
+from phonemeengine import ModelError, load_preset, save_preset
 from phonemeengine.calibration.learning.model_card import model_card
 from phonemeengine.calibration.learning.pipeline import TrainingResult, train_and_validate
 from phonemeengine.calibration.learning.training import TrainingConfig
-from phonemeengine.errors import ModelError
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from phonemeengine.presets.files import DEFAULT_PRESET
 
 
-def train(words: list[str]) -> int:
-    """Run the command; returns its exit code."""
-    options = _options(words)
-    course = TrainingConfig(seed=options.seed, n_epochs=options.epochs, width=options.width)
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is learned from, and how long."""
+    parser.epilog = "Writes the model, a preset that uses it (the same name, .toml) and its card (.md)."
+    parser.add_argument("corpora", type=Path, nargs="+", metavar="CORPUS", help="folder with manifest.csv")
+    parser.add_argument("-o", "--out", type=Path, required=True, metavar="MODEL", help="the model's file, .npz")
+    for name, least, usual, words in (
+        ("seed", 0, 1, "of all chance"),
+        ("epochs", 1, TrainingConfig.n_epochs, "times that all is gone through"),
+        ("width", 4, TrainingConfig.width, "channels"),
+        ("variations", 0, 6, "of each recording"),
+        ("folds", 0, 4, "groups of speakers left out in turn; 0: none"),
+    ):
+        parser.add_argument(f"--{name}", type=whole_in(least), default=usual, help=f"{words} (default {usual})")
+    add_channel(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Train; returns the exit code."""
+    if options.out.suffix != ".npz":
+        raise ModelError(f"{options.out}: a model's file ends in .npz; name it so")
+    config = TrainingConfig(seed=options.seed, n_epochs=options.epochs, width=options.width)
     with tqdm(
         total=100, unit="%", file=sys.stderr, disable=None, bar_format="{desc}: {n:.0f} %|{bar}| {elapsed}"
     ) as bar:
@@ -28,17 +45,17 @@ def train(words: list[str]) -> int:
             bar.set_description(what)
             bar.update(100 * share - bar.n)
 
-        taught = train_and_validate(options.corpora, course, options.variations, options.folds, told, options.channel)
-    model = replace(taught.model, about=_about(options.out.stem, taught, course))
+        result = train_and_validate(options.corpora, config, options.variations, options.folds, told, options.channel)
+    model = replace(result.model, about=_about(options.out.stem, result, config))
     preset, card = options.out.with_suffix(".toml"), options.out.with_suffix(".md")
     notes = f"Trained by phonemeanalyser train; {card.name} tells on what, and how well it does."
     shipped = load_preset(DEFAULT_PRESET)
     save_preset(replace(shipped, name=preset.stem, model=model, notes=notes, sensitivities={}), preset)
-    text = model_card(options.out.stem, taught, course, options.variations)
+    text = model_card(options.out.stem, result, config, options.variations)
     write_whole(card, lambda file: print(text, file=file, end=""))
     print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}; {preset} uses it")
-    if taught.everyone is not None:
-        e = taught.everyone
+    if result.everyone is not None:
+        e = result.everyone
         print(
             f"speakers left out: macro F1 {e.macro_f1:.3f}, mouth shapes {e.viseme_accuracy:.3f}, "
             f"vowels {e.vowel_accuracy:.3f}"
@@ -46,35 +63,6 @@ def train(words: list[str]) -> int:
     return 0
 
 
-def _about(name: str, taught: TrainingResult, course: TrainingConfig) -> dict[str, object]:
-    figures = {} if taught.everyone is None else {"macro_f1": round(taught.everyone.macro_f1, 3)}
-    return {"name": name, "seed": course.seed, "epochs": course.n_epochs, "speakers": len(taught.sources), **figures}
-
-
-def _options(words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="phonemeanalyser train",
-        description="Train the learned recogniser on folders of labelled speech; writes the model, a preset that "
-        "uses it (the same name, .toml) and its card (.md).",
-    )
-    parser.add_argument("corpora", type=Path, nargs="+", metavar="CORPUS", help="folder with manifest.csv")
-    parser.add_argument("-o", "--out", type=Path, required=True, metavar="MODEL", help="the model's file, .npz")
-    parser.add_argument("--seed", type=int, default=1, help="of all chance (default 1)")
-    parser.add_argument(
-        "--epochs", type=int, default=TrainingConfig.n_epochs, help=f"default {TrainingConfig.n_epochs}"
-    )
-    parser.add_argument(
-        "--width", type=int, default=TrainingConfig.width, help=f"channels (default {TrainingConfig.width})"
-    )
-    parser.add_argument("--variations", type=int, default=6, help="of each recording (default 6)")
-    parser.add_argument(
-        "--folds", type=int, default=4, help="groups of speakers left out in turn (default 4; 0: none)"
-    )
-    add_channel(parser)
-    options = parser.parse_args(words)
-    if options.out.suffix != ".npz":
-        raise ModelError(f"{options.out}: a model's file ends in .npz; name it so")
-    for name, least in (("epochs", 1), ("width", 4), ("variations", 0), ("folds", 0)):
-        if getattr(options, name) < least:
-            parser.error(f"--{name} must be {least} or more, got {getattr(options, name)}")
-    return options
+def _about(name: str, result: TrainingResult, config: TrainingConfig) -> dict[str, object]:
+    figures = {} if result.everyone is None else {"macro_f1": round(result.everyone.macro_f1, 3)}
+    return {"name": name, "seed": config.seed, "epochs": config.n_epochs, "speakers": len(result.sources), **figures}

@@ -3,7 +3,6 @@
 import logging
 import sys
 import tempfile
-import traceback
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -35,12 +34,14 @@ from phonemeanalyser.desktop.shutdown import SessionKeeper
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme, apply_theme, system_theme
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.logs import logged_beside
 from phonemeengine.audio.output import ClockOutput, Output, open_output
 from phonemeengine.errors import EngineError
 from phonemeengine.settings import Channel
 
 AFTER_PAINTING_MS = 20
 """The window is to be seen before the sound card is awake."""
+_log = logging.getLogger(__name__)
 THEMES = {"light": LIGHT, "dark": DARK}
 
 
@@ -154,13 +155,18 @@ def make_application() -> QApplication:
 def run(file: Path | None, demo: Path, preset: Path | None = None, channel: Channel | None = None) -> int:
     """Open the window on a file, or on the last one, or on the demo; returns the exit code when it is closed."""
     app = make_application()
-    sys.excepthook = _report_bug
+    with logged_beside(_settings_folder()) as log:
+        sys.excepthook = partial(_report_bug, log)
+        return _run(app, file, demo, preset, channel)
+
+
+def _run(app: QApplication, file: Path | None, demo: Path, preset: Path | None, channel: Channel | None) -> int:
     settings, collector = QSettings(), WindowThreadCollector()
     desktop = Desktop(app, settings)
     dialogs, unsaved = desktop.window.dialogs, UnsavedChanges(desktop.preset, _data_folder(), settings)
     keeper = SessionKeeper(app, desktop.save, unsaved)
     dialogs.restore_preset()
-    dialogs.take_up_unsaved(unsaved)
+    dialogs.restore_unsaved(unsaved)
     if preset is not None:
         dialogs.load_preset(preset)
     begin = partial(_begin, desktop, file or dialogs.last_sound() or demo, channel)
@@ -172,6 +178,10 @@ def run(file: Path | None, demo: Path, preset: Path | None = None, channel: Chan
     desktop.close()
     collector.close()
     return code
+
+
+def _settings_folder() -> Path:
+    return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppConfigLocation)).parent
 
 
 def _data_folder() -> Path:
@@ -207,7 +217,7 @@ def screenshot(
             desktop.window.resize(*size)
             desktop.window.show()
             _follow(desktop.session, file, at, channel)
-            desktop.window.drawing.refresh_all()
+            desktop.window.redraw.refresh_all()
             app.processEvents()
             saved = desktop.window.grab().save(str(out), "PNG")
         finally:
@@ -232,13 +242,9 @@ def _pass_message(_kind: QtMsgType, _context: QMessageLogContext, message: str) 
         print(message, file=sys.stderr)
 
 
-def _report_bug(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+def _report_bug(log: Path, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
     """Write a bug to the log, and show one dialog however often it comes."""
-    folder = _data_folder()
-    folder.mkdir(parents=True, exist_ok=True)
-    log = folder / "phonemeanalyser.log"
-    logging.basicConfig(filename=log, format="%(asctime)s %(message)s")
-    logging.error("".join(traceback.format_exception(kind, error, trace)))
+    _log.error("the program crashed", exc_info=(kind, error, trace))
     if QApplication.activeModalWidget() is None:
         QMessageBox.critical(
             None, "PhonemeAnalyser", f"Something went wrong in the program itself; the details are in {log}."

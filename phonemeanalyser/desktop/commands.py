@@ -52,7 +52,7 @@ def record_commands(session: Session, dialogs: Dialogs) -> Commands:
 
 
 def analysis_commands(session: Session, preset: PresetModel, dialogs: Dialogs) -> Commands:
-    """Return what belongs to filters and findings."""
+    """Return what belongs to filters and results."""
     return (
         Command("Bypass All Filters", "B", preset.set_bypassed, checkable=True),
         Command("Clear", "C", session.clear),

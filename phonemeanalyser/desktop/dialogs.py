@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import QIODevice, QObject, QSaveFile, QSettings, Signal
@@ -10,7 +11,7 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
-from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.preset import PRESET_FILTER, PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 from phonemeengine.errors import EngineError
@@ -19,11 +20,10 @@ from phonemeengine.files import free_path
 from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.entries import PresetEntry, preset_entries
-from phonemeengine.presets.files import FACTORY_PRESETS, own_presets
+from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY_PRESETS, load_preset, own_presets
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
-PRESET_FILTER = "Presets (*.toml *.phonemedata *.txt)"
 CURVE_FILTER = "Curves (*.csv)"
 LABEL_FILTERS = {
     "Praat TextGrid (*.TextGrid)": ".TextGrid",
@@ -37,11 +37,11 @@ class Dialogs(QObject):
 
     Signals
     -------
-    refused : a sentence for the user; an empty one after something went well.
-    told : a sentence for the user about something to know.
+    rejected : a sentence for the user; an empty one after something went well.
+    info : a sentence for the user about something to know.
     sound_opened : a sound file is in hand, and first among the recent ones.
     variable_added : name of the user's new variable.
-    offered : a sentence, what can be done about it, and the function that does it.
+    action_offered : a sentence, what can be done about it, and the function that does it.
     """
 
     rejected = Signal(str)
@@ -171,10 +171,10 @@ class Dialogs(QObject):
         if path.is_file() and path != self._preset.path:
             self._try(lambda: self._preset.load(path))
 
-    def take_up_unsaved(self, unsaved: UnsavedChanges) -> None:
+    def restore_unsaved(self, unsaved: UnsavedChanges) -> None:
         """Take up what was changed and not saved when the program ended, and offer to undo that."""
         try:
-            found = unsaved.take_up()
+            found = unsaved.restore()
         except EngineError as error:
             self.rejected.emit(f"The changes that were not saved when the program ended cannot be read: {error}")
             return
@@ -268,6 +268,16 @@ class Dialogs(QObject):
         )
         if changed:
             self._preset.edit(replace(self._preset.preset, notes=notes), "change of notes")
+
+    def show_about(self) -> None:
+        """Show what the program is; the notes of the preset with which it begins say how well it does."""
+        notes = escape(load_preset(DEFAULT_PRESET).notes.strip()).replace("\n", " ")
+        QMessageBox.about(
+            self._window, "PhonemeAnalyser",
+            "<b>PhonemeAnalyser</b><p>Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme "
+            "was recognised.<p>MIT licence. The demo is a synthetic voice of the Festival project (CMU slt). "
+            f"The head is in the public domain (CC0).<p><b>The preset Learned.</b> {notes}",
+        )  # fmt: skip
 
     def may_go_on(self) -> bool:
         """Ask what is to become of unsaved changes; says whether to go on."""

@@ -42,7 +42,7 @@ class Docks:
         on.raise_()
 
     def resize(self, widths: Mapping[QDockWidget, int]) -> None:
-        """Return some docks other widths, pixels."""
+        """Give some docks other widths, pixels."""
         self._window.resizeDocks(list(widths), list(widths.values()), Qt.Orientation.Horizontal)
 
     def switches(self, keys: Mapping[str, str]) -> list[QAction]:

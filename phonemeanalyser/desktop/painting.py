@@ -39,3 +39,11 @@ def size_that_fills(painter: QPainter, text: str, width: float, smallest: int, l
     set_size(painter, 100)
     wide = max(1, painter.fontMetrics().horizontalAdvance(text))
     return max(smallest, min(largest, math.floor(100 * width / wide)))
+
+
+def format_clock(seconds: float, fine: bool) -> str:
+    """Write seconds as 1:02:03.4, without hours where there are none."""
+    minutes, rest = divmod(seconds, 60)
+    hours, minutes = divmod(int(minutes), 60)
+    tail = f"{int(rest * 10) / 10:04.1f}" if fine else f"{int(rest):02d}"
+    return f"{hours}:{minutes:02d}:{tail}" if hours else f"{minutes}:{tail}"

@@ -1,47 +1,39 @@
 """The main window: lays the views out, and joins menus, keys and drops to the models. No signal logic."""
 
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
-from PySide6.QtWidgets import QMainWindow, QWidget
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QWidget
 
 from phonemeanalyser.desktop import commands
 from phonemeanalyser.desktop.analyse.filter_column import FilterColumn
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
-from phonemeanalyser.desktop.analyse.phoneme_view import PhonemeView
 from phonemeanalyser.desktop.analyse.preset_box import PresetBox
 from phonemeanalyser.desktop.analyse.recogniser_choice import RecogniserChoice
-from phonemeanalyser.desktop.analyse.threshold_view import ThresholdView
+from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport import Transport
 from phonemeanalyser.desktop.calibrate.dialogs import CalibrationDialogs
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.docks import Docks
-from phonemeanalyser.desktop.drops import open_dropped
-from phonemeanalyser.desktop.heads import Heads
 from phonemeanalyser.desktop.menus import Command, Menus
-from phonemeanalyser.desktop.pages import PageMaker
-from phonemeanalyser.desktop.recent_menu import RecentMenu
 from phonemeanalyser.desktop.redraw import RedrawLoop
-from phonemeanalyser.desktop.session.empty_hint import empty_hint
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
-from phonemeanalyser.desktop.session.status_line import StatusLine
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
 from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
 from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.talk.heads import Heads
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.about import show_about
 from phonemeanalyser.desktop.widgets.banner import Banner
-from phonemeanalyser.desktop.widgets.bars import add_bar
 from phonemeanalyser.desktop.widgets.key_filters import ButtonKeys
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 280, 310, 230
 USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
@@ -50,6 +42,13 @@ NARROW = 1200
 """A window that opens narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
 KEYS_OF_DOCKS = {"Head": "F7"}
+NOTHING = "Drop a sound here, or open one with Ctrl+O"
+HINTS = {
+    SoundSource.FILE: "Press Space to play",
+    SoundSource.MICROPHONE: "Press Space to listen, R to record",
+    SoundSource.TONE: "Press Space to hear the tone",
+}
+"""What the user may do while the time view is empty."""
 
 
 class MainWindow(QMainWindow):
@@ -84,9 +83,9 @@ class MainWindow(QMainWindow):
         self._lay_out()
         self._make_menus()
         self._connect()
-        self.state.restore(session, self.analysis.time_view)
+        self.state.restore(session, self.analysis.scroll_view)
         self._banner_bar.hide()
-        self.drawing.refresh_all()
+        self.redraw.refresh_all()
 
     # -- what it is made of -------------------------------------------------------------------------------
 
@@ -98,24 +97,18 @@ class MainWindow(QMainWindow):
         self.filters = FilterColumn(self._preset, theme)
         self.recogniser = RecogniserChoice(self._preset)
         self.preset_box = PresetBox(self._preset, self.dialogs.preset_sections)
-        self.phoneme = PhonemeView(session, theme)
-        self.thresholds = ThresholdView(self._preset, session.history, theme)
         self.status = StatusLine(session, self._preset, theme)
-        self.head = HeadView(self._talking, theme)
+        self.heads = Heads(self._talking)
+        self.head = self.heads.add("dock", HeadView(self._talking, theme))
         self.head.setMinimumHeight(HEAD_HEIGHT)
         self.switch = PageSwitch(commands.PAGES)
-        make = PageMaker(self, theme, self.dialogs, self.calibration_dialogs, self.talking_dialogs)
         self.pages = PageStack()
         self.pages.addWidget(self.analysis)
-        self._late_calibration = LazyPage(
-            self.pages, partial(make.calibration_page, self._calibration, self._talking)
+        self._late_calibration = LazyPage(self.pages, self._make_calibration_page)
+        self._late_talk = LazyPage(self.pages, self._make_talk_page)
+        self.redraw = RedrawLoop(
+            self, session, self.pages, self.analysis, self._late_calibration, self.heads, self.transport, self.status
         )
-        self._late_talk = LazyPage(self.pages, partial(make.talk_page, self._talking))
-        self._heads = Heads(self._talking, self._late_talk, self._late_calibration, self.head)
-        self.drawing = RedrawLoop(
-            self, session, self.pages, self.analysis, self._late_calibration, self._heads, self.phoneme,
-            self.thresholds, self.transport, self.status,
-        )  # fmt: skip
 
     @property
     def calibration(self) -> CalibrationPage:
@@ -127,9 +120,41 @@ class MainWindow(QMainWindow):
         """The page of the head."""
         return self._late_talk.get()
 
+    def _make_calibration_page(self) -> CalibrationPage:
+        head = self.heads.add("guide", HeadView(self._talking, self.theme))
+        page, dialogs = CalibrationPage(self._calibration, head, self.theme), self.calibration_dialogs
+        page.takes.project_asked.connect(dialogs.ask_project)
+        page.takes.import_asked.connect(dialogs.ask_recordings)
+        page.guide.save_asked.connect(self.dialogs.save_as)
+        page.workbench.compare.file_asked.connect(self._ask_preset_to_compare)
+        page.workbench.picture_asked.connect(self.dialogs.ask_save_picture)
+        page.workbench.variables.add_asked.connect(self.dialogs.add_variable)
+        self.installEventFilter(page.keys)
+        return page
+
+    def _make_talk_page(self) -> TalkPage:
+        page, dialogs = TalkPage(self._talking, self.theme), self.talking_dialogs
+        self.heads.add("page", page.head, page)
+        page.sound_asked.connect(self._say_another)
+        page.preset_asked.connect(self.dialogs.ask_preset)
+        page.choices.mesh_asked.connect(dialogs.ask_mesh)
+        page.choices.table_asked.connect(dialogs.ask_table)
+        self.installEventFilter(page.keys)
+        return page
+
+    def _say_another(self) -> None:
+        """Let the user choose a sound file, and have the head say it at once."""
+        if self.dialogs.ask_sound():
+            self._session.play()
+
+    def _ask_preset_to_compare(self) -> None:
+        path = self.calibration_dialogs.ask_preset()
+        if path is not None:
+            self.calibration.workbench.compare.offer(path)
+
     def _lay_out(self) -> None:
-        add_bar(self, "Transport", self.transport).addWidget(self.preset_box)
-        self._banner_bar = add_bar(self, "Messages", self.banner)
+        self._add_bar("Transport", self.transport).addWidget(self.preset_box)
+        self._banner_bar = self._add_bar("Messages", self.banner)
         self.setCentralWidget(self.pages)
         self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
         self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
@@ -141,11 +166,22 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.resize(USUAL_SIZE.boundedTo(self.screen().availableSize() - DECORATIONS))
 
+    def _add_bar(self, title: str, view: QWidget) -> QToolBar:
+        """Add a bar with one view, in a row of its own."""
+        bar = QToolBar(title)
+        bar.setObjectName(title)
+        bar.setMovable(False)
+        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        bar.addWidget(view)
+        self.addToolBar(bar)
+        self.insertToolBarBreak(bar)
+        return bar
+
     def _add_docks(self) -> None:
         docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
         self._filters = docks.add("Filters", left, self.filters)
-        phoneme = docks.add("Phoneme", right, self.recogniser, self.phoneme)
-        self._thresholds = docks.add("Thresholds", right, self.thresholds)
+        phoneme = docks.add("Phoneme", right, self.recogniser, self.analysis.phoneme)
+        self._thresholds = docks.add("Thresholds", right, self.analysis.thresholds)
         docks.add("Head", left, self.head).hide()
         docks.resize({self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH})
 
@@ -153,7 +189,9 @@ class MainWindow(QMainWindow):
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
         file = add("&File", *commands.file_commands(dialogs), Command("Quit", "Ctrl+Q", self.close))
         self.preset_box.add_commands(*(self.menus.actions[text] for text in commands.PRESET_COMMANDS))
-        self._recent = RecentMenu(self, dialogs)
+        self._recent = QMenu("Open Recent", self)
+        dialogs.sound_opened.connect(self._show_recent)
+        self._show_recent()
         file.insertMenu(self.menus.actions["Save the Phonemes…"], self._recent)
         self.menus.add_edit(preset.undo_stack)
         add("&Play", *commands.play_commands(session))
@@ -167,8 +205,15 @@ class MainWindow(QMainWindow):
         add(
             "&Help",
             Command("Keyboard Shortcuts", "F1", self.show_shortcuts),
-            Command("About PhonemeAnalyser", "", lambda: show_about(self, load_preset(DEFAULT_PRESET).notes)),
+            Command("About PhonemeAnalyser", "", self.dialogs.show_about),
         )
+
+    def _show_recent(self) -> None:
+        """List the sounds that were opened last, the last one first."""
+        self._recent.clear()
+        for path in self.dialogs.recent_sounds():
+            self._recent.addAction(path, partial(self.dialogs.open_sound, Path(path)))
+        self._recent.setEnabled(not self._recent.isEmpty())
 
     def _make_view_menu(self) -> None:
         view = self.menus.add("&View", *commands.view_commands(self.show_page, self.analysis))
@@ -196,7 +241,7 @@ class MainWindow(QMainWindow):
         dialogs.rejected.connect(self.banner.show_error)
         dialogs.info.connect(self.banner.show_info)
         preset.rejected.connect(self.banner.show_error)
-        dialogs.variable_added.connect(self.analysis.time_view.variable.setCurrentText)
+        dialogs.variable_added.connect(self.analysis.scroll_view.variable.setCurrentText)
         self.banner.shown.connect(self._banner_bar.setVisible)
         self.switch.chosen.connect(self.show_page)
         for model in (self._calibration, self._talking, session):
@@ -205,8 +250,8 @@ class MainWindow(QMainWindow):
         self._calibration.guide.changed.connect(self._lend_keys)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         session.opened.connect(self._show_names)
-        session.cleared.connect(self.drawing.refresh_all)
-        session.rewritten.connect(self.analysis.time_view.sonagram.forget)
+        session.cleared.connect(self.redraw.refresh_all)
+        session.rewritten.connect(self.analysis.scroll_view.sonagram.forget)
         session.transport_changed.connect(self._show_state)
         preset.changed.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
@@ -228,7 +273,7 @@ class MainWindow(QMainWindow):
         self.state.save_page(number)
         self._lend_keys()
         focused.setFocus()
-        self.drawing.stale = True
+        self.redraw.dirty = True
 
     def _focused_on(self, number: int) -> QWidget:
         """Return what has the focus when a page is shown; makes the page if it is not there yet."""
@@ -246,7 +291,7 @@ class MainWindow(QMainWindow):
 
     def set_frozen(self, frozen: bool) -> None:
         """Hold the views still while sound goes on, or let them go on."""
-        self.drawing.frozen = frozen
+        self.redraw.frozen = frozen
         self.menus.show_checked("Freeze Views", frozen)
         self._show_state()
 
@@ -258,16 +303,16 @@ class MainWindow(QMainWindow):
 
     def _show_names(self) -> None:
         session, preset = self._session, self._preset
-        self.analysis.time_view.invite(empty_hint(session))
+        self.analysis.scroll_view.invite(_hint_for(session))
         self.setWindowTitle(f"{session.name} - {preset.preset.name}[*] - PhonemeAnalyser")
         self.setWindowModified(preset.has_unsaved_changes)
-        self.drawing.refresh_status()
+        self.redraw.refresh_status()
 
     def _show_state(self) -> None:
         self.menus.show_checked("Loop", self._session.loop)
         self.menus.show_checked("Bypass All Filters", self._preset.bypassed)
-        self.drawing.stale = True
-        self.drawing.refresh_status()
+        self.redraw.dirty = True
+        self.redraw.refresh_status()
 
     def show_shortcuts(self) -> None:
         """List all keys."""
@@ -283,7 +328,16 @@ class MainWindow(QMainWindow):
     def dropEvent(self, event: QDropEvent) -> None:
         """Load what was dropped."""
         event.acceptProposedAction()
-        open_dropped(event.mimeData(), self.dialogs, self.talking_dialogs)
+        talking, urls = self.talking_dialogs, event.mimeData().urls()
+        paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
+        talking.open([path for path in paths if talking.opens(path)])  # meshes and movestates as one face
+        for path in paths:
+            if not talking.opens(path):
+                self.dialogs.open_any(path)
+        for url in urls:
+            if not url.isLocalFile():
+                sentence = f"{url.toString()}: only files on this computer can be opened; save it here first"
+                self.dialogs.rejected.emit(sentence)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Lay the docks out for a narrow window, unless they were laid out for one already."""
@@ -304,7 +358,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.save_state()
-        self.drawing.timer.stop()
+        self.redraw.timer.stop()
         if not self._retired:
             self._session.pause()
         event.accept()
@@ -315,7 +369,7 @@ class MainWindow(QMainWindow):
             self.state.save_docks()
         self.calibration_dialogs.save()
         self.talking_dialogs.save()
-        self.state.save(self._session, self.analysis.time_view)
+        self.state.save(self._session, self.analysis.scroll_view)
 
     def show_last_page(self) -> None:
         """Show the page that was seen when the program ended the last time."""
@@ -327,12 +381,19 @@ class MainWindow(QMainWindow):
         if not self.isMaximized() and not self.isFullScreen():
             self.resize(other.size())
         self.show_page(other.pages.currentIndex())
-        self.set_frozen(other.drawing.frozen)
-        self._heads.copy_view_from(other._heads)
+        self.set_frozen(other.redraw.frozen)
+        if other._late_talk.made is not None:
+            self._late_talk.get()
+        self.heads.copy_view_from(other.heads)
 
     def close_without_asking(self) -> None:
         """Close without asking, since another window takes over."""
         self._retired = True
-        self._heads.release_gl()
+        self.heads.release_gl()
         self.close()
         self.deleteLater()
+
+
+def _hint_for(session: Session) -> str:
+    """Return what the user may do with the source in use."""
+    return NOTHING if session.source is SoundSource.FILE and not session.path else HINTS[session.source]

@@ -1,4 +1,4 @@
-"""A figure that plays an animation, frame by frame."""
+"""A mesh that plays an animation, frame by frame."""
 
 from collections.abc import Iterator
 
@@ -11,21 +11,21 @@ from phonemeengine.mouth.movestate_set import MovestateSet
 
 
 class AnimationPlayer:
-    """Moves a figure as an animation says; movestates that the figure lacks are left out.
+    """Moves a mesh as an animation says; movestates that the mesh lacks are left out.
 
     Raises
     ------
-    RenderingError : the figure has none of the animation's movestates.
+    RenderingError : the mesh has none of the animation's movestates.
     """
 
-    def __init__(self, figure: MorphMesh, animation: Animation) -> None:
+    def __init__(self, morph_mesh: MorphMesh, animation: Animation) -> None:
         self._animation = animation
-        self._face = MovestateSet(figure.mesh, figure.states)
-        self._columns = [k for k, name in enumerate(animation.movestates) if name in self._face]
+        self._states = MovestateSet(morph_mesh.mesh, morph_mesh.states)
+        self._columns = [k for k, name in enumerate(animation.movestates) if name in self._states]
         if not self._columns:
             raise RenderingError(
                 f"the mesh has none of the table's movestates {', '.join(animation.movestates[:5])}, ...: it has "
-                f"{', '.join(self._face.names[:5]) or 'none at all'}; choose another table, or other movestates"
+                f"{', '.join(self._states.names[:5]) or 'none at all'}; choose another table, or other movestates"
             )
 
     def __len__(self) -> int:
@@ -36,5 +36,5 @@ class AnimationPlayer:
         names = [self._animation.movestates[k] for k in self._columns]
         percentages = self._animation.weights[:, self._columns] * 100.0
         for row, turn in zip(percentages, self._animation.head.tolist(), strict=True):
-            self._face.set_percentages(dict(zip(names, row.tolist(), strict=True)))
-            yield self._face.morphed(), HeadPose(*turn)
+            self._states.set_percentages(dict(zip(names, row.tolist(), strict=True)))
+            yield self._states.morphed(), HeadPose(*turn)

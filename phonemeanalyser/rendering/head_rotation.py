@@ -1,9 +1,9 @@
 """How a head turns on its neck."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from phonemeanalyser.rendering.camera import Point
 from phonemeengine.arrays import Float32Array
@@ -37,10 +37,5 @@ class NeckPivot:
 
 def rotation_of(pose: HeadPose) -> Float32Array:
     """Return what turns a head as a pose says, float32, shape (3, 3): it nods, then turns; rolls first of all."""
-    (s, c), (u, v), (p, q) = (
-        (math.sin(math.radians(angle)), math.cos(math.radians(angle))) for angle in (pose.yaw, pose.pitch, pose.roll)
-    )
-    yaw = np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
-    pitch = np.array([[1, 0, 0], [0, v, u], [0, -u, v]])
-    roll = np.array([[q, p, 0], [-p, q, 0], [0, 0, 1]])
-    return np.asarray(yaw @ pitch @ roll, np.float32)
+    turn = Rotation.from_euler("YXZ", (pose.yaw, -pose.pitch, -pose.roll), degrees=True)
+    return np.asarray(turn.as_matrix(), np.float32)

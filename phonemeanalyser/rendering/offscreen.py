@@ -19,11 +19,11 @@ USUAL_SIZE = (640, 640)
 
 
 class OffscreenRenderer:
-    """Takes pictures of a figure; give the graphics back with `release`, or use it in a ``with``.
+    """Takes pictures of a mesh; give the graphics back with `release`, or use it in a ``with``.
 
     Parameters
     ----------
-    figure : whose pictures are taken.
+    morph_mesh : whose pictures are taken.
     size : width and height, pixels.
 
     Raises
@@ -31,13 +31,13 @@ class OffscreenRenderer:
     RenderingError : there is no OpenGL 3.3 on this machine, or no room for pictures of this size.
     """
 
-    def __init__(self, figure: MorphMesh, size: tuple[int, int] = USUAL_SIZE) -> None:
+    def __init__(self, morph_mesh: MorphMesh, size: tuple[int, int] = USUAL_SIZE) -> None:
         self._context = offscreen_context()
         with ExitStack() as unless_ready:
             unless_ready.callback(self._context.release)
             with self._context:
                 self._sheet = _sheet(self._context, size)
-                self._renderer = HeadRenderer(self._context, figure)
+                self._renderer = HeadRenderer(self._context, morph_mesh)
             unless_ready.pop_all()
 
     def __enter__(self) -> "OffscreenRenderer":

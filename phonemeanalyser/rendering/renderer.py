@@ -68,29 +68,29 @@ def colour_of(text: str) -> Colour:
 
 
 class HeadRenderer:
-    """Draws a figure; lives as long as its context.
+    """Draws a mesh; lives as long as its context.
 
     Parameters
     ----------
     context : of OpenGL 3.3 core or newer: ``moderngl.create_context(require=330)`` in a window.
-    figure : whose mesh is drawn.
+    morph_mesh : whose mesh is drawn.
 
     Raises
     ------
     RenderingError : the mesh has no triangles, or the graphics driver refuses the shaders.
     """
 
-    def __init__(self, context: moderngl.Context, figure: MorphMesh) -> None:
-        self._context, self._mesh = context, figure.mesh
-        if not len(figure.mesh.triangles):
+    def __init__(self, context: moderngl.Context, morph_mesh: MorphMesh) -> None:
+        self._context, self._mesh = context, morph_mesh.mesh
+        if not len(morph_mesh.mesh.triangles):
             raise RenderingError("the mesh has no triangles, so there is nothing to be seen; choose another one")
-        self._room = BoundingSphere.around(figure.mesh)
-        self._surface, self._neck = Surface(figure.mesh), NeckPivot.of(figure.mesh)
+        self._room = BoundingSphere.around(morph_mesh.mesh)
+        self._surface, self._neck = Surface(morph_mesh.mesh), NeckPivot.of(morph_mesh.mesh)
         self._canvases = {finish: Canvas(context, finish.samples) for finish in (QUICK, FINE)}
         self._shadows: dict[RenderQuality, Shadow] = {}
-        self._moving = context.buffer(reserve=len(figure.mesh) * 24, dynamic=True)
-        self._looks = context.buffer(reserve=len(figure.mesh) * 20)
-        self._corners = context.buffer(figure.mesh.triangles.astype("u4").tobytes())
+        self._moving = context.buffer(reserve=len(morph_mesh.mesh) * 24, dynamic=True)
+        self._looks = context.buffer(reserve=len(morph_mesh.mesh) * 20)
+        self._corners = context.buffer(morph_mesh.mesh.triangles.astype("u4").tobytes())
         self._programs = {name: program_of(context, *shaders) for name, shaders in PROGRAMS.items()}
         for finish in (QUICK, FINE):
             self._programs[finish.name] = program_of(context, "head", "head", taps_of(finish.taps, finish.penumbra))

@@ -1,4 +1,4 @@
-"""A smoother figure: four triangles for each one, on a surface without edges.
+"""A smoother mesh: four triangles for each one, on a surface without edges.
 
 Loop 1987, "Smooth subdivision surfaces based on triangles", with the weights of Warren 1995. Where the surface has an
 edge, or an end, that stays a smooth curve by itself; colours are kept apart where vertices are.
@@ -22,11 +22,11 @@ SMALLEST = 100
 """A part with fewer vertices keeps its form, which it would lose: a row of teeth."""
 
 
-def subdivided(figure: MorphMesh) -> MorphMesh:
-    """Return a figure with four times the triangles; a mesh that is fine already stays as it is."""
-    mesh = figure.mesh
+def subdivided(morph_mesh: MorphMesh) -> MorphMesh:
+    """Return a mesh with four times the triangles; a mesh that is fine already stays as it is."""
+    mesh = morph_mesh.mesh
     if not 0 < len(mesh.triangles) <= MOST_TRIANGLES:
-        return figure
+        return morph_mesh
     places, points = places_of(mesh), points_of(mesh)
     _, first = np.unique(points, return_index=True)
     apart = _refinement_of(mesh.triangles.astype(np.intp), places)
@@ -38,7 +38,7 @@ def subdivided(figure: MorphMesh) -> MorphMesh:
         form @ mesh.positions[first], apart.triangles, name=mesh.name, normals=form @ mesh.normals[first],
         colours=apart.weights @ mesh.colours, materials=mesh.materials, material_of=np.repeat(mesh.material_of, 4),
     )  # fmt: skip
-    return MorphMesh(finer, tuple(_moved(state, form, first, len(mesh)) for state in figure.states))
+    return MorphMesh(finer, tuple(_moved(state, form, first, len(mesh)) for state in morph_mesh.states))
 
 
 def _moved(state: Movestate, form: csr_array, first: IndexArray, n: int) -> Movestate:

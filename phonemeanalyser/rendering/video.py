@@ -13,6 +13,7 @@ from PIL import Image
 
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.files import reason_of
 
 QUALITY = "18"
 """The constant rate factor of H.264: smaller is better, 18 looks like the original."""
@@ -84,7 +85,9 @@ def write_film(
             for packet in _packets(av, seen, heard, pictures, sound):
                 film.mux(packet)
     except av.error.FFmpegError as error:
-        raise RenderingError(f"the film cannot be encoded ({error.strerror}); write a folder of pictures") from error
+        raise RenderingError(
+            f"the film cannot be encoded ({reason_of(error)}); write a folder of pictures"
+        ) from error
 
 
 def write_gif(file: BinaryIO, pictures: Iterable[UInt8Array], n_frames: int, rate: float) -> None:
@@ -110,7 +113,7 @@ def write_pictures(folder: Path, pictures: Iterable[UInt8Array]) -> None:
         for number, picture in enumerate(pictures):
             Image.fromarray(picture).save(folder / f"{number:06d}.png", compress_level=4)
     except OSError as error:
-        raise RenderingError(f"{folder}: cannot be written ({error.strerror}); choose another folder") from error
+        raise RenderingError(f"{folder}: cannot be written ({reason_of(error)}); choose another folder") from error
 
 
 def _av() -> ModuleType:

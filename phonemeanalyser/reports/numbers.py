@@ -35,11 +35,11 @@ def _preset(preset: ScoredPreset, report: Report) -> dict[str, Any]:
         "name": scores.preset.name,
         "recogniser": scores.preset.recogniser,
         "look_ahead_ms": round(1000 * scores.look_ahead * FRAME_PERIOD, 3),
-        "lag_ms": round(1000 * scores.lag, 3),
+        "lag_ms": round(1000 * scores.delay, 3),
         "all": _group(scores.overall),
         "by_corpus": {name: _group(group) for name, group in scores.by_kind.items()},
         "by_speaker": {name: _group(group) for name, group in scores.by_speaker.items()},
-        "recordings": [_recording(heard, report) for heard in scores.answers if len(heard.phonemes)],
+        "recordings": [_recording(heard, report) for heard in scores.predictions if len(heard.phonemes)],
     }
 
 

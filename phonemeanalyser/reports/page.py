@@ -23,6 +23,7 @@ from phonemeengine.calibration.scores.comparison import PresetComparison
 from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD
 
 SPOKEN_FRAMES = 50
@@ -150,7 +151,7 @@ def _compared(report: Report, comparison: PresetComparison) -> Iterator[str]:
 def _lines(report: Report) -> Iterator[str]:
     letters = "AB" if len(report.presets) > 1 else ["answers"]
     for name, k in _chosen(report):
-        heard = [preset.scores.answers[k] for preset in report.presets]
+        heard = [preset.scores.predictions[k] for preset in report.presets]
         utterance = heard[0].utterance
         rights = " and ".join(f"{100 * _right(a):.0f} %" for a in heard)
         flickers = " and ".join(f"{_changes(a):.1f}" for a in heard)
@@ -173,8 +174,8 @@ def _lines(report: Report) -> Iterator[str]:
 
 def _chosen(report: Report) -> Iterable[tuple[str, int]]:
     """Choose the recordings that are drawn, each once: the first that is asked for names it."""
-    rights = np.array([_right(a) for a in report.first.answers])
-    spoken = np.array([np.isin(a.labels.phonemes, NINE).sum() for a in report.first.answers])
+    rights = np.array([_right(a) for a in report.first.predictions])
+    spoken = np.array([np.isin(a.labels.phonemes, NINE).sum() for a in report.first.predictions])
     fit = spoken >= min(SPOKEN_FRAMES, spoken.max())
     ranked = [int(k) for k in np.argsort(-rights, kind="stable") if fit[k] and not math.isnan(rights[k])]
     found: dict[int, str] = {}
@@ -183,7 +184,7 @@ def _chosen(report: Report) -> Iterable[tuple[str, int]]:
         for name, k in (("Best", 0), ("Median", len(ranked) // 2), ("Worst", -1)):
             found.setdefault(ranked[k], f"{name} recognised{by}")
     if report.comparison is not None:
-        places = {a.utterance.path: k for k, a in enumerate(report.first.answers)}
+        places = {a.utterance.path: k for k, a in enumerate(report.first.predictions)}
         ahead = sorted(report.comparison.differences, key=lambda d: d.n_other - d.n_one)
         for letter, d in (("A", ahead[0]), ("B", ahead[-1])):
             found.setdefault(places[d.utterance.path], f"{letter} the furthest ahead")
@@ -196,7 +197,7 @@ def _right(heard: Predictions) -> float:
 
 
 def _changes(heard: Predictions) -> float:
-    return float(np.count_nonzero(np.diff(heard.phonemes)) / max(1, len(heard.phonemes)) / FRAME_PERIOD)
+    return count_changes(heard.phonemes) / max(1, len(heard.phonemes)) / FRAME_PERIOD
 
 
 def _definitions() -> str:

@@ -57,9 +57,9 @@ class Report:
     def conditions(self) -> str:
         """What was heard under which conditions, in words."""
         minutes = self.first.overall.scores.minutes
-        words = [counted(len(self.first.answers), "recording"), f"{minutes:.1f} minutes"]
+        words = [counted(len(self.first.predictions), "recording"), f"{minutes:.1f} minutes"]
         words.append(counted(len(self.first.by_speaker), "speaker"))
-        words.append(f"lag {1000 * self.first.lag:g} ms")
+        words.append(f"lag {1000 * self.first.delay:g} ms")
         if self.noise is not None:
             words.append(f"{self.noise.kind} noise {self.noise.snr:g} dB below the speech (seed {self.noise.seed})")
         return ", ".join(words)

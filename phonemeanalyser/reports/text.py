@@ -37,7 +37,7 @@ def text_of(report: Report, by: str) -> str:
 def _preset_lines(preset: ScoredPreset, by: str) -> Iterator[str]:
     scores = preset.scores
     yield f"{preset.title} (recogniser {scores.preset.recogniser}, look-ahead {look_ahead_of(scores)})"
-    yield f"lag {1000 * scores.lag:g} ms".ljust(FIRST) + "".join(f.name[:13].rjust(COLUMN) for f in fields(Scores))
+    yield f"lag {1000 * scores.delay:g} ms".ljust(FIRST) + "".join(f.name[:13].rjust(COLUMN) for f in fields(Scores))
     groups: Mapping[str, GroupScores] = scores.by_kind if by == "corpus" else scores.by_speaker
     for name, group in sorted({**groups, "all": scores.overall}.items()):
         yield printable(name).ljust(FIRST) + "".join(cell.rjust(COLUMN) for cell in _cells(group.scores))

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 import soundfile
 
-from phonemeanalyser.cli.main import DEMO, main
+from phonemeanalyser.cli.main import COMMANDS, main
+from phonemeanalyser.cli.window import DEMO
 from tests.bad_files import HOSTILE
 from tests.tables import LABELS, gapless, rows_of
 
@@ -99,6 +100,33 @@ def test_help_is_given(words: list[str], capsys: pytest.CaptureFixture[str]) -> 
         main(words)
     assert end.value.code == 0
     assert "usage: phonemeanalyser" in capsys.readouterr().out
+
+
+def test_help_lists_every_command_with_a_line(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
+    for command, words in COMMANDS.items():
+        assert [line.split(maxsplit=1)[1] for line in lines if line.split()[0] == command] == [words]
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_explains_itself(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main([command, "--help"])
+    assert end.value.code == 0
+    assert " ".join(capsys.readouterr().out.split()).startswith(f"usage: phonemeanalyser {command} ")
+
+
+def test_a_command_imports_no_other_and_no_window() -> None:
+    code = (
+        "import sys; from phonemeanalyser.cli.main import main, COMMANDS\n"
+        "try: main(['analyse', '--help'])\n"
+        "except SystemExit: pass\n"
+        "print([name for name in COMMANDS if f'phonemeanalyser.cli.{name}' in sys.modules], 'PySide6' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=240, check=True)
+    assert done.stdout.splitlines()[-1] == "['analyse'] False"
 
 
 def test_the_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:

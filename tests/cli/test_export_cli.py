@@ -8,7 +8,8 @@ import pytest
 import soundfile
 from pygltflib import GLTF2
 
-from phonemeanalyser.cli.main import DEMO, main
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.cli.window import DEMO
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.head import load_head
@@ -173,7 +174,7 @@ def test_two_sounds_of_one_name_do_not_overwrite_each_other(
         (("--format", "gltf"), "gltf is no text to be printed; name a file or a folder with -o"),
         (
             ("--format", "gltf", "--mesh", "a.glb", "-o", "o.glb"),
-            "a.glb: it cannot be read (No such file or directory)",
+            "a.glb: cannot be read (No such file or directory)",
         ),
         (("--format", "anno", "--fps", "25"), "anno counts no frames, so it has no frame rate; leave it out"),
         (("--format", "anno", "--minimum", "7"), "minimum must lie in 0..1 s, got 7; choose another"),

@@ -135,7 +135,7 @@ def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, c
     ("arguments", "words"),
     [
         (["corpus", "-o", "model.bin"], "model.bin: a model's file ends in .npz; name it so"),
-        (["nowhere", "-o", "m.npz"], "manifest.csv: it cannot be read"),
+        (["nowhere", "-o", "m.npz"], "manifest.csv: cannot be read"),
     ],
 )
 def test_what_cannot_be_trained_is_refused_in_one_sentence(tmp_path, monkeypatch, capsys, arguments, words):

@@ -5,6 +5,7 @@ import json
 import math
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from threading import Event
 from types import SimpleNamespace
@@ -20,14 +21,14 @@ from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import RecordingError
 from phonemeengine.live.microphone_analyser import for_live_use
-from phonemeengine.live.recorder import Recorder
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
-from tests.fakes.microphones import Clock, HandDrivenMicrophone, Microphones, frames_in, offline
+from tests.fakes.microphones import Clock, HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in, offline
 from tests.fakes.players import SPEECH
 from tests.fakes.portaudio import FakePortAudio
+from tests.fakes.recorders import recorder_to
 
 PRESET = load_preset(DEFAULT_PRESET)
 
@@ -67,15 +68,8 @@ def microphone(
     microphone = HandDrivenMicrophone(name="Yeti · ALSA")
     openers.waiting.append(microphone)
 
-    def listener(*arguments: object, **options: object) -> listening.Listener:
-        return real_listener(*arguments, open_input=openers, **options)
-
-    def tape(*arguments: object, **options: object) -> Recorder:
-        return Recorder(*arguments, journal=tmp_path / "journal", rescue=tmp_path / "rescue", **options)
-
-    real_listener = listening.Listener
-    monkeypatch.setattr(listening, "Listener", listener)
-    monkeypatch.setattr(listening, "Recorder", tape)
+    monkeypatch.setattr(listening, "Listener", partial(HandDrivenListener, openers))
+    monkeypatch.setattr(listening, "Recorder", partial(recorder_to, folder=tmp_path))
     monkeypatch.setattr(listening, "PATIENCE", 60.0)
     return microphone
 

@@ -2,6 +2,7 @@
 
 import itertools
 from collections.abc import Iterable, Iterator
+from functools import partial
 
 import pytest
 
@@ -13,7 +14,7 @@ from phonemeengine.mouth.osc import OscMouth, OscSettings
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import SAMPLE_RATE
-from tests.fakes.microphones import HandDrivenMicrophone, Microphones
+from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones
 from tests.fakes.osc_receiver import Receiver
 from tests.fakes.players import SPEECH, wait_for
 from tests.fakes.portaudio import FakePortAudio
@@ -36,8 +37,7 @@ def microphone(monkeypatch: pytest.MonkeyPatch) -> HandDrivenMicrophone:
     monkeypatch.setattr(stream, "_sounddevice", lambda: fake)
     monkeypatch.setattr(stream, "_open", set())
     microphone = HandDrivenMicrophone(name="Yeti · ALSA")
-    real, openers = listening.Listener, Microphones(microphone)
-    monkeypatch.setattr(listening, "Listener", lambda *a, **options: real(*a, open_input=openers, **options))
+    monkeypatch.setattr(listening, "Listener", partial(HandDrivenListener, Microphones(microphone)))
     monkeypatch.setattr(listening, "PATIENCE", 60.0)
     return microphone
 

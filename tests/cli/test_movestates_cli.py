@@ -11,11 +11,10 @@ from pygltflib import GLTF2
 from phonemeanalyser.cli.main import main
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
-from phonemeengine.mouth.files.obj import format_obj
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh, morph_targets_of
-from tests.meshes import CORNERS, GLTF_TEXT, TRIANGLES, figure_of_cube, moved_by
+from tests.meshes import CORNERS, GLTF_TEXT, TRIANGLES, format_obj, morph_mesh_of_cube, moved_by
 
 SMILE, OPEN = moved_by((1, 3), (0.5, 0, 0.25)), moved_by((2,), (0, -1, 0))
 
@@ -49,7 +48,7 @@ def test_the_morph_targets_of_a_gltf_count_as_targets(folder: Path, capsys: pyte
     (folder / "cube.gltf").write_bytes(GLTF_TEXT)
     assert run(folder, "export", "cube.gltf", "-o", "face.3dma", capsys=capsys)[0] == 0
     assert [state.name for state in load_morph_targets(folder / "face.3dma").states] == ["lid up", "wide"]
-    (folder / "more.glb").write_bytes(format_glb(figure_of_cube()))
+    (folder / "more.glb").write_bytes(format_glb(morph_mesh_of_cube()))
     assert run(folder, "export", "base.obj", "open.obj", "more.glb", "-o", "all.3dm", capsys=capsys)[0] == 0
     assert [state.name for state in load_morph_targets(folder / "all.3dm").states] == [
         "open",
@@ -114,9 +113,9 @@ def test_converting_round_and_back_keeps_every_byte(folder: Path, capsys: pytest
 def test_converting_to_glb_with_the_mesh_shows_the_mesh(folder: Path, capsys: pytest.CaptureFixture[str]):
     run(folder, "export", "base.obj", "smile.obj", "-o", "face.3dm", capsys=capsys)
     assert run(folder, "convert", "face.3dm", "face.glb", "--mesh", "base.obj", capsys=capsys)[0] == 0
-    figure = load_morph_mesh(folder / "face.glb")
-    np.testing.assert_array_equal(figure.mesh.positions, CORNERS)
-    assert len(figure.mesh.triangles) == 12
+    morph_mesh = load_morph_mesh(folder / "face.glb")
+    np.testing.assert_array_equal(morph_mesh.mesh.positions, CORNERS)
+    assert len(morph_mesh.mesh.triangles) == 12
 
 
 def test_a_mesh_in_another_order_gets_its_own_numbers(folder: Path, capsys: pytest.CaptureFixture[str]):
@@ -151,8 +150,8 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
     (folder / "same.obj").write_bytes((folder / "base.obj").read_bytes())
     (folder / "garbage.3dm").write_bytes(bytes(range(256)))
     smile = load_morph_mesh(folder / "smile.obj").mesh.positions - CORNERS
-    figure = figure_of_cube()
-    save_morph_targets(morph_targets_of(figure.mesh, figure.states[1:2]), folder / "good.3dm")
+    morph_mesh = morph_mesh_of_cube()
+    save_morph_targets(morph_targets_of(morph_mesh.mesh, morph_mesh.states[1:2]), folder / "good.3dm")
     assert smile.any()
     code, out, err = run(folder, *words, capsys=capsys)
     assert (code, out) == (1, "")
@@ -172,7 +171,7 @@ def test_the_command_needs_no_qt(folder: Path):
 
 
 def test_the_whole_figure_survives_a_figure_of_our_own(folder: Path, capsys: pytest.CaptureFixture[str]):
-    figure = figure_of_cube()
-    (folder / "in.glb").write_bytes(format_glb(MorphMesh(figure.mesh, figure.states)))
+    morph_mesh = morph_mesh_of_cube()
+    (folder / "in.glb").write_bytes(format_glb(MorphMesh(morph_mesh.mesh, morph_mesh.states)))
     assert run(folder, "convert", "in.glb", "out.glb", capsys=capsys)[0] == 0
     assert len(load_morph_mesh(folder / "out.glb").mesh.triangles) == 12

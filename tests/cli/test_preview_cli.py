@@ -18,7 +18,7 @@ from phonemeengine.mouth.table import TABLES
 from phonemeengine.settings import SAMPLE_RATE
 from tests.glb_faces import face_with_targets
 from tests.graphics import context_or_skip
-from tests.meshes import CUBE_OBJ, figure_of_cube
+from tests.meshes import CUBE_OBJ, morph_mesh_of_cube
 from tests.sounds import silence
 from tests.tables import refused
 
@@ -132,7 +132,7 @@ def test_a_face_of_ones_own_is_moved_by_its_own_movestates(sound: Path, tmp_path
 
 
 def test_a_mesh_is_moved_by_a_file_of_movestates(sound: Path, tmp_path: Path):
-    cube = figure_of_cube()
+    cube = morph_mesh_of_cube()
     (tmp_path / "cube.obj").write_bytes(CUBE_OBJ)
     save_morph_targets(morph_targets_of(cube.mesh, cube.states), tmp_path / "cube.3dm")
     table = (TABLES / "vrm.toml").read_text(encoding="utf-8")
@@ -176,7 +176,7 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
     (tmp_path / "full").mkdir()
     (tmp_path / "full" / "mine").write_text("mine")
     (tmp_path / "cube.obj").write_bytes(CUBE_OBJ)
-    cube: MorphMesh = figure_of_cube()
+    cube: MorphMesh = morph_mesh_of_cube()
     save_morph_targets(morph_targets_of(cube.mesh, cube.states), tmp_path / "cube.3dm")
     assert refused(capsys, "preview", sound, *words, *(() if "--fps" in words else ("--fps", "5"))).startswith(
         sentence

@@ -19,14 +19,13 @@ from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset, save_preset
 from phonemeengine.settings import SAMPLE_RATE
-from tests.conftest import CORPUS
+from tests.conftest import SCORER
 from tests.corpora import put, speech, write_corpus, write_manifest
 from tests.labelled import OF_THE_SCORER
 from tests.tables import refused
 
 THESIS, CLEAN = FACTORY / "thesis.toml", FACTORY / "thesis-anti-aliased.toml"
 PRESET = load_preset(THESIS)
-SCORER = CORPUS.parent / "score" / "score.py"
 SHARES = tuple(OF_THE_SCORER.values())
 FIGURES = [field.name for field in fields(Scores)]
 
@@ -96,15 +95,12 @@ def test_the_confusion_is_told_in_percent(small: Path, tmp_path: Path, printed: 
     assert sum(int(cell) for cell in row[:-1] if cell != "·") in range(98, 103)
 
 
-@pytest.mark.skipif(not SCORER.exists(), reason="the scorer is not on this machine")
 @pytest.mark.parametrize("lag", ["0", "30", "13", "-20"])
 def test_small_figures_are_those_of_the_corpus_scorer(small: Path, tmp_path: Path, lag: str) -> None:
     holds_what_the_scorer_says(small, tmp_path, CLEAN, lag)
 
 
 def test_figures_of_the_whole_corpus_are_those_of_the_corpus_scorer(corpus: Path, tmp_path: Path) -> None:
-    if not SCORER.exists():
-        pytest.skip("the scorer is not on this machine")
     holds_what_the_scorer_says(corpus, tmp_path, THESIS, "20")
 
 

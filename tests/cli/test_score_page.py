@@ -13,7 +13,7 @@ from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset, clock, signed, written
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.corpus import read_corpus
-from phonemeengine.calibration.scores.evaluation import score_corpus
+from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
@@ -26,7 +26,7 @@ HOSTILE = "<b>\"&amp;'\x07"
 def report_on(folder: Path, *, two: bool, left_out: tuple[str, ...] = ()) -> Report:
     utterances = read_corpus(folder)
     presets = (THESIS, CLEAN)[: 1 + two]
-    scored = tuple(ScoredPreset(p.name, score_corpus(utterances, p)) for p in presets)
+    scored = tuple(ScoredPreset(p.name, score(p, utterances)) for p in presets)
     comparison = compare(scored[0].scores, scored[1].scores) if two else None
     return Report(folder, scored, comparison, left_out=left_out)
 
@@ -88,7 +88,7 @@ def test_time_lines_have_the_phonemes_colours_and_no_gap(tmp_path: Path) -> None
     boxes = [r for r in line.iter("rect") if r.find("title") is not None]
     lanes = {y: [r for r in boxes if r.get("y") == y] for y in {r.get("y") for r in boxes}}
     assert len(lanes) == 2
-    (heard,) = report.first.answers
+    (heard,) = report.first.predictions
     n_runs = np.count_nonzero(np.diff(heard.phonemes)) + 1
     for lane in lanes.values():
         assert len(lane) == n_runs
@@ -103,7 +103,7 @@ def test_what_is_wrong_is_marked_as_long_as_it_is(tmp_path: Path) -> None:
     put(tmp_path, "u", speech(), (Label(0, 0.2, "sil", Phoneme.SILENCE), Label(0.2, 1.2, "m", Phoneme.M)))
     write_manifest(tmp_path, [("c", "s", "u.wav", "u.csv")])
     report = report_on(tmp_path, two=False)
-    (heard,) = report.first.answers
+    (heard,) = report.first.predictions
     wide = sum(float(r.get("width")) for r in parsed(page_of(report)).iter("rect") if r.get("class") == "wrong")
     assert wide / 160 == pytest.approx(np.sum(~heard.right) / 100, abs=0.02)
     assert wide > 0

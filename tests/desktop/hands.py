@@ -50,7 +50,7 @@ def followed(desktop: Desktop, qtbot: QtBot, sound: Path = CARDS, seconds: float
     """Show the window with a sound that has been analysed up to a time."""
     window = shown(desktop, qtbot, sound)
     desktop.session.analyse_until(seconds)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     return window
 
 
@@ -60,10 +60,14 @@ def wav(folder: Path, sound: NDArray[np.float32], name: str = "sound.wav") -> Pa
     return folder / name
 
 
+def menu(window: MainWindow, title: str) -> QMenu:
+    """Find a menu by its title."""
+    return next(action.menu() for action in window.menuBar().actions() if action.text() == title)
+
+
 def edits(window: MainWindow) -> list[str]:
     """Give what undo and redo would do, as the menu says it."""
-    menu = next(action.menu() for action in window.menuBar().actions() if action.text() == "&Edit")
-    return [action.text() for action in menu.actions() if action.isEnabled()]
+    return [action.text() for action in menu(window, "&Edit").actions() if action.isEnabled()]
 
 
 def click(widget: QWidget, x: float | None = None) -> None:
@@ -144,7 +148,7 @@ class TimeEyes:
     """Looks at the time view's pixels."""
 
     def __init__(self, window: MainWindow) -> None:
-        self.view = window.analysis.time_view
+        self.view = window.analysis.scroll_view
         self.graphics = self.view.findChild(pg.GraphicsLayoutWidget)
         self.sonagram, self.lane, self.course = (self.graphics.ci.getItem(row, 0) for row in range(3))
         self.image: QImage = self.graphics.grab().toImage()

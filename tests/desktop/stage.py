@@ -18,6 +18,8 @@ from tests.sounds import silence, vowel
 AN_A = np.concatenate((silence(0.6), vowel((700, 1200, 2500), 0.5), silence(0.6)))
 """An a from 0.6 s to 1.1 s."""
 BEGINS, ENDS = 0.6, 1.1
+START = 100.0
+"""What the clock says at the beginning, seconds."""
 LONG = 20.0
 """Seconds in which everybody blinks."""
 
@@ -27,7 +29,7 @@ class Stage:
 
     def __init__(self, session: Session, outputs: Outputs, qtbot: QtBot) -> None:
         self.session, self.outputs, self.qtbot = session, outputs, qtbot
-        self.now = 100.0
+        self.now = START
         self.failed: list[str] = []
         self.talking = TalkModel(session, lambda: self.now)
         self.talking.error.connect(self.failed.append)

@@ -20,11 +20,11 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.output import ClockOutput
-from phonemeengine.live.listener import Listener
+from phonemeengine.errors import DeviceError
 from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.hands import press
-from tests.fakes.microphones import HandDrivenMicrophone, Microphones, frames_in
+from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in
 from tests.fakes.players import wait_for
 from tests.sounds import silence
 
@@ -38,12 +38,12 @@ class Studio:
     def __init__(self, folder: Path, *microphones: HandDrivenMicrophone | None) -> None:
         self.takes, self.journal = folder / "takes", folder / "unfinished"
         self.openers = Microphones(*microphones)
-        self.devices = [HEADSET, DESK]
+        self.devices, self.refusal = [HEADSET, DESK], ""
         self.measure: Callable[[InputChoice], Loopback] = measure_loopback
         self.given: Counter[HandDrivenMicrophone] = Counter()
         self.model = Microphone(
-            partial(Listener, open_input=self.openers),
-            lambda: list(self.devices),
+            partial(HandDrivenListener, self.openers),
+            self._list_devices,
             journal=self.journal,
             folder=self.takes,
             measure=self._measured,
@@ -58,6 +58,11 @@ class Studio:
         self.model.recorded.connect(lambda path, seconds, _gaps: self.recorded.append((path, seconds)))
         self.model.recorded.connect(lambda _path, _seconds, gaps: self.gaps.append(gaps))
 
+    def _list_devices(self) -> list[Device]:
+        if self.refusal:
+            raise DeviceError(self.refusal)
+        return list(self.devices)
+
     def _measured(self, choice: InputChoice) -> Loopback:
         return self.measure(choice)
 
@@ -66,7 +71,7 @@ class Studio:
 
         def look() -> bool:
             QApplication.processEvents()  # what is done in the background comes by signals
-            self.taken += self.model.take_analyses()
+            self.taken += self.model.listener.take_analyses()
             return bool(true())
 
         wait_for(look, what)
@@ -108,7 +113,7 @@ class Booth:
     @property
     def banner(self) -> str:
         """What the banner says; nothing where it is not seen."""
-        return self.window.banner.label.text() if self.window._banner_bar.isVisible() else ""
+        return self.window.banner.label.text() if self.window.banner.isVisible() else ""
 
     @property
     def status(self) -> str:

@@ -47,7 +47,9 @@ def test_it_ends_cleanly_after_edits_every_time(tmp_path, way):
     with ThreadPoolExecutor(AT_ONCE) as pool:
         ends = list(pool.map(partial(run, way=way, sound="demo.flac"), homes))
     assert ends == [(0, [])] * 10
-    assert list(tmp_path.rglob("*.log")) == []
+    logs = [path.read_text() for path in tmp_path.rglob("*/phonemeanalyser.log")]
+    assert len(logs) == 10
+    assert not any("ERROR" in log or "Traceback" in log for log in logs)
 
 
 def test_a_user_who_discards_his_edits_finds_page_docks_and_sound_again_but_no_edits(tmp_path):

@@ -4,12 +4,12 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
 from phonemeengine.presets.files import FACTORY, THESIS_PRESET, save_preset
 from tests.bad_files import BAD_FILES, DAMAGED, ODD_FILES
-from tests.desktop.hands import CARDS, DEMO, click, followed, press, shown, wav
+from tests.desktop.hands import CARDS, DEMO, click, followed, menu, press, shown, wav
 from tests.sounds import tone
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -44,9 +44,9 @@ def test_a_sound_may_be_dropped_onto_any_view(desktop, window):
         window.analysis.spectrum,
         window.analysis.averaged,
         window.analysis.waveform,
-        window.analysis.time_view,
+        window.analysis.scroll_view,
         window.filters,
-        window.thresholds,
+        window.analysis.thresholds,
     ):
         desktop.session.open(CARDS)
         for target in [view, *(w for w in view.findChildren(QWidget) if w.isVisible())]:
@@ -102,7 +102,13 @@ def test_a_link_to_the_web_is_refused_with_a_sentence(desktop, window):
 
 
 def recent(window) -> list[str]:
-    return [action.text() for action in window._recent.actions()]
+    return [action.text() for action in recent_actions(window)]
+
+
+def recent_actions(window) -> list[QAction]:
+    return next(
+        action.menu() for action in menu(window, "&File").actions() if action.text() == "Open Recent"
+    ).actions()
 
 
 def test_recent_sounds_are_listed_newest_first_and_once(desktop, window, tmp_path):
@@ -117,7 +123,7 @@ def test_recent_sounds_are_listed_newest_first_and_once(desktop, window, tmp_pat
 
 def test_a_recent_sound_is_opened_from_the_menu(desktop, window):
     window.dialogs.open_sound(DEMO)
-    window._recent.actions()[1].trigger()
+    recent_actions(window)[1].trigger()
     assert desktop.session.path == CARDS
 
 
@@ -126,7 +132,7 @@ def test_a_recent_sound_that_has_gone_is_said(desktop, window, tmp_path):
     window.dialogs.open_sound(gone)
     window.dialogs.open_sound(CARDS)
     gone.unlink()
-    window._recent.actions()[1].trigger()
+    recent_actions(window)[1].trigger()
     assert window.banner.label.text().startswith("gone.wav: there is no such file")
     assert desktop.session.path == CARDS
 
@@ -172,7 +178,7 @@ def test_unusual_sounds_are_opened_without_complaint(desktop, window, qtbot, tmp
         window.dialogs.open_sound(write(tmp_path))
         assert not window.banner.isVisible(), (name, window.banner.label.text())
         desktop.session.analyse_until(0.3)
-        window.drawing.refresh_all()
+        window.redraw.refresh_all()
         assert desktop.session.history.n > 0, name
 
 
@@ -201,7 +207,7 @@ def test_a_broken_preset_gives_one_sentence_and_leaves_everything(desktop, windo
         assert desktop.preset.preset == before
         assert desktop.preset.path == THESIS_PRESET
         assert window.windowTitle() == title
-        window.banner.say("")
+        window.banner.show_error("")
 
 
 def test_the_banner_goes_by_a_click_and_after_the_next_success(desktop, window, tmp_path):

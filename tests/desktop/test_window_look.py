@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import Channel
-from tests.desktop.hands import click, followed, press, shown, type_number
+from tests.desktop.hands import click, followed, menu, press, shown, type_number
 
 
 def pixels(window) -> np.ndarray:
@@ -46,18 +46,18 @@ def test_light_is_light_and_dark_is_dark_and_neither_is_blank(desktop, qtbot):
 
 def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     window = followed(desktop, qtbot, seconds=2.0)
-    type_number(window.thresholds.rows["sz_s1"].number, "3.5")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     press(window, Qt.Key.Key_F)
     n, path = desktop.session.history.n, desktop.session.path
-    next(a for a in window.menus._menus["&View"].actions() if a.text() == "Theme: dark").trigger()
+    next(a for a in menu(window, "&View").actions() if a.text() == "Theme: dark").trigger()
     assert desktop.window is not window
     assert desktop.window.isVisible()
     assert not window.isVisible()
     assert (desktop.session.history.n, desktop.session.path) == (n, path)
     assert desktop.window.isWindowModified()
-    assert desktop.window.drawing.frozen
+    assert desktop.window.redraw.frozen
     assert desktop.window.menus.actions["Freeze Views"].isChecked()
-    assert desktop.window.thresholds.rows["sz_s1"].number.value() == 3.5
+    assert desktop.window.analysis.thresholds.rows["sz_s1"].number.value() == 3.5
     qtbot.waitUntil(desktop.window.isActiveWindow)
     press(desktop.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert not desktop.window.isWindowModified()
@@ -80,7 +80,7 @@ def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
     assert desktop.session.playing
     n = desktop.session.history.n
     qtbot.waitUntil(lambda: desktop.session.history.n > n + 20)
-    assert desktop.window.phoneme.meters
+    assert desktop.window.analysis.phoneme.meters
 
 
 def test_a_theme_that_is_left_leaves_no_window_and_no_timer_behind(desktop, qtbot):
@@ -95,7 +95,7 @@ def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbo
     shown(desktop, qtbot, None)
     for name in ("dark", "light", "system"):
         desktop.set_theme(name)
-        themes = [a for a in desktop.window.menus._menus["&View"].actions() if a.text().startswith("Theme: ")]
+        themes = [a for a in menu(desktop.window, "&View").actions() if a.text().startswith("Theme: ")]
         assert [a.text() for a in themes if a.isChecked()] == [f"Theme: {name}"]
         assert settings.value("theme") == name
 
@@ -106,8 +106,8 @@ def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbo
 def keys_of(window) -> dict[str, list[str]]:
     return {
         action.text().replace("&", ""): [key.toString() for key in action.shortcuts()]
-        for menu in window.menus._menus.values()
-        for action in menu.actions()
+        for title in window.menuBar().actions()
+        for action in title.menu().actions()
     }
 
 
@@ -212,15 +212,15 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     window.transport.volume.setValue(-20)
     click(window.transport.loop)
     desktop.session.set_channel(Channel.LEFT)
-    window.analysis.time_view.variable.setCurrentText("m_s1")
-    window.analysis.time_view.colours.setCurrentText("magma")
-    window.analysis.time_view.low.setValue(-80)
-    window.analysis.time_view.high.setValue(-10)
+    window.analysis.scroll_view.variable.setCurrentText("m_s1")
+    window.analysis.scroll_view.colours.setCurrentText("magma")
+    window.analysis.scroll_view.low.setValue(-80)
+    window.analysis.scroll_view.high.setValue(-10)
     for switch in (
         window.analysis.spectrum.decibels,
         window.analysis.averaged.coarse,
         window.analysis.waveform.coarse,
-        window.analysis.time_view.decibels,
+        window.analysis.scroll_view.decibels,
     ):
         click(switch)
     qtbot.wait(20)
@@ -239,13 +239,13 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     assert new.transport.loop.isChecked()
     assert again.session.channel is Channel.LEFT
     assert new.transport.channel.currentText() == "left"
-    assert new.analysis.time_view.variable.currentText() == "m_s1"
-    assert new.analysis.time_view.colours.currentText() == "magma"
-    assert (new.analysis.time_view.low.value(), new.analysis.time_view.high.value()) == (-80, -10)
+    assert new.analysis.scroll_view.variable.currentText() == "m_s1"
+    assert new.analysis.scroll_view.colours.currentText() == "magma"
+    assert (new.analysis.scroll_view.low.value(), new.analysis.scroll_view.high.value()) == (-80, -10)
     assert new.analysis.spectrum.decibels.isChecked()
     assert new.analysis.averaged.coarse.isChecked()
     assert new.analysis.waveform.coarse.isChecked()
-    assert not new.analysis.time_view.decibels.isChecked()
+    assert not new.analysis.scroll_view.decibels.isChecked()
     assert not new.analysis.spectrum.coarse.isChecked()
 
 
@@ -254,7 +254,7 @@ def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
     for name in ("Filters", "Phoneme", "Thresholds"):
         dock = window.findChild(QDockWidget, name)
         dock.close()
-        toggle = next(a for a in window.menus._menus["&View"].actions() if a.text() == name)
+        toggle = next(a for a in menu(window, "&View").actions() if a.text() == name)
         assert not toggle.isChecked()
         toggle.trigger()
         assert dock.isVisible()

@@ -45,7 +45,7 @@ def will_save_to(monkeypatch, path, chosen="Preset (*.toml)"):
 
 
 def change(window) -> None:
-    type_number(window.thresholds.rows["sz_s1"].number, "3.5")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
 
 
 def test_title_and_status_bar_name_sound_and_preset_and_mark_changes(desktop, window):
@@ -62,9 +62,9 @@ def test_title_and_status_bar_name_sound_and_preset_and_mark_changes(desktop, wi
 
 
 def test_a_value_typed_back_is_no_change(desktop, window):
-    before = window.thresholds.rows["sz_s1"].number.text()
+    before = window.analysis.thresholds.rows["sz_s1"].number.text()
     change(window)
-    type_number(window.thresholds.rows["sz_s1"].number, before)
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, before)
     assert not window.isWindowModified()
 
 
@@ -119,7 +119,7 @@ def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, wi
 def test_closing_without_changes_asks_nothing(desktop, window, asked):
     assert window.close()
     assert asked.times == 0
-    assert not window.drawing.timer.isActive()
+    assert not window.redraw.timer.isActive()
 
 
 def test_closing_while_it_plays_silences_it(desktop, window):
@@ -136,7 +136,7 @@ def test_cancel_keeps_the_window_and_the_changes(desktop, window, asked):
     assert window.isVisible()
     assert window.isWindowModified()
     assert desktop.session.playing
-    assert window.drawing.timer.isActive()
+    assert window.redraw.timer.isActive()
 
 
 def test_discard_closes_and_writes_nothing(desktop, window, asked, tmp_path):

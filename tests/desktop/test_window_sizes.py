@@ -86,8 +86,8 @@ def test_the_largest_values_have_room_too(window):
     window.filters.fields["high_pass_end"].setValue(22_050)
     window.filters.fields["low_pass_end"].setValue(22_050)
     window.filters.fields["intensity_low"].setValue(-120)
-    window.thresholds.rows["silence_zero_crossings"].number.setValue(2047)
-    window.thresholds.rows["p_energy_n"].number.setValue(256)
+    window.analysis.thresholds.rows["silence_zero_crossings"].number.setValue(2047)
+    window.analysis.thresholds.rows["p_energy_n"].number.setValue(256)
     boxes = [w for w in texts(window) if isinstance(w, QDoubleSpinBox)]
     assert {name_of(w): room_and_need(w) for w in boxes if room_and_need(w)[0] < room_and_need(w)[1]} == {}
 
@@ -98,7 +98,7 @@ def test_the_window_fits_on_a_small_screen_even_with_a_banner_and_curves(desktop
     for k in range(3):
         desktop.session.averages.save(tmp_path / f"speaker {k}.csv")
     click(window.analysis.averaged.measure)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     qtbot.wait(50)
     assert (window.width(), window.height()) == (1280, 800)
     assert fits(window)
@@ -185,8 +185,8 @@ def test_a_narrow_window_has_the_filters_behind_the_thresholds_until_the_user_mo
     window.show_page(1)
     window.show_page(0)
     qtbot.waitUntil(lambda: not thresholds.visibleRegion().isEmpty())
-    assert window.thresholds.width() >= window.thresholds.minimumWidth()
-    assert window.thresholds.parentWidget().width() <= thresholds.width()
+    assert window.analysis.thresholds.width() >= window.analysis.thresholds.minimumWidth()
+    assert window.analysis.thresholds.parentWidget().width() <= thresholds.width()
 
 
 @pytest.mark.parametrize(("width", "moved"), [(1280, True), (1016, False)])
@@ -216,10 +216,10 @@ def test_every_dialog_and_dock_can_be_seen_at_once(desktop, qtbot):
         window.analysis.spectrum,
         window.analysis.averaged,
         window.analysis.waveform,
-        window.analysis.time_view,
+        window.analysis.scroll_view,
         window.filters,
-        window.phoneme,
-        window.thresholds,
+        window.analysis.phoneme,
+        window.analysis.thresholds,
     ):
         assert view.isVisible()
         assert view.width() >= 200

@@ -70,7 +70,7 @@ def test_the_invitation_fits_the_source(booth: Booth):
     invitations = {}
     for source in ("tone", "microphone", "file"):
         choose(booth.window.transport.source, source)
-        invitations[source] = booth.window.analysis.time_view._hint.toPlainText()
+        invitations[source] = booth.window.analysis.scroll_view._hint.toPlainText()
     assert "R to record" in invitations["microphone"]
     assert "tone" in invitations["tone"]
     assert invitations["file"] == "Press Space to play"

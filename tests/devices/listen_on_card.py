@@ -14,7 +14,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 ending: list[int] = []
 signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))
 tape = Recorder(lambda: Path(sys.argv[1]))
-listener = Listener(load_preset(DEFAULT_PRESET), InputChoice(rate=int(sys.argv[2])), tape=tape)
+listener = Listener(load_preset(DEFAULT_PRESET), InputChoice(rate=int(sys.argv[2])), recorder=tape)
 frames: list[tuple[int, list[int]]] = []
 while not ending:
     status = listener.status

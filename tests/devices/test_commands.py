@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 import soundfile
 
-from phonemeanalyser.cli.main import DEMO
+from phonemeanalyser.cli.window import DEMO
 from phonemeengine.audio.wav import HEADER
 from tests.devices.programs import PATIENCE, Program, counted_in, recorder, samples_of
 from tests.fakes.virtual_sound import VirtualSound

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeanalyser.cli.main import DEMO
+from phonemeanalyser.cli.window import DEMO
 from tests.devices.programs import HERE, Program
 from tests.fakes.virtual_sound import VirtualSound
 

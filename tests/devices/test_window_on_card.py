@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from phonemeanalyser.cli.main import DEMO
+from phonemeanalyser.cli.window import DEMO
 from tests.devices.programs import HERE, PATIENCE, Program, followed, samples_of
 from tests.devices.test_server_trouble import AWAY, SLACK, play
 from tests.fakes.virtual_sound import VirtualSound

@@ -32,8 +32,8 @@ def say() -> str:
         json.dumps({
             "time": time.monotonic(), "banner": banner, "left": window.status.left.text(),
             "right": window.status.right.text(), "label": window.transport.time.text(),
-            "ticks": window.drawing.n_ticks,
-            "lost": microphone.lost_seconds, "late_ms": window.status.latency_ms,
+            "ticks": window.redraw.n_ticks,
+            "lost": microphone.listener.lost_seconds, "late_ms": window.status.latency_ms,
             "frames": desktop.session.history.n, "devices": [device.label for device in microphone.devices],
         }),
         flush=True,

@@ -262,7 +262,7 @@ def test_a_missing_file_a_folder_and_an_endless_file_are_refused(tmp_path: Path)
         file.truncate(5 << 20)
     assert "cannot be read" in refusal_of(tmp_path / "missing.csv")
     assert "cannot be read" in refusal_of(tmp_path / "folder.csv")
-    assert "smaller than 4 MB" in refusal_of(tmp_path / "endless.csv")
+    assert "has at most 4 MB" in refusal_of(tmp_path / "endless.csv")
 
 
 @given(where=st.integers(0, len(GOOD)), length=st.integers(0, 9), new=st.text("09.-,:#\nenaf ", max_size=6))

@@ -5,6 +5,7 @@ import threading
 from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -98,13 +99,24 @@ class Microphones:
         return found
 
 
+class HandDrivenListener(Listener):
+    """A listener to microphones that a test drives."""
+
+    def __init__(self, openers: Microphones, *arguments: Any, **options: Any) -> None:
+        self._openers = openers
+        super().__init__(*arguments, **options)
+
+    def _open_input(self, choice: InputChoice) -> HandDrivenMicrophone:
+        return self._openers(choice)
+
+
 class Hearing:
     """A listener to microphones that a test drives, and what it took from it."""
 
     def __init__(self, *microphones: HandDrivenMicrophone | None, preset: Preset = PRESET, **options: object) -> None:
         self.openers = Microphones(*microphones)
         self.taken: list[Analysis] = []
-        self.listener = Listener(preset, open_input=self.openers, **options)
+        self.listener = HandDrivenListener(self.openers, preset, **options)
 
     def has(self, n_frames: int) -> bool:
         """Take what there is; whether so many frames were taken altogether."""
@@ -115,6 +127,11 @@ class Hearing:
     def wait(self, n_frames: int) -> None:
         """Wait until so many frames were taken altogether."""
         wait_for(lambda: self.has(n_frames), f"{n_frames} frames")
+
+    def wait_samples(self, n_samples: int) -> None:
+        """Wait until so many samples at 44.1 kHz were listened to, also those that complete no frame yet."""
+        self.wait(frames_in(n_samples))
+        wait_for(lambda: self.listener.seconds >= n_samples / SAMPLE_RATE, f"{n_samples} samples")
 
     def wait_words(self, words: str) -> None:
         """Wait until the status says so."""

@@ -1,8 +1,13 @@
 """An output whose time only moves when a test says so."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.audio.output import Output
+from phonemeengine.live.sound import Sound
 from phonemeengine.settings import SAMPLE_RATE
 
 
@@ -57,6 +62,17 @@ class HandDrivenOutput:
     def move(self, samples: float) -> None:
         """Have time pass, as far as there is sound."""
         self.heard = min(self.heard + samples, float(self.n_written))
+
+
+class HandDrivenSound(Sound):
+    """A sound on outputs that a test opens."""
+
+    def __init__(self, open_device: Callable[[int], Output], *arguments: Any, **options: Any) -> None:
+        self._open = open_device
+        super().__init__(*arguments, **options)
+
+    def _open_device(self, n_channels: int) -> Output:
+        return self._open(n_channels)
 
 
 class Outputs:

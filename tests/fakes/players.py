@@ -2,12 +2,12 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from phonemeengine.analyser import Analysis, analyse_blocks
+from phonemeengine.analyser import concatenate_analyses as joined
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.live import player as live
 from phonemeengine.live.player import Player
@@ -88,17 +88,6 @@ def offline(path: Path, preset: Preset = PRESET, channel: Channel = Channel.MIX)
     """The analysis of the whole file, as one block."""
     with SoundReader(path, channel) as reader:
         return joined(list(analyse_blocks(reader.blocks(10_000), preset, pitch=True)))
-
-
-def joined(analyses: list[Analysis]) -> Analysis:
-    return replace(
-        analyses[0],
-        spectra=np.concatenate([a.spectra for a in analyses]),
-        features=replace(analyses[0].features, values=np.concatenate([a.features.values for a in analyses])),
-        recognised=np.concatenate([a.recognised for a in analyses]),
-        phonemes=np.concatenate([a.phonemes for a in analyses]),
-        intensities=np.concatenate([a.intensities for a in analyses]),
-    )
 
 
 def frames_of(taken: list[Analysis]) -> list[int]:

@@ -1,5 +1,6 @@
 """Recognisers of other packages: the real example, installed with pip, and small ones that a test writes."""
 
+import os
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -9,7 +10,7 @@ import pytest
 
 from phonemeengine.recognition.plug_ins import GROUP
 
-EXAMPLE = Path(__file__).parents[1] / "plugin_package"
+EXAMPLE = Path(__file__).parents[2] / "examples" / "own_recogniser"
 HEAD = """
 import numpy as np
 from phonemeengine.phonemes import Phoneme
@@ -20,12 +21,18 @@ class Plain:
     def __init__(self, thresholds):
         pass
 
-    def recognise(self, features):
+    def recognise(self, windows, features):
         return np.full(len(features.values), Phoneme.U, np.uint8)
 
     def explain(self, features, k):
         return Trace(Phoneme.U, "always", ())
 """
+
+
+def environment_with(site: Path) -> dict[str, str]:
+    """The environment of a program that finds the packages of a folder beside all others."""
+    paths = [str(site), *filter(None, [os.environ.get("PYTHONPATH")])]
+    return {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
 
 
 def install_example(folder: Path) -> Path:

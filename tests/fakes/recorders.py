@@ -11,6 +11,7 @@ import soundfile
 
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.recording import Recording
+from phonemeengine.live.recorder import Recorder
 
 
 def samples_of_16_bits(first: int, n: int, n_channels: int = 1) -> np.ndarray:
@@ -30,6 +31,13 @@ def begun(path: Path, rate: int = 44_100, n_channels: int = 1, **folders: Path) 
     """A recording with its journal and its rescue folder beside it."""
     chosen: dict[str, Any] = {"journal": path.parent / "journal", "rescue": path.parent / "rescue"} | folders
     return Recording(path, rate, n_channels, **chosen)
+
+
+def recorder_to(target: Any, folder: Path, **options: Any) -> Recorder:
+    """A recorder with its journal and its rescue folder in a folder."""
+    recorder = Recorder(target, **options)
+    recorder.journal, recorder.rescue = folder / "journal", folder / "rescue"
+    return recorder
 
 
 def digest(path: Path) -> str:

@@ -27,7 +27,7 @@ from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
 from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined, offscreen, seen
-from tests.meshes import cube, figure_of_cube
+from tests.meshes import cube, morph_mesh_of_cube
 
 __all__ = ["context", "offscreen"]  # fixtures
 Hire = Callable[..., OffscreenRenderer]
@@ -129,11 +129,11 @@ def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: MorphMesh, off
     colours = head.mesh.colours.copy()
     colours[teeth] = MAGENTA
     painted = replace(head, mesh=replace(head.mesh, colours=colours))
-    for figure in (painted, subdivided(painted)):
-        hired, camera = offscreen(figure, (300, 300)), Camera.facing(figure.mesh).zoom(10).pan(0.0, -0.16)
+    for morph_mesh in (painted, subdivided(painted)):
+        hired, camera = offscreen(morph_mesh, (300, 300)), Camera.facing(morph_mesh.mesh).zoom(10).pan(0.0, -0.16)
         n_seen = {
             phoneme: max(
-                _n_magenta(hired.picture(camera.orbit(azimuth, 0.0), saying(figure, phoneme), background=DARK))
+                _n_magenta(hired.picture(camera.orbit(azimuth, 0.0), saying(morph_mesh, phoneme), background=DARK))
                 for azimuth in (-0.7, 0.0, 0.7)
             )
             for phoneme in (Phoneme.SILENCE, Phoneme.M, Phoneme.P, Phoneme.U, Phoneme.SZ)
@@ -270,11 +270,11 @@ def test_what_is_seen_from_its_back_is_dark(offscreen: Hire):
 
 
 def test_any_mesh_can_be_drawn_from_any_side(offscreen: Hire):
-    figure = figure_of_cube()
-    camera = Camera.facing(figure.mesh)
-    hired = offscreen(figure, (120, 120))
+    morph_mesh = morph_mesh_of_cube()
+    camera = Camera.facing(morph_mesh.mesh)
+    hired = offscreen(morph_mesh, (120, 120))
     areas = [
-        int(seen(hired.picture(camera.orbit(azimuth, elevation), figure.mesh.positions, background=DARK)).sum())
+        int(seen(hired.picture(camera.orbit(azimuth, elevation), morph_mesh.mesh.positions, background=DARK)).sum())
         for azimuth in (0.0, math.pi / 2, math.pi)
         for elevation in (-1.4, 0.0, 1.4)
     ]

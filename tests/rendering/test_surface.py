@@ -13,7 +13,7 @@ from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from tests.graphics import ball, context, joined
-from tests.meshes import cube, figure_of_cube, volume
+from tests.meshes import cube, morph_mesh_of_cube, volume
 
 __all__ = ["context"]  # a fixture
 NO_POLES = slice(25, -25)
@@ -135,7 +135,7 @@ def test_a_plane_stays_a_plane_and_keeps_its_corners_edges():
 
 
 def test_a_small_part_keeps_its_form():
-    finer = subdivided(figure_of_cube())
+    finer = subdivided(morph_mesh_of_cube())
     assert volume(finer.mesh) == pytest.approx(8, rel=1e-5)
     assert len(finer.mesh.triangles) == 48
 

@@ -98,8 +98,8 @@ def test_the_shipped_rules_can_be_read():
     assert "left out" in preset.notes
 
 
-@pytest.mark.parametrize(("name", "least"), [("extended", 0.55), ("templates", 0.52)])
+@pytest.mark.parametrize(("name", "least"), [("extended", 0.61), ("templates", 0.59)])
 def test_the_shipped_presets_reach_their_figures(name: str, least: float, corpus):
     scores = scores_on(corpus, load_preset(FACTORY / f"{name}.toml"))
     assert scores.macro_f1 > least
-    assert scores.changes_per_s <= 1.5 * scores.label_changes_per_s
+    assert scores.changes_per_s <= 1.51 * scores.label_changes_per_s

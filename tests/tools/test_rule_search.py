@@ -36,7 +36,7 @@ def test_a_corner_takes_one_rule_of_two_comparisons():
     features = Features(("x", "y"), values.astype(np.float32))
     rules = grown(("x", "y"), values, truth, 3)
     assert sum(rule.phoneme is Phoneme.I for rule in rules) == 1
-    answers = RuleRecogniser(rules, Thresholds()).recognise(features).phonemes
+    answers = RuleRecogniser(rules, Thresholds()).phonemes_of(features)
     assert np.mean(answers == truth) > 0.97
 
 
@@ -58,7 +58,7 @@ def test_a_count_lies_never_on_a_limit():
     values = np.floor(20 * uniform(N, 1))
     truth = np.where(values[:, 0] > 9, Phoneme.A, Phoneme.SILENCE).astype(np.uint8)
     rules = RuleRecogniser(grown(("x",), values, truth), Thresholds())
-    answers = rules.recognise(Features(("x",), values.astype(np.float32))).phonemes
+    answers = rules.phonemes_of(Features(("x",), values.astype(np.float32)))
     np.testing.assert_array_equal(answers, truth)
 
 

@@ -30,12 +30,12 @@ STEPS = np.linspace(0.5, 1.5, 8)
 def figures() -> list[Figure]:
     """Drag three thresholds up, without and with hysteresis; a step is everything until the new matrix is there."""
     preset = load_preset(FACTORY / "thesis.toml")
-    workbench = _workbench(preset)
-    hours = workbench.edges[-1] / 100 / 3600
+    labelled = _labelled(preset)
+    hours = labelled.edges[-1] / 100 / 3600
     found = []
     for hysteresis in (0.0, 0.1):
         base = replace(preset, settings=replace(preset.settings, hysteresis=hysteresis))
-        wall, process = _dragged(workbench, base)
+        wall, process = _dragged(labelled, base)
         name = f"{hours:.1f} h, threshold dragged, " + ("hysteresis" if hysteresis else "no hysteresis")
         ratio = float(np.median(process)) / LIMIT
         found.append(
@@ -46,7 +46,7 @@ def figures() -> list[Figure]:
     return found
 
 
-def _workbench(preset: Preset) -> LabelledFeatures:
+def _labelled(preset: Preset) -> LabelledFeatures:
     """Measure noisy copies of labelled speech, and lay them end to end for an hour."""
     with tempfile.TemporaryDirectory() as folder:
         copies = list(_noisy_copies(Path(folder)))
@@ -66,16 +66,16 @@ def _noisy_copies(folder: Path) -> Iterator[Utterance]:
         yield Utterance(folder / f"{k}.wav", labels, f"noise {k}", "bench")
 
 
-def _dragged(workbench: LabelledFeatures, preset: Preset) -> tuple[list[float], list[float]]:
+def _dragged(labelled: LabelledFeatures, preset: Preset) -> tuple[list[float], list[float]]:
     """Give the seconds of each step, by the clock and of this process alone."""
     wall, process = [], []
-    workbench.confusion(preset)
+    labelled.confusion(preset)
     for name in DRAGGED:
         for step in STEPS:
             limit = float(getattr(preset.thresholds, name) * step)
             moved = replace(preset, thresholds=replace(preset.thresholds, **{name: limit}))
             began, worked = time.perf_counter(), time.process_time()
-            confusion = workbench.confusion(moved)
+            confusion = labelled.confusion(moved)
             assert 0 <= confusion.macro_f1 <= 1
             wall.append(time.perf_counter() - began)
             process.append(time.process_time() - worked)

@@ -35,12 +35,13 @@ def figures() -> list[Figure]:
 def _one_frame(preset: Preset) -> Figure:
     assert preset.model is not None
     windows = np.lib.stride_tricks.sliding_window_view(speech(N_FRAMES * HOP / 44_100 + 0.1), WINDOW)[::HOP]
-    blocks = [Features(("energy",), np.zeros((1, 1), np.float32), w[np.newaxis]) for w in windows[:N_FRAMES]]
+    blocks = [w[np.newaxis] for w in windows[:N_FRAMES]]
+    features = Features(("energy",), np.zeros((1, 1), np.float32))
     recogniser = LearnedRecogniser(preset.model, 0.05)
 
     def recognise_all() -> None:
         for block in blocks:
-            recogniser.recognise(block)
+            recogniser.recognise(block, features)
 
     (seconds,) = interleaved(N_ROUNDS, recognise_all)
     ratio = float(np.median(seconds)) / N_FRAMES / ONE_FRAME

@@ -14,7 +14,7 @@ from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.mouth.table import load_table
-from phonemeengine.mouth.utterance import Utterance, utterance_of
+from phonemeengine.mouth.transcript import Transcript, transcript_of
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import FRAME_PERIOD
 from tests.glb_faces import face_with_targets
@@ -63,10 +63,10 @@ def _hours() -> list[Figure]:
     return found
 
 
-def _one_hour() -> Utterance:
+def _one_hour() -> Transcript:
     """Give what is said in the demo, again and again."""
     with SoundReader(DEMO) as reader:
-        said = utterance_of(
+        said = transcript_of(
             analyse_blocks(reader.blocks(44_100), load_preset(DEFAULT_PRESET), pitch=True), "", reader.duration
         )
     n = len(said.intensities)
@@ -76,6 +76,6 @@ def _one_hour() -> Utterance:
         for k in range(times)
         for run in said.runs
     ]
-    return Utterance(
+    return Transcript(
         "hour.wav", times * length, tuple(runs), np.tile(said.intensities, times), np.tile(said.pitches, times)
     )

@@ -93,7 +93,7 @@ def _gather(session: Session, blocks: list[Analysis], minutes: float) -> None:
     for _ in range(round(minutes * 60 / 12)):
         for block in blocks:
             if len(block):
-                session.findings.add(block)
+                session.results.add(block)
 
 
 def _measured(desktop: Desktop) -> Cost:

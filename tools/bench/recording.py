@@ -55,7 +55,7 @@ def main() -> None:
         assert session.history.n - n_before > 90 * MEASURED, "frames are missing"
         cost = {
             "share": processor / wall, "pictures": painted.n / wall,
-            "lost": session.microphone.lost_seconds, "dropped": session.microphone.n_dropped,
+            "lost": session.microphone.listener.lost_seconds, "dropped": session.microphone.listener.n_dropped,
         }  # fmt: skip
         desktop.close()
     print(json.dumps(cost))

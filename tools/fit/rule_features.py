@@ -157,7 +157,7 @@ def _measured(
 
 def _sounds_of(utterance: Utterance, adder: NoiseAdder, generator: np.random.Generator) -> Iterator[Float32Array]:
     with utterance.opened() as reader:
-        sound = np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])
+        sound = reader.read_mono()
     yield sound
     floor = _gain_of(generator.uniform(*FLOORS)) * generator.standard_normal(len(sound), np.float32)
     yield _gain_of(generator.uniform(*GAINS)) * sound + floor

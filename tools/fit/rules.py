@@ -27,6 +27,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
 from phonemeengine.recognition.smoothing import SUCCESSORS, PhonemeSmoother
+from phonemeengine.recognition.spec import OWN_RULES
 from tools.fit.rule_features import (
     COPIES,
     FRONT_END,
@@ -82,9 +83,9 @@ class RuleFitter:
     ) -> None:
         self._corpus = corpus
         self._voices = list(dict.fromkeys(voice_of(m.utterance) for m in (*corpus, *further)))
-        self._lessons = self._lessons_of([*corpus, *further])
+        self._examples = self._examples_of([*corpus, *further])
         self._variables = variables
-        self._names = [name for name in self._lessons.features.names if name not in UNASKED]
+        self._names = [name for name in self._examples.features.names if name not in UNASKED]
 
     def fit(self) -> Preset:
         """Grow the rules from everyone, and say how well rules do that have not heard a speaker."""
@@ -93,27 +94,27 @@ class RuleFitter:
             voices, groups_of(voices, len(voices)), lambda chosen: self._rules_without(voices, chosen)
         )
         hysteresis = self._calm(unseen)
-        rules = self._grow(np.ones(len(self._lessons.truth), bool))
+        rules = self._grow(np.ones(len(self._examples.truth), bool))
         used = {c.variable for rule in rules for c in rule.conditions}
         used |= {v.per for v in self._variables if v.name in used}
         variables = tuple(v for v in self._variables if v.name in used)
         settings = replace(FRONT_END, minimum_hold=0.0, hysteresis=hysteresis)
         notes = self._notes(rules, variables, unseen, hysteresis)
-        return Preset(NAME, settings, variables=variables, recogniser="rules", rules=rules, notes=notes)
+        return Preset(NAME, settings, variables=variables, recogniser=OWN_RULES.name, rules=rules, notes=notes)
 
     def _rules_without(self, voices: Sequence[str], chosen: BoolArray) -> Rules:
         heard = [self._voices.index(voice) for voice in {v for v, c in zip(voices, chosen, strict=True) if not c}]
-        return self._grow(~np.isin(self._lessons.voices, heard))
+        return self._grow(~np.isin(self._examples.voices, heard))
 
     def _grow(self, frames: BoolArray) -> Rules:
-        lessons = self._lessons
-        features = Features(lessons.features.names, lessons.features.values[frames])
-        search = RuleSearch(features, lessons.truth[frames], lessons.weights[frames], self._names)
+        examples = self._examples
+        features = Features(examples.features.names, examples.features.values[frames])
+        search = RuleSearch(features, examples.truth[frames], examples.weights[frames], self._names)
         rules = search.rules_of(search.grow(MOST_RULES))
         print(f"  {len(rules)} rules", flush=True)
         return rules
 
-    def _lessons_of(self, material: Sequence[RuleFeatures]) -> TrainingFrames:
+    def _examples_of(self, material: Sequence[RuleFeatures]) -> TrainingFrames:
         """Put the copies of all recordings one after the other; each speaker counts by its importance."""
         spoken: dict[tuple[str, str], int] = {}
         for m in material:
@@ -193,7 +194,7 @@ def _in_words(scores: Scores) -> str:
 
 def _recognised(features: Features, rules: Rules, hysteresis: float) -> UInt8Array:
     recogniser = RuleRecogniser(rules, Thresholds())
-    codes = recogniser.recognise(features).phonemes
+    codes = recogniser.phonemes_of(features)
     return PhonemeSmoother(0.0, SUCCESSORS, hysteresis).smooth(codes, recogniser.deficits(features))
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.analyser import analyse_blocks
+from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.fits.templates import LogMelsByPhoneme, log_mels_by_phoneme, templates_from
@@ -16,18 +16,18 @@ from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.spec import TEMPLATES
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import AnalysisSettings
 
 STEM, NAME = "templates", "Templates"
-BLOCK = 1 << 16
 MINIMUM_HOLD, HYSTERESIS = 0.0, 0.25
 
 
 def preset_of(templates: Templates, notes: str = "") -> Preset:
     """Return a preset that recognises by templates."""
     settings = AnalysisSettings(minimum_hold=MINIMUM_HOLD, hysteresis=HYSTERESIS)
-    return Preset(NAME, settings, recogniser="templates", templates=templates, notes=notes)
+    return Preset(NAME, settings, recogniser=TEMPLATES.name, templates=templates, notes=notes)
 
 
 def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, LogMelsByPhoneme]) -> Scores:
@@ -39,7 +39,7 @@ def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, LogMelsB
 
 def _recognised(path: Path, preset: Preset) -> UInt8Array:
     with SoundReader(path) as reader:
-        return np.concatenate([a.phonemes for a in analyse_blocks(reader.blocks(BLOCK), preset)])
+        return np.concatenate([a.phonemes for a in analyse_file(reader, preset)])
 
 
 NOTES = """\

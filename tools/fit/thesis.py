@@ -233,7 +233,7 @@ def _features_of(sound: Float32Array, settings: AnalysisSettings, n_frames: int)
 
 def _recognised(features: Features, fit: Fit, settings: AnalysisSettings) -> UInt8Array:
     rules = ThesisRules(fit.thresholds)
-    codes = rules.recognise(features).phonemes
+    codes = rules.phonemes_of(features)
     calm = PhonemeSmoother(settings.minimum_hold, fit.successors, settings.hysteresis)
     return calm.smooth(codes, rules.deficits(features)) if settings.statistics else codes
 

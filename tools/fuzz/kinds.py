@@ -21,7 +21,7 @@ from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model
-from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, figure_of_cube
+from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, morph_mesh_of_cube
 from tests.models import tone_model
 from tools.fuzz.mutation import mutated
 
@@ -44,9 +44,9 @@ class Kind:
 
 def kinds(folder: Path) -> dict[str, Kind]:
     """Give all kinds; those that are read from a path are written into a folder."""
-    figure = figure_of_cube()
-    face = morph_targets_of(figure.mesh, figure.states)
-    glb, points = format_glb(figure), format_points(face)
+    morph_mesh = morph_mesh_of_cube()
+    face = morph_targets_of(morph_mesh.mesh, morph_mesh.states)
+    glb, points = format_glb(morph_mesh), format_points(face)
     text, blob = _parts_of(glb)
     model = folder / "good.npz"
     save_model(tone_model({1000.0: Phoneme.A}, n_heads=1), model)
@@ -54,8 +54,8 @@ def kinds(folder: Path) -> dict[str, Kind]:
     tables = tuple((TABLES / f"{name}.toml").read_bytes() for name in ("five", "eleven"))
     old = (b"0,0,5,7,0\n" + b"1,2,3,4\n" * 4,)
     return {
-        "3dm": Kind((format_3dm(face), format_3dm(morph_targets_of(figure.mesh, []))), _morph_3dm, head=10),
-        "3dma": Kind((format_3dma(face), format_3dma(morph_targets_of(figure.mesh, []))), parse_3dma, head=7),
+        "3dm": Kind((format_3dm(face), format_3dm(morph_targets_of(morph_mesh.mesh, []))), _morph_3dm, head=10),
+        "3dma": Kind((format_3dma(face), format_3dma(morph_targets_of(morph_mesh.mesh, []))), parse_3dma, head=7),
         "x": Kind((CUBE_X, FRAMES_X), parse_x, head=17),
         "obj": Kind((CUBE_OBJ, LIBRARY), lambda content: parse_obj(content, lambda _name: content)),
         "glb": Kind((glb, points), parse_gltf),
@@ -71,7 +71,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
 
 def _morph_3dm(content: bytes) -> object:
     """Read movestates, and use them as the head would."""
-    face, mesh = parse_3dm(content), figure_of_cube().mesh
+    face, mesh = parse_3dm(content), morph_mesh_of_cube().mesh
     fitting = [state for state in face.states if not len(state) or state.numbers[-1] < len(mesh)]
     states = MovestateSet(mesh, fitting)
     for state in fitting:

@@ -44,7 +44,7 @@ def main(out: Path, theme: str, width: int, height: int) -> None:
         desktop.window.show_page(1)
         _settle(calibration)
         page = desktop.window.calibration
-        calibration.bench.choose("m_a1")
+        calibration.workbench.choose("m_a1")
         page.takes.speaker.setText(calibration.takes.speaker)
         page.takes.list.setCurrentCell(1, 0)
         _settle(calibration)
@@ -74,7 +74,7 @@ def _record_takes(calibration: CalibrationModel) -> None:
 
 def _settle(calibration: CalibrationModel) -> None:
     live_for(0.3)
-    while calibration.takes.busy or calibration.recordings.busy or calibration.bench.busy:
+    while calibration.takes.busy or calibration.recordings.busy or calibration.workbench.measuring.busy:
         live_for(0.1)
     live_for(0.3)
 

@@ -27,11 +27,11 @@ AZIMUTH, ELEVATION, STEPS, DOWN = 0.38, 0.04, 4.5, -0.045
 def visemes(theme: str) -> UInt8Array:
     """Give the picture of all of them."""
     colours = {"light": LIGHT, "dark": DARK}[theme]
-    figure = subdivided(load_head())
-    face, table = MovestateSet(figure.mesh, figure.states), load_table("arkit")
-    camera = Camera.facing(figure.mesh).orbit(AZIMUTH, ELEVATION).zoom(STEPS).pan(0.0, DOWN)
+    morph_mesh = subdivided(load_head())
+    face, table = MovestateSet(morph_mesh.mesh, morph_mesh.states), load_table("arkit")
+    camera = Camera.facing(morph_mesh.mesh).orbit(AZIMUTH, ELEVATION).zoom(STEPS).pan(0.0, DOWN)
     shown = []
-    with OffscreenRenderer(figure, (SIZE, SIZE)) as offscreen:
+    with OffscreenRenderer(morph_mesh, (SIZE, SIZE)) as offscreen:
         for phoneme in SAID:
             face.set_percentages(dict(zip(table.movestates, 100.0 * table.weights()[phoneme], strict=True)))
             picture = offscreen.picture(camera, face.morphed(), HeadPose(), background=colour_of(colours.window))

@@ -31,8 +31,8 @@ def main(out: Path, theme: str, width: int, height: int, at: float) -> None:
             live_for(0.1)
         desktop.session.analyse_until(at)
         live_for(0.3)
-        desktop.window.drawing.refresh_all()
-        desktop.window.drawing.timer.stop()  # for a picture without jagged edges
+        desktop.window.redraw.refresh_all()
+        desktop.window.redraw.timer.stop()  # for a picture without jagged edges
         live_for(1.0)
         desktop.talking.set_blinks(True)
         desktop.window.grab().save(str(out), "PNG")

@@ -50,12 +50,11 @@ class Watch:
 def main() -> None:
     """Listen."""
     folder, seconds = Path(sys.argv[1]), float(sys.argv[2])
-    tape = Recorder(
-        lambda: folder / "soak.wav", with_phonemes=True, journal=folder / "journal", rescue=folder / "rescue"
-    )
+    tape = Recorder(folder / "soak.wav", with_phonemes=True)
+    tape.journal, tape.rescue = folder / "journal", folder / "rescue"
     watch = Watch(round(110 * seconds))
     watch.listener = listener = Listener(
-        load_preset(DEFAULT_PRESET), pitch=True, tape=tape, on_heard=watch.age
+        load_preset(DEFAULT_PRESET), pitch=True, recorder=tape, on_analysis=watch.age
     )  # fmt: skip
     _attend(listener, watch, seconds)
     listener.close()

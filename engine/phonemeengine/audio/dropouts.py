@@ -1,5 +1,7 @@
 """Samples that a device lost on the way, found by holding their count against a clock."""
 
+import logging
+
 WATCHED = 1.0
 """Seconds of which the promptest block tells how far the count is behind."""
 LEAST = 0.008
@@ -9,6 +11,8 @@ SETTLING = 0.5
 """Seconds after the beginning in which cards deliver ahead of time or late, so that no loss can be told."""
 FOLLOWED = 0.3
 """Share of a smaller difference that is taken for the drift of the device's clock."""
+
+_log = logging.getLogger(__name__)
 
 
 class DropoutMeter:
@@ -68,4 +72,5 @@ class DropoutMeter:
             self._suspect = behind
         else:
             self.n_lost += round(min(behind, self._suspect) * self._rate)
+            _log.warning("sound was lost by the device, %.3f s so far", self.n_lost / self._rate)
             self._suspect = float("inf")

@@ -2,11 +2,12 @@
 
 import io
 import math
+import os
+import sys
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
-from types import TracebackType
-from typing import BinaryIO, Self
+from typing import BinaryIO
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from phonemeengine.audio.libsndfile import Decoder, DecodingError
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import AudioError
 from phonemeengine.files import printable_name
+from phonemeengine.lifetime import Closing
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, Channel
 
 SUFFIXES = frozenset(
@@ -44,7 +46,7 @@ MP3_SLACK = 0.1
 """An MP3 file may lack this much of the length it announces, seconds: encoders count their padding differently."""
 
 
-class SoundReader:
+class SoundReader(Closing):
     """Reads a sound file as a stream at 44.1 kHz; never holds the whole file.
 
     A file of one or two channels keeps them. One of more is reduced to a single channel: the mean of all, or one.
@@ -65,10 +67,10 @@ class SoundReader:
         channel.
     """
 
-    def __init__(self, path: Path, channel: Channel = Channel.MIX) -> None:
-        self.path = path
-        self._name = printable_name(path)
-        self._raw = open_checked(path, self._name)
+    def __init__(self, path: str | os.PathLike[str], channel: Channel = Channel.MIX) -> None:
+        self.path = Path(path)
+        self._name = printable_name(self.path)
+        self._raw = open_checked(self.path, self._name)
         with ExitStack() as unless_read:
             unless_read.callback(self._raw.close)
             self._extent = _extent(self._raw, self._name)
@@ -168,18 +170,14 @@ class SoundReader:
         while len(block := self.read(n)):
             yield mono_of(block, self.channel)
 
+    def read_mono(self, n: int = sys.maxsize) -> Float32Array:
+        """Return the next samples of what is analysed, or all that are left; shape (m,), m <= n."""
+        return mono_of(self.read(n), self.channel)
+
     def close(self) -> None:
         """Let go of the file."""
         self._file.close()
         self._raw.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     @property
     def _warm_up(self) -> float:

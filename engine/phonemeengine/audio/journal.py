@@ -15,6 +15,7 @@ from typing import Any
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.locking import lock_at
 from phonemeengine.errors import AudioError
+from phonemeengine.files import atomic_write
 
 
 class RecordingMarker:
@@ -31,12 +32,10 @@ class RecordingMarker:
         self._lock = _lock_of(self._file)
         self._lock.acquire(blocking=False)
         begun = datetime.now().astimezone().isoformat(timespec="seconds")
-        being_written = self._file.with_suffix(".new")
         try:
-            being_written.write_text(json.dumps({"path": str(path.absolute()), "begun": begun}), encoding="utf-8")
-            being_written.replace(self._file)
+            with atomic_write(self._file) as file:
+                file.write(json.dumps({"path": str(path.absolute()), "begun": begun}).encode())
         except OSError:
-            _unlink(being_written)
             self.remove()
             raise
 

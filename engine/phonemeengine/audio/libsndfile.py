@@ -50,7 +50,7 @@ class FlacEncoder:
 
     Parameters
     ----------
-    file : a new, empty, unbuffered file, which stays open.
+    file : a new, empty file, which stays open; unbuffered where others read it meanwhile.
     rate : 4000..655350 Hz.
     n_channels : 1..8.
     marks : leave room for `mark` before the sound.

@@ -1,6 +1,7 @@
 """Sound on its way to the disk as it comes, in a file that is playable at any moment."""
 
 import errno
+import logging
 import math
 import threading
 from collections import deque
@@ -32,6 +33,8 @@ CLOSE_TIMEOUT = 5.0
 GONE = "its folder or the file itself has gone"
 STUCK = "check the disk or record to another"
 ELSEWHERE = "record to another folder"
+
+_log = logging.getLogger(__name__)
 
 
 class Encoder(Protocol):
@@ -108,6 +111,7 @@ class Recording:
         self._n_given = self._n_done = 0
         self._rescuing = False
         self._ending = threading.Event()
+        _log.info("recording to %s begins: %d Hz, %d channels", path, rate, n_channels)
         self._thread = threading.Thread(target=self._run, name="recording", daemon=True)
         self._thread.start()
 
@@ -224,7 +228,9 @@ class Recording:
         kept = f", which are kept in {folder}" if folder else ", which are lost"
         if self.n_samples == 0:
             after, kept = "so nothing was recorded", ""
-        self.failure = self.failure or f"{self._name}: {what}, {after}{kept}; {advice}"
+        if self.failure is None:
+            self.failure = f"{self._name}: {what}, {after}{kept}; {advice}"
+            _log.error("%s", self.failure)
         self._ending.set()
 
     def _let_go(self) -> None:
@@ -236,6 +242,7 @@ class Recording:
             self._file.discard()
         if self._note:
             self._note.remove()
+        _log.info("recording to %s has ended: %.2f s", self.path, self.seconds)
 
 
 def _check_form(path: Path, rate: int, n_channels: int, name: str) -> None:

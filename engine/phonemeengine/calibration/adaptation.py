@@ -7,19 +7,23 @@ adaptation", ICASSP 2013). How far along that way a model should go, if at all, 
 `phonemeengine.calibration.calibrate` on what was held back.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
 from phonemeengine.calibration.fine_tuning import TrainingSegment, TunedLayers, first_tuned
-from phonemeengine.calibration.learning.training_examples import TrainingExample
+from phonemeengine.calibration.learning.training_examples import TrainingExample, example_of_recording
+from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.dsp.log_mel import silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Layer, Network, StreamingLayer
+from phonemeengine.recognition.scores import MOST_LOG_ODDS
 
 FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 40, 120, 50
 """Steps that are taken: one for so many frames of the voice, within these bounds."""
@@ -38,6 +42,8 @@ LEAST_SECONDS = 2.0
 BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
 
+GIVEN_TO_SILENCE = 0.5
+"""By how much silence becomes likelier in the second of each pair of adapted presets, nats."""
 STEP_SIZES = (1.0, 0.5, 0.25)
 """Shares of the way from the model to what it learned, the boldest first."""
 
@@ -48,7 +54,7 @@ class _Encoded:
 
     hidden: Float32Array
     phonemes: UInt8Array
-    counted: Float32Array
+    weights: Float32Array
 
 
 @dataclass(frozen=True)
@@ -58,113 +64,137 @@ class _LabelStats:
     Attributes
     ----------
     competing : the phonemes among which an answer is chosen, bool, shape (n_phonemes,).
-    worth : float32, shape (n_phonemes,).
+    class_weights : float32, shape (n_phonemes,).
     """
 
     competing: BoolArray
-    worth: Float32Array
+    class_weights: Float32Array
 
     @classmethod
-    def of(cls, heard: Sequence[_Encoded]) -> "_LabelStats":
+    def of(cls, encoded: Sequence[_Encoded]) -> "_LabelStats":
         """Count the frames of the labels."""
-        totals = sum(np.bincount(h.phonemes, h.counted, len(Phoneme)) for h in heard)
+        totals = sum(np.bincount(e.phonemes, e.weights, len(Phoneme)) for e in encoded)
         competing = np.asarray(totals >= LEAST_FRAMES)
         return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32))
 
 
-def adapt(model: Model, lessons: Sequence[TrainingExample]) -> tuple[Model, ...]:
+def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...]:
     """Return a model adapted to the labelled recordings or takes of one voice, by each of `STEP_SIZES`.
 
     Raises
     ------
     CorpusError : there are less than two seconds of labelled sound, or only one phoneme.
     """
-    heard = [_heard(model, lesson) for lesson in lessons if len(lesson)]
-    known = np.concatenate([h.phonemes[h.counted > 0] for h in heard]) if heard else np.zeros(0, np.uint8)
+    encoded = [_encode(model, example) for example in examples if len(example)]
+    known = np.concatenate([e.phonemes[e.weights > 0] for e in encoded]) if encoded else np.zeros(0, np.uint8)
     if len(known) < LEAST_SECONDS * 100 or len(np.unique(known)) < 2:
         raise CorpusError(
             f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are too little to adapt to; "
             f"give {LEAST_SECONDS:g} s or more of several phonemes"
         )
-    said = _LabelStats.of(heard)
+    stats = _LabelStats.of(encoded)
     anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
-    moved = _fine_tuned(model, heard, said, anchors)
-    return tuple(replace(_interpolated(model, moved, way), warps=NO_WARP) for way in STEP_SIZES)
+    tuned_model = _fine_tuned(model, encoded, stats, anchors)
+    return tuple(replace(_interpolated(model, tuned_model, share), warps=NO_WARP) for share in STEP_SIZES)
+
+
+def adapt_to_takes(
+    preset: Preset, takes: Sequence[Utterance], set_silence: Callable[[Preset], Preset], progress: Progress
+) -> tuple[Preset, ...]:
+    """Adapt a preset's model to a voice, further or less far, each with silence as it is and a little likelier.
+
+    The last preset keeps the model. It is an `Adapt` of `phonemeengine.calibration.calibrate`.
+    """
+    assert preset.model is not None
+    examples: list[TrainingExample] = []
+    for k, utterance in enumerate(takes):
+        report_progress(progress, 0.5 * k / len(takes))
+        examples.append(example_of_recording(utterance))
+    report_progress(progress, 0.5)
+    presets = [set_silence(replace(preset, model=model)) for model in adapt(preset.model, examples)]
+    return (*(found for adapted in presets for found in (adapted, _with_more_silence(adapted))), set_silence(preset))
+
+
+def _with_more_silence(preset: Preset) -> Preset:
+    """Return back to silence what it loses where all phonemes count alike in learning."""
+    now = preset.sensitivities.get(Phoneme.SILENCE, 0.0)
+    given = min(now + GIVEN_TO_SILENCE, MOST_LOG_ODDS)
+    return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: given})
 
 
 def _fine_tuned(
-    model: Model, heard: Sequence[_Encoded], said: _LabelStats, anchors: Sequence[TrainingSegment]
+    model: Model, encoded: Sequence[_Encoded], stats: _LabelStats, anchors: Sequence[TrainingSegment]
 ) -> Model:
     """Return the model that has learned from the recordings."""
     generator = np.random.default_rng(1)
-    stretches = _stretches_of(heard, said, len(model.heads))
-    n_frames = sum(len(stretch.heard) for stretch in stretches)
+    segments = _segments_of(encoded, stats, len(model.heads))
+    n_frames = sum(len(segment.inputs) for segment in segments)
     n_steps = int(np.clip(n_frames / FRAMES_PER_STEP, FEWEST_STEPS, MOST_STEPS))
     tuned = TunedLayers(model, n_steps, generator)
     for _ in range(n_steps):
         few = [anchors[k] for k in generator.permutation(len(anchors))[:ANCHORS_PER_STEP]]
-        tuned.learn([(_drawn(stretches, generator), 1.0), (few, ANCHORED)])
+        tuned.learn([(_draw(segments, generator), 1.0), (few, ANCHORED)])
     return tuned.model()
 
 
-def _interpolated(model: Model, moved: Model, way: float) -> Model:
+def _interpolated(model: Model, tuned_model: Model, share: float) -> Model:
     """Return the model that lies a share of the way from one to another."""
 
     def between(a: Float32Array, b: Float32Array) -> Float32Array:
-        return np.asarray(a + np.float32(way) * (b - a), np.float32)
+        return np.asarray(a + np.float32(share) * (b - a), np.float32)
 
     layers = tuple(
         Layer(between(a.weights, b.weights), between(a.bias, b.bias), a.dilation)
-        for a, b in zip(model.layers, moved.layers, strict=True)
+        for a, b in zip(model.layers, tuned_model.layers, strict=True)
     )
     heads = tuple(
         OutputHead(between(a.weights, b.weights), between(a.bias, b.bias))
-        for a, b in zip(model.heads, moved.heads, strict=True)
+        for a, b in zip(model.heads, tuned_model.heads, strict=True)
     )
     return replace(model, layers=layers, heads=heads).rounded()
 
 
-def _drawn(stretches: Sequence[TrainingSegment], generator: np.random.Generator) -> list[TrainingSegment]:
+def _draw(segments: Sequence[TrainingSegment], generator: np.random.Generator) -> list[TrainingSegment]:
     """Draw stretches for a step: all, if they are not too many."""
     drawn: list[TrainingSegment] = []
     n_frames = 0
-    for k in generator.permutation(len(stretches)):
-        if drawn and n_frames + len(stretches[k].heard) > MOST_FRAMES:
+    for k in generator.permutation(len(segments)):
+        if drawn and n_frames + len(segments[k].inputs) > MOST_FRAMES:
             break
-        drawn.append(stretches[k])
-        n_frames += len(stretches[k].heard)
+        drawn.append(segments[k])
+        n_frames += len(segments[k].inputs)
     return drawn
 
 
-def _heard(model: Model, lesson: TrainingExample) -> _Encoded:
-    """Run the first layers over a lesson, and as many frames of silence after it as the model looks ahead."""
+def _encode(model: Model, example: TrainingExample) -> _Encoded:
+    """Run the first layers over an example, and as many frames of silence after it as the model looks ahead."""
     after = silent_log_mels(len(model.heads) - 1)
-    hidden = _first_layers(model).forward(np.concatenate((lesson.log_powers.astype(np.float32), after)))
-    return _Encoded(hidden, lesson.phonemes, lesson.certainties.astype(np.float32))
+    hidden = _first_layers(model).forward(np.concatenate((example.log_powers.astype(np.float32), after)))
+    return _Encoded(hidden, example.phonemes, example.certainties.astype(np.float32))
 
 
-def _stretches_of(heard: Sequence[_Encoded], said: _LabelStats, n_heads: int) -> list[TrainingSegment]:
-    smoothed = (SMOOTHING * said.competing / max(1, int(said.competing.sum()))).astype(np.float32)
-    wanted = smoothed + np.float32(1 - SMOOTHING) * np.eye(len(Phoneme), dtype=np.float32)
+def _segments_of(encoded: Sequence[_Encoded], stats: _LabelStats, n_heads: int) -> list[TrainingSegment]:
+    smoothed = (SMOOTHING * stats.competing / max(1, int(stats.competing.sum()))).astype(np.float32)
+    targets = smoothed + np.float32(1 - SMOOTHING) * np.eye(len(Phoneme), dtype=np.float32)
     return [
         TrainingSegment(
-            h.hidden,
-            _ahead(wanted[h.phonemes], n_heads),
-            _ahead(h.counted * said.worth[h.phonemes], n_heads),
-            said.competing,
+            e.hidden,
+            _ahead(targets[e.phonemes], n_heads),
+            _ahead(e.weights * stats.class_weights[e.phonemes], n_heads),
+            stats.competing,
         )
-        for h in heard
-        if h.counted.any()
+        for e in encoded
+        if e.weights.any()
     ]
 
 
 def _anchor_of(model: Model, log_powers: Float32Array) -> TrainingSegment:
     """Return a stretch of other voices, to be named as the model names it now."""
     hidden = _first_layers(model).forward(log_powers)
-    found = _through_last_layers(model, hidden)
+    outputs = _through_last_layers(model, hidden)
     everything = np.ones(len(Phoneme), bool)
-    wanted = np.stack([_shares_of(found, head, everything) for head in model.heads], axis=1)
-    return TrainingSegment(hidden, wanted, np.ones(wanted.shape[:2], np.float32), everything)
+    targets = np.stack([_probabilities_of(outputs, head, everything) for head in model.heads], axis=1)
+    return TrainingSegment(hidden, targets, np.ones(targets.shape[:2], np.float32), everything)
 
 
 def _ahead(values: Float32Array, n_heads: int) -> Float32Array:
@@ -176,8 +206,8 @@ def _ahead(values: Float32Array, n_heads: int) -> Float32Array:
     return placed
 
 
-def _shares_of(found: Float32Array, head: OutputHead, competing: BoolArray) -> Float32Array:
-    scores = np.where(competing, found @ head.weights + head.bias, -np.inf)
+def _probabilities_of(outputs: Float32Array, head: OutputHead, competing: BoolArray) -> Float32Array:
+    scores = np.where(competing, outputs @ head.weights + head.bias, -np.inf)
     shares = np.exp(scores - scores.max(axis=1, keepdims=True))
     return np.asarray(shares / shares.sum(axis=1, keepdims=True), np.float32)
 

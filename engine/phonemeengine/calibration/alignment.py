@@ -62,14 +62,14 @@ def labels_of(likely: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
         raise TakeError("what was heard is not this sentence; read it again, as it stands there, without haste")
     borders = np.flatnonzero(np.diff(places)) + 1
     runs = zip([0, *borders.tolist()], [*borders.tolist(), len(places)], strict=True)
-    stretches = [(first * FRAME_PERIOD, end * FRAME_PERIOD, sounds[places[first]]) for first, end in runs]
-    return tuple(label for k in range(len(stretches)) for label in _labels_at(stretches, k))
+    segments = [(first * FRAME_PERIOD, end * FRAME_PERIOD, sounds[places[first]]) for first, end in runs]
+    return tuple(label for k in range(len(segments)) for label in _labels_at(segments, k))
 
 
-def _labels_at(stretches: Sequence[tuple[float, float, SpokenPhone]], k: int) -> Iterable[Label]:
+def _labels_at(segments: Sequence[tuple[float, float, SpokenPhone]], k: int) -> Iterable[Label]:
     """Return the labels of a sound: its middle, and what does not count where it meets another class."""
-    start, end, sound = stretches[k]
-    before, after = (_around(sound, stretches[n][2]) if 0 <= n < len(stretches) else 0.0 for n in (k - 1, k + 1))
+    start, end, sound = segments[k]
+    before, after = (_around(sound, segments[n][2]) if 0 <= n < len(segments) else 0.0 for n in (k - 1, k + 1))
     first = min(start + before, (start + end) / 2)
     last = max(first, end - after)
     name, phoneme = sound.phone or sound.sense.phoneme.label, sound.sense.phoneme
@@ -102,10 +102,10 @@ def _places_of(likely: Float32Array, sounds: Sequence[SpokenPhone]) -> IndexArra
     best[firsts] = fits[0, firsts]
     came = np.zeros((n_frames, n_states), np.intp)
     for k in range(1, n_frames):
-        ways = np.where(whence >= 0, best[whence], -np.inf)
-        chosen = ways.argmax(axis=0)
+        options = np.where(whence >= 0, best[whence], -np.inf)
+        chosen = options.argmax(axis=0)
         came[k] = whence[chosen, np.arange(n_states)]
-        best = ways.max(axis=0) + fits[k]
+        best = options.max(axis=0) + fits[k]
     lasts = [n_states - 1, n_states - 1 - LEAST_FRAMES] if sounds[-1].optional else [n_states - 1]
     state = max(lasts, key=lambda n: best[n])
     path = np.zeros(n_frames, np.intp)
@@ -121,14 +121,14 @@ def _ways_into(sounds: Sequence[SpokenPhone]) -> IndexArray:
     optional one.
     """
     n = LEAST_FRAMES * len(sounds)
-    ways = np.full((3, n), -1)
-    ways[0, 1:] = np.arange(n - 1)
+    options = np.full((3, n), -1)
+    options[0, 1:] = np.arange(n - 1)
     for k in range(len(sounds)):
         first, last = k * LEAST_FRAMES, (k + 1) * LEAST_FRAMES - 1
-        ways[1, last] = last
+        options[1, last] = last
         if k > 1 and sounds[k - 1].optional:
-            ways[2, first] = first - LEAST_FRAMES - 1
-    return ways
+            options[2, first] = first - LEAST_FRAMES - 1
+    return options
 
 
 def _fits(likely: Float32Array, sounds: Sequence[SpokenPhone]) -> Float64Array:

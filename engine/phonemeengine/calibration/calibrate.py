@@ -2,8 +2,8 @@
 
 The window, the command line and games do it by one function, and so get the same preset::
 
-    outcome = calibrate(preset, read_recordings(takes), held_back=read_recordings(sentence))
-    save_preset(outcome.preset, path)
+    result = calibrate(preset, read_recordings(takes), held_back=read_recordings(sentence))
+    save_preset(result.preset, path)
 
 What is learned from is never what it is judged by. Where nothing is held back, each quarter of all takes is, in
 turn. Of the presets that a recogniser makes of the takes, the boldest is taken that raises the macro F1 on what was
@@ -17,21 +17,27 @@ from dataclasses import dataclass
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.guard import loss_of
 from phonemeengine.calibration.held_back import N_PARTS, counts, parts_of, scores_on
-from phonemeengine.calibration.learners import Learner, learner_of
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_room
 from phonemeengine.calibration.takes.room_takes import room_in, speech_in
 from phonemeengine.calibration.takes.take import TRIMMED
-from phonemeengine.errors import CorpusError
+from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress, subrange
+from phonemeengine.recognition.spec import BUILT_IN, spec_of
 
 Takes = Sequence[Utterance]
+Adapt = Callable[[Preset, Takes, Callable[[Preset], Preset], Progress], tuple[Preset, ...]]
+"""How a recogniser learns a voice; its specification names it.
+
+Given a preset, takes, what makes a preset take the room for silence, and whom to tell how far it is, it gives several
+presets, the boldest first: what learned most, and milder ones for the case that it costs too much.
+"""
 
 
 @dataclass(frozen=True)
-class Outcome:
+class CalibrationResult:
     """A preset after a calibration, to be accepted or refused.
 
     Attributes
@@ -40,9 +46,10 @@ class Outcome:
     preset : what it became; the same where nothing better was found.
     before, after : the figures of both on what was held back.
     seconds : how much of that counted.
-    in_turn : whether it was quarters of the takes, each of them in turn.
-    price : what a bolder preset, which was refused, would have cost; mostly nothing.
-    sure : how well the preset tells the room from speech, as far as the takes say; None where they hold no silence.
+    cross_validated : whether it was quarters of the takes, each of them in turn.
+    cost : what a bolder preset, which was refused, would have cost; mostly nothing.
+    silence_accuracy : how well the preset tells the room from speech, as far as the takes say; None where they hold
+        no silence.
     """
 
     start: Preset
@@ -50,9 +57,9 @@ class Outcome:
     before: Scores
     after: Scores
     seconds: float
-    in_turn: bool
-    price: str = ""
-    sure: SilenceAccuracy | None = None
+    cross_validated: bool
+    cost: str = ""
+    silence_accuracy: SilenceAccuracy | None = None
 
     @property
     def gains(self) -> bool:
@@ -62,10 +69,10 @@ class Outcome:
     @property
     def refusal(self) -> str:
         """Why something that gained was not taken, a sentence; mostly nothing."""
-        if not self.price:
+        if not self.cost:
             return ""
         instead = "something milder was taken" if self.gains else "the preset stays as it was"
-        return f"What learned most was refused, since with it {self.price}; {instead}."
+        return f"What learned most was refused, since with it {self.cost}; {instead}."
 
 
 def calibrate(
@@ -75,7 +82,7 @@ def calibrate(
     held_back: Takes = (),
     room: Float32Array | None = None,
     progress: Progress = no_progress,
-) -> Outcome:
+) -> CalibrationResult:
     """Make a preset that knows a voice, and tell what that gains on what was held back.
 
     Parameters
@@ -85,7 +92,7 @@ def calibrate(
     held_back : labelled recordings of the same voice from which nothing is learned, such as a sentence that was
         read (`phonemeengine.calibration.alignment` labels it); labels whose certainty is ``trimmed`` do not count.
     room : seconds in which nobody speaks, float32, shape (n,), 44.1 kHz; where it is None, the takes' silence.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
 
     Raises
     ------
@@ -93,89 +100,108 @@ def calibrate(
     AudioError : a sound cannot be read.
     Cancelled : `progress` did not want to go on.
     """
-    learner = learner_of(preset)
+    adapt = _adapt_of(preset)
     if not takes:
         raise CorpusError("there is no take to calibrate with; record some first")
     judged = held_back or takes
     if not any(counts(utterance.labels) for utterance in judged):
         raise CorpusError("there is nothing to judge by; give takes or recordings with labels that count")
-    course = _Course(preset, learner, room)
-    ways, trial = course.tried_on(takes, held_back, progress) if held_back else course.tried_in_turn(takes, progress)
-    found = preset if trial.way is None else ways()[trial.way]
+    trials = _Trials(preset, adapt, room)
+    found, trial = trials.on(takes, held_back, progress) if held_back else trials.cross_validated(takes, progress)
     report_progress(progress, 1.0)
-    sure = _sureness(found, takes, room)
-    return Outcome(preset, found, trial.before, trial.after, _seconds(judged), not held_back, trial.price, sure)
+    accuracy = _silence_accuracy(found, takes, room)
+    return CalibrationResult(
+        preset, found, trial.before, trial.after, _seconds(judged), not held_back, trial.cost, accuracy
+    )
 
 
 @dataclass(frozen=True)
 class _Trial:
-    """Which of the presets is to be taken, None for none; the figures, and what a bolder one would have cost."""
+    """Which of the adapted presets is taken, None for none; the figures, and what a bolder one would have cost."""
 
-    way: int | None
+    index: int | None
     before: Scores
     after: Scores
-    price: str
+    cost: str
 
 
-Ways = Callable[[], tuple[Preset, ...]]
-
-
-class _Course:
+class _Trials:
     """Has a preset learn, and tries what it learned.
 
     Parameters
     ----------
     preset : what is calibrated.
-    learner : how its recogniser learns.
+    adapt : how its recogniser learns.
     room : as in `calibrate`.
     """
 
-    def __init__(self, preset: Preset, learner: Learner, room: Float32Array | None) -> None:
+    def __init__(self, preset: Preset, adapt: Adapt, room: Float32Array | None) -> None:
         self._preset = preset
-        self._learner = learner
+        self._adapt = adapt
         self._room = room
 
-    def tried_on(self, takes: Takes, held_back: Takes, progress: Progress) -> tuple[Ways, _Trial]:
+    def on(self, takes: Takes, held_back: Takes, progress: Progress) -> tuple[Preset, _Trial]:
         """Learn from all takes, and try that on other speech."""
-        learned = self._learned(takes, subrange(progress, 0.0, 0.9))
-        return lambda: learned, self._tried([learned], [held_back], held_back)
+        adapted = self._adapted(takes, subrange(progress, 0.0, 0.9))
+        trial = self._tried([adapted], [held_back], held_back)
+        return self._preset if trial.index is None else adapted[trial.index], trial
 
-    def tried_in_turn(self, takes: Takes, progress: Progress) -> tuple[Ways, _Trial]:
-        """Learn without each quarter of the takes in turn, and try that on the quarter."""
-        learned, kept = [], []
-        for k, (taught, quarter) in enumerate(parts_of(takes)):
+    def cross_validated(self, takes: Takes, progress: Progress) -> tuple[Preset, _Trial]:
+        """Learn without each quarter of the takes in turn, and try that on the quarter; then learn from all."""
+        adapted, kept = [], []
+        for k, (others, quarter) in enumerate(parts_of(takes)):
             share = 0.9 / (N_PARTS + 1)
-            learned.append(self._learned(taught, subrange(progress, k * share, (k + 1) * share)))
+            adapted.append(self._adapted(others, subrange(progress, k * share, (k + 1) * share)))
             kept.append(quarter)
-        return lambda: self._learned(takes, subrange(progress, 0.8, 1.0)), self._tried(learned, kept, takes)
+        trial = self._tried(adapted, kept, takes)
+        if trial.index is None:
+            return self._preset, trial
+        return self._adapted(takes, subrange(progress, 0.8, 1.0))[trial.index], trial
 
-    def _learned(self, takes: Takes, progress: Progress) -> tuple[Preset, ...]:
-        return self._learner(self._preset, takes, lambda preset: _quietened(preset, takes, self._room), progress)
+    def _adapted(self, takes: Takes, progress: Progress) -> tuple[Preset, ...]:
+        found = self._adapt(self._preset, takes, lambda preset: _with_silence(preset, takes, self._room), progress)
+        if not isinstance(found, tuple) or not all(isinstance(preset, Preset) for preset in found):
+            raise RecogniserError(
+                f"the recogniser {self._preset.recogniser!r} must learn a tuple of presets, got a "
+                f"{type(found).__name__}; choose another recogniser"
+            )
+        return found
 
-    def _tried(self, learned: Sequence[tuple[Preset, ...]], kept: Sequence[Takes], judged: Takes) -> _Trial:
+    def _tried(self, adapted: Sequence[tuple[Preset, ...]], kept: Sequence[Takes], judged: Takes) -> _Trial:
         """Try what was learned on what was kept from it; together these are what is judged by."""
-        before, first_price = scores_on([(self._preset, judged)]), ""
-        for way, presets in enumerate(zip(*learned, strict=True)):
+        before, first_cost = scores_on([(self._preset, judged)]), ""
+        for index, presets in enumerate(zip(*adapted, strict=True)):
             after = scores_on(zip(presets, kept, strict=True))
-            price = loss_of(before, after) if after.macro_f1 > before.macro_f1 else ""
-            if after.macro_f1 > before.macro_f1 and not price:
-                return _Trial(way, before, after, first_price)
-            first_price = first_price or price
-        return _Trial(None, before, before, first_price)
+            cost = loss_of(before, after) if after.macro_f1 > before.macro_f1 else ""
+            if after.macro_f1 > before.macro_f1 and not cost:
+                return _Trial(index, before, after, first_cost)
+            first_cost = first_cost or cost
+        return _Trial(None, before, before, first_cost)
 
 
-def _quietened(preset: Preset, takes: Takes, room: Float32Array | None) -> Preset:
+def _adapt_of(preset: Preset) -> Adapt:
+    spec = spec_of(preset.recogniser)
+    if not spec.adapt:
+        raise CorpusError(
+            f"the recogniser {preset.recogniser!r} does not learn voices; choose one of "
+            f"{', '.join(name for name, known in BUILT_IN.items() if known.adapt)}"
+        )
+    adapt: Adapt = spec.load(spec.adapt)
+    return adapt
+
+
+def _with_silence(preset: Preset, takes: Takes, room: Float32Array | None) -> Preset:
     """Return the preset that takes the room for silence; where the room was not quiet, the same preset."""
     room = room_in(takes) if room is None else room
     measured = None if room is None else measure_room(room, preset)
     if measured is None or measured.notes:
         return preset
-    return measured.thresholds(preset, speech_in(takes))
+    return measured.set_silence(preset, speech_in(takes))
 
 
-def _sureness(preset: Preset, takes: Takes, room: Float32Array | None) -> SilenceAccuracy | None:
+def _silence_accuracy(preset: Preset, takes: Takes, room: Float32Array | None) -> SilenceAccuracy | None:
     room = room_in(takes) if room is None else room
-    return None if room is None else measure_room(room, preset).sureness(preset, speech_in(takes))
+    return None if room is None else measure_room(room, preset).silence_accuracy(preset, speech_in(takes))
 
 
 def _seconds(utterances: Takes) -> float:

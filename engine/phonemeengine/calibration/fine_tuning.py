@@ -27,15 +27,15 @@ class TrainingSegment:
 
     Attributes
     ----------
-    heard : float32, shape (n_frames, n_channels); silence before it is understood.
-    wanted : shares of the phonemes, float32, shape (n_frames, n_heads, n_phonemes).
-    counted : how much each answer counts, float32, shape (n_frames, n_heads).
+    inputs : float32, shape (n_frames, n_channels); silence before it is understood.
+    targets : shares of the phonemes, float32, shape (n_frames, n_heads, n_phonemes).
+    weights : how much each answer counts, float32, shape (n_frames, n_heads).
     competing : the phonemes among which an answer is chosen, bool, shape (n_phonemes,).
     """
 
-    heard: Float32Array
-    wanted: Float32Array
-    counted: Float32Array
+    inputs: Float32Array
+    targets: Float32Array
+    weights: Float32Array
     competing: BoolArray
 
 
@@ -65,15 +65,15 @@ class TunedLayers:
 
     def learn(self, parts: Iterable[tuple[Sequence[TrainingSegment], float]]) -> None:
         """Take one step; each part is a number of stretches, and what they count together."""
-        slopes = [np.zeros_like(v) for layer in self._layers for v in layer.values]
-        slopes += [np.zeros_like(self._weights), np.zeros_like(self._bias)]
-        for stretches, weight in parts:
-            total = sum(stretch.counted.sum(axis=0) for stretch in stretches)
+        gradients = [np.zeros_like(v) for layer in self._layers for v in layer.values]
+        gradients += [np.zeros_like(self._weights), np.zeros_like(self._bias)]
+        for segments, weight in parts:
+            total = sum(segment.weights.sum(axis=0) for segment in segments)
             factors = weight * HEAD_SHARES[: len(self._model.heads)] / np.maximum(total, 1e-9)
-            for stretch in stretches:
-                for k, more in enumerate(self._slopes_of(stretch, factors)):
-                    slopes[k] += more
-        self._optimiser.step(slopes)
+            for segment in segments:
+                for k, more in enumerate(self._gradients_of(segment, factors)):
+                    gradients[k] += more
+        self._optimiser.step(gradients)
 
     def model(self) -> Model:
         """Return the model as it is now."""
@@ -82,20 +82,20 @@ class TunedLayers:
         layers = (*self._model.layers[: first_tuned(self._model)], *(layer.finished() for layer in self._layers))
         return replace(self._model, layers=layers, heads=tuple(OutputHead(w, b) for w, b in heads)).rounded()
 
-    def _slopes_of(self, stretch: TrainingSegment, factors: Float32Array) -> list[Float32Array]:
-        kept = self._generator.random(stretch.heard.shape, np.float32) >= DROPOUT
-        hidden = stretch.heard * kept / np.float32(1 - DROPOUT)
+    def _gradients_of(self, segment: TrainingSegment, factors: Float32Array) -> list[Float32Array]:
+        kept = self._generator.random(segment.inputs.shape, np.float32) >= DROPOUT
+        hidden = segment.inputs * kept / np.float32(1 - DROPOUT)
         for layer in self._layers:
             hidden = layer.forward(hidden)
-        scores = (hidden @ self._weights + self._bias).reshape(stretch.wanted.shape)
-        errors = _shares_of(scores, stretch.competing) - stretch.wanted
-        errors *= (stretch.counted * factors)[:, :, np.newaxis]
+        scores = (hidden @ self._weights + self._bias).reshape(segment.targets.shape)
+        errors = _softmax_of(scores, segment.competing) - segment.targets
+        errors *= (segment.weights * factors)[:, :, np.newaxis]
         sums = errors.reshape(len(hidden), -1)
         back = sums @ self._weights.T
         found = [hidden.T @ sums, sums.sum(axis=0)]
         for layer in reversed(self._layers):
-            back, slopes = layer.back(back)
-            found = [*slopes, *found]
+            back, gradients = layer.back(back)
+            found = [*gradients, *found]
         return found
 
 
@@ -123,15 +123,15 @@ class _TunableLayer:
         taps = (sums @ self.values[0].T).reshape(len(gradient), TAPS, -1)
         block = gradient + taps[:, TAPS - 1]
         for k in range(TAPS - 1):
-            lag = (TAPS - 1 - k) * self._dilation
-            block[: max(0, len(block) - lag)] += taps[lag:, k]
+            delay = (TAPS - 1 - k) * self._dilation
+            block[: max(0, len(block) - delay)] += taps[delay:, k]
         return block, [self._taps.T @ sums, sums.sum(axis=0)]
 
     def finished(self) -> Layer:
         return Layer(self.values[0], self.values[1], self._dilation)
 
 
-def _shares_of(scores: Float32Array, competing: BoolArray) -> Float32Array:
+def _softmax_of(scores: Float32Array, competing: BoolArray) -> Float32Array:
     """Return the probabilities of the competing phonemes; those of the others are 0."""
     shares = np.where(competing, scores, -np.inf)
     shares -= shares.max(axis=2, keepdims=True)

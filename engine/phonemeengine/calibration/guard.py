@@ -14,9 +14,9 @@ def loss_of(before: Scores, after: Scores) -> str:
 
     Empty where nothing does; what the labels do not hold is not asked.
     """
-    told = []
+    losses = []
     for words, name, sign in GUARDED:
         old, new = float(getattr(before, name)), float(getattr(after, name))
         if sign * (old - new) > MOST_LOSS:
-            told.append(f"{words} {'falls' if sign > 0 else 'rises'} from {100 * old:.1f} % to {100 * new:.1f} %")
-    return " and ".join(told)
+            losses.append(f"{words} {'falls' if sign > 0 else 'rises'} from {100 * old:.1f} % to {100 * new:.1f} %")
+    return " and ".join(losses)

@@ -30,7 +30,7 @@ def parts_of(utterances: Sequence[Utterance]) -> Iterator[tuple[Utterances, Utte
     """
     for part in range(N_PARTS):
         halves = [_parted(utterance, part) for utterance in utterances]
-        yield tuple(taught for taught, _ in halves), tuple(kept for _, kept in halves)
+        yield tuple(learned_from for learned_from, _ in halves), tuple(kept for _, kept in halves)
 
 
 def scores_on(cases: Iterable[tuple[Preset, Sequence[Utterance]]]) -> Scores:
@@ -40,9 +40,9 @@ def scores_on(cases: Iterable[tuple[Preset, Sequence[Utterance]]]) -> Scores:
     ------
     AudioError : a sound cannot be read.
     """
-    answers = [predict(utterance, preset) for preset, utterances in cases for utterance in utterances]
-    scores = scores_of([_counted(heard) for heard in answers])
-    flicker = scores_of([heard.pair for heard in answers])
+    predictions = [predict(utterance, preset) for preset, utterances in cases for utterance in utterances]
+    scores = scores_of([_counted(prediction) for prediction in predictions])
+    flicker = scores_of([prediction.pair for prediction in predictions])
     return replace(
         scores, changes_per_s=flicker.changes_per_s, label_changes_per_s=flicker.label_changes_per_s
     )  # fmt: skip
@@ -53,14 +53,14 @@ def counts(labels: Sequence[Label]) -> bool:
     return any(label.certainty != TRIMMED for label in labels)
 
 
-def _counted(heard: Predictions) -> tuple[FrameLabels, UInt8Array]:
-    labels = heard.labels
+def _counted(prediction: Predictions) -> tuple[FrameLabels, UInt8Array]:
+    labels = prediction.labels
     trimmed = tuple(
         replace(label, phoneme=Phoneme.UNIDENTIFIED if label.certainty == TRIMMED else Phoneme.SILENCE)
-        for label in heard.utterance.labels
+        for label in prediction.utterance.labels
     )
     kept = frame_labels_of(trimmed).phonemes != Phoneme.UNIDENTIFIED
-    return FrameLabels(labels.phonemes[kept], labels.certain[kept]), heard.phonemes[kept]
+    return FrameLabels(labels.phonemes[kept], labels.certain[kept]), prediction.phonemes[kept]
 
 
 def _parted(utterance: Utterance, part: int) -> tuple[Utterance, Utterance]:
@@ -69,11 +69,11 @@ def _parted(utterance: Utterance, part: int) -> tuple[Utterance, Utterance]:
     pieces = [piece for label in utterance.labels for piece in _cut(label, first, last)]
     inside = [first <= piece.start < last for piece in pieces]
     hidden = [replace(piece, phoneme=Phoneme.UNIDENTIFIED, certainty=TRIMMED) for piece in pieces]
-    taught = tuple(h if within else piece for piece, h, within in zip(pieces, hidden, inside, strict=True))
+    learned_from = tuple(h if within else piece for piece, h, within in zip(pieces, hidden, inside, strict=True))
     kept = tuple(
         piece if within else replace(piece, certainty=TRIMMED) for piece, within in zip(pieces, inside, strict=True)
     )
-    return replace(utterance, labels=taught), replace(utterance, labels=kept)
+    return replace(utterance, labels=learned_from), replace(utterance, labels=kept)
 
 
 def _borders_of(labels: tuple[Label, ...], part: int) -> tuple[float, float]:

@@ -64,20 +64,27 @@ class TimeSmoother:
     """
 
     def __init__(self, strength: float) -> None:
-        self.last: Float32Array | None = None
+        self._last: Float32Array | None = None
         self._strength = strength
 
     def smooth(self, spectra: Float32Array) -> Float32Array:
-        """Smooth the next spectra."""
+        """Smooth the next spectra; at strength 0 they are given back as they are."""
+        if self._strength == 0:
+            self._last = spectra[-1]
+            return spectra
         out = spectra * np.float32(1 - self._strength)
-        if self.last is not None and len(self.last) == spectra.shape[1]:
-            out[0] += np.float32(self._strength) * self.last
+        if self._last is not None and len(self._last) == spectra.shape[1]:
+            out[0] += np.float32(self._strength) * self._last
         reach, weight = 1, self._strength
         while reach < len(out) and np.float32(weight) > 0:
             out[reach:] += np.float32(weight) * out[:-reach]
             reach, weight = 2 * reach, weight * weight
-        self.last = out[-1]
+        self._last = out[-1]
         return out
+
+    def resume(self, other: "TimeSmoother") -> None:
+        """Go on from where another one stopped."""
+        self._last = other._last
 
 
 def _ramp(n_bins: int, bin_width: float, start: float, end: float) -> Float32Array:

@@ -5,7 +5,7 @@ from functools import lru_cache
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.dsp.mel import frequency_of, mel_of
+from phonemeengine.dsp.mel import mel_edges, triangular_bank
 from phonemeengine.dsp.spectrum import rfft
 from phonemeengine.settings import SAMPLE_RATE, WINDOW
 
@@ -72,16 +72,12 @@ def warped_mel_bank(warp: float = 1.0) -> Float32Array:
     (above 1) or longer; the upper end stays (piecewise linear, as in L. Lee and R. Rose, "A frequency warping
     approach to speaker normalization", IEEE Trans. Speech and Audio Processing 6(1), 1998).
     """
-    edges = frequency_of(np.linspace(float(mel_of(LOWEST)), float(mel_of(HIGHEST)), N_BANDS + 2))
+    edges = mel_edges(N_BANDS, HIGHEST, LOWEST)
     knee = 0.8 * HIGHEST / max(warp, 1)
     slope = (HIGHEST - warp * knee) / (HIGHEST - knee)
     edges = np.where(edges <= knee, edges * warp, warp * knee + (edges - knee) * slope)
-    low, peak, high = edges[:-2], edges[1:-1], edges[2:]
-    frequencies = np.arange(int(HIGHEST * SHORT / SAMPLE_RATE) + 2)[:, None] * SAMPLE_RATE / SHORT
-    weights = np.maximum(0, np.minimum((frequencies - low) / (peak - low), (high - frequencies) / (high - peak)))
-    empty = np.flatnonzero(weights.sum(axis=0) == 0)
-    weights[np.round(peak[empty] * SHORT / SAMPLE_RATE).astype(int), empty] = 1
-    return np.asarray(weights / weights.sum(axis=0), np.float32)
+    bin_width = SAMPLE_RATE / SHORT
+    return triangular_bank(edges, int(HIGHEST / bin_width) + 2, bin_width)
 
 
 @lru_cache(maxsize=8)

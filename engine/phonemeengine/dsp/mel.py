@@ -22,26 +22,28 @@ def frequency_of(mel: ArrayLike) -> Float64Array:
     return np.asarray(700 * (10 ** (np.asarray(mel, float) / 2595) - 1))
 
 
-def mel_edges(n_bands: int, highest: float) -> Float64Array:
+def mel_edges(n_bands: int, highest: float, lowest: float = 0.0) -> Float64Array:
     """Return the corners of the triangles in Hz, shape (n_bands + 2,): band b spans edges b..b+2, peak b+1."""
-    return frequency_of(np.linspace(0, float(mel_of(highest)), n_bands + 2))
+    return frequency_of(np.linspace(float(mel_of(lowest)), float(mel_of(highest)), n_bands + 2))
+
+
+def triangular_bank(edges: Float64Array, n_bins: int, bin_width: float) -> Float32Array:
+    """Return the weights of triangular filters, shape (n_bins, n_edges - 2); each column sums to 1.
+
+    Filter b spans edges b..b+2 (Hz, rising); one narrower than a bin takes the bin nearest to its peak.
+    """
+    low, peak, high = edges[:-2], edges[1:-1], edges[2:]
+    frequencies = np.arange(n_bins)[:, np.newaxis] * bin_width
+    weights = np.maximum(0, np.minimum((frequencies - low) / (peak - low), (high - frequencies) / (high - peak)))
+    empty = np.flatnonzero(weights.sum(axis=0) == 0)
+    weights[np.round(peak[empty] / bin_width).astype(int), empty] = 1
+    return np.asarray(weights / weights.sum(axis=0), np.float32)
 
 
 @lru_cache(maxsize=32)
 def mel_bank(n_bands: int, n_bins: int, bin_width: float) -> Float32Array:
-    """Return the weights of all filters, shape (n_bins, n_bands); each column sums to 1.
-
-    A band narrower than a bin takes the bin nearest to its peak.
-    """
-    frequencies = np.arange(n_bins) * bin_width
-    edges = mel_edges(n_bands, n_bins * bin_width)
-    low, peak, high = edges[:-2], edges[1:-1], edges[2:]
-    rising = (frequencies[:, None] - low) / (peak - low)
-    falling = (high - frequencies[:, None]) / (high - peak)
-    weights = np.maximum(0, np.minimum(rising, falling))
-    empty = np.flatnonzero(weights.sum(axis=0) == 0)
-    weights[np.round(peak[empty] / bin_width).astype(int), empty] = 1
-    bank = np.asarray(weights / weights.sum(axis=0), np.float32)
+    """Return the weights of filters from 0 Hz to the last bin, shape (n_bins, n_bands), read-only."""
+    bank = triangular_bank(mel_edges(n_bands, n_bins * bin_width), n_bins, bin_width)
     bank.flags.writeable = False
     return bank
 

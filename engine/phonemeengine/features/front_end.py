@@ -39,21 +39,33 @@ class FrameBlock:
 
     Attributes
     ----------
-    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters.
+    windows : float32, shape (n_frames, 2048): the samples that were measured.
+    spectra : float32, shape (n_frames, n_bins): amplitudes after all filters, bin k at k x 21.53 Hz.
     mel : float32, shape (n_frames, n_bands): the same through the mel bank, or None while it is off.
     waveforms : float32, shape (n_frames, n_samples): the windows after the filters of the time domain.
     features : the measured variables.
     """
 
+    windows: Float32Array
     spectra: Float32Array
     mel: Float32Array | None
     waveforms: Float32Array
     features: Features
 
+    def __len__(self) -> int:
+        return len(self.spectra)
+
     def part(self, frames: slice) -> "FrameBlock":
         """Return some of the frames of the block, as a block."""
         mel = None if self.mel is None else self.mel[frames]
-        return FrameBlock(self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames))
+        return FrameBlock(
+            self.windows[frames], self.spectra[frames], mel, self.waveforms[frames], self.features.part(frames)
+        )
+
+    def with_columns(self, names: tuple[str, ...], values: Float32Array) -> "FrameBlock":
+        """Return the same with more features, shape (n_frames, n_more)."""
+        more = self.features.with_columns(names, values)
+        return FrameBlock(self.windows, self.spectra, self.mel, self.waveforms, more)
 
 
 class FrontEnd:
@@ -70,12 +82,11 @@ class FrontEnd:
         variables = (*BAND_VARIABLES, *variables)
         blur = settings.frequency_smooth if settings.has(Filter.FREQUENCY_SMOOTH) else 0.0
         self.names = (*WHOLE_FRAME_VARIABLES, *(v.name for v in variables))
-        self.smoother = TimeSmoother(settings.time_smooth)
+        self._smoother = TimeSmoother(settings.time_smooth if settings.has(Filter.TIME_SMOOTH) else 0.0)
         self._pitch = pitch
         self._n_bins = settings.n_bins
         self._transform = SpectrumAnalyser(settings)
         self._shaper = FrequencyShaper(blur, _gains_of(settings), self._transform.scale[0])
-        self._smooths = settings.has(Filter.TIME_SMOOTH) and settings.time_smooth > 0
         self._denoises = settings.has(Filter.DENOISE) and settings.denoise_threshold > 0
         self._threshold = np.array(settings.denoise_threshold, np.float32)
         self._normalises = settings.has(Filter.NORMALISE)
@@ -96,19 +107,25 @@ class FrontEnd:
 
     def nothing(self) -> FrameBlock:
         """Return a block without frames."""
-        last = self.smoother.last
-        measured = self.measure(np.zeros((1, WINDOW), np.float32)).part(slice(0))
-        self.smoother.last = last
-        return measured
+        silence = np.zeros((1, WINDOW), np.float32)
+        waves = self._transform.waveforms_of(silence)
+        raw = self._transform.magnitudes_of(waves)
+        return self._measured(silence, waves, raw, raw).part(slice(0))
 
     def measure(self, frames: Float32Array) -> FrameBlock:
         """Measure raw frames, shape (n, 2048), at least one."""
         waves = self._transform.waveforms_of(frames)
         raw = self._transform.magnitudes_of(waves)
-        if self._smooths:
-            smooth = self.smoother.smooth(raw)
-        else:
-            smooth, self.smoother.last = raw, raw[-1]
+        return self._measured(frames, waves, raw, self._smoother.smooth(raw))
+
+    def resume(self, other: "FrontEnd | LevelFrontEnd") -> None:
+        """Have the time smoothing go on from where another front end stopped."""
+        if isinstance(other, FrontEnd):
+            self._smoother.resume(other._smoother)
+
+    def _measured(
+        self, frames: Float32Array, waves: Float32Array, raw: Float32Array, smooth: Float32Array
+    ) -> FrameBlock:
         spectra = self._meter.allocate(len(frames))
         self._shaper.shape(smooth, spectra[:, : self._n_bins])  # over frequency, so it may well come after time
         self._meter.fill_maxima(spectra)
@@ -132,7 +149,7 @@ class FrontEnd:
         if self._divided.size:
             divided, divisors = self._divided
             values[:, divided] /= np.maximum(values[:, divisors], FAINTEST)
-        return FrameBlock(spectra[:, : self._n_bins], mel, waves, Features(self.names, values, frames))
+        return FrameBlock(frames, spectra[:, : self._n_bins], mel, waves, Features(self.names, values))
 
     def _mel_of(self, spectra: Float32Array) -> Float32Array:
         mel = mel_spectra_of(spectra[:, : self._n_bins], self._mel_bands, BIN_WIDTH)
@@ -140,17 +157,12 @@ class FrontEnd:
 
 
 class LevelFrontEnd:
-    """The way of a block where nobody looks at spectra and variables: its windows, and how loud each is.
-
-    Attributes
-    ----------
-    smoother : has nothing to smooth, and so nothing to remember.
-    """
+    """The way of a block where nobody looks at spectra and variables: its windows, and how loud each is."""
 
     names = ("volume",)
 
-    def __init__(self) -> None:
-        self.smoother = TimeSmoother(0)
+    def resume(self, _other: "FrontEnd | LevelFrontEnd") -> None:
+        """Remember nothing: there is nothing to smooth."""
 
     def nothing(self) -> FrameBlock:
         """Return a block without frames."""
@@ -159,7 +171,7 @@ class LevelFrontEnd:
     def measure(self, frames: Float32Array) -> FrameBlock:
         """Measure raw frames, shape (n, 2048)."""
         unseen = np.zeros((len(frames), 0), np.float32)
-        return FrameBlock(unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis], frames))
+        return FrameBlock(frames, unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis]))
 
 
 def _gains_of(settings: AnalysisSettings) -> Float32Array:
@@ -175,12 +187,9 @@ def concatenate(blocks: list[FrameBlock]) -> FrameBlock:
     """Return consecutive blocks as one; there must be at least one."""
     mels = [b.mel for b in blocks if b.mel is not None]
     return FrameBlock(
+        windows=np.concatenate([b.windows for b in blocks]),
         spectra=np.concatenate([b.spectra for b in blocks]),
         mel=np.concatenate(mels) if mels else None,
         waveforms=np.concatenate([b.waveforms for b in blocks]),
-        features=Features(
-            blocks[0].features.names,
-            np.concatenate([b.features.values for b in blocks]),
-            np.concatenate([b.features.windows for b in blocks]),
-        ),
+        features=Features(blocks[0].features.names, np.concatenate([b.features.values for b in blocks])),
     )

@@ -1,8 +1,7 @@
 """Measure all variables on a block of frames."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
-from functools import lru_cache
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,7 +12,6 @@ from phonemeengine.settings import WINDOW
 FLOAT = np.dtype(np.float32)
 ZERO = np.zeros((), FLOAT)
 ONES = np.ones(WINDOW - 1, FLOAT)
-NO_WINDOWS = np.zeros((0, WINDOW), FLOAT)
 
 
 @dataclass(frozen=True)
@@ -24,13 +22,10 @@ class Features:
     ----------
     names : the variables, one a column.
     values : float32, shape (n_frames, n_variables).
-    windows : the samples that were measured, float32, shape (n_frames, 2048), for recognisers that measure for
-        themselves; empty where only the variables were kept.
     """
 
     names: tuple[str, ...]
     values: Float32Array
-    windows: Float32Array = field(default_factory=lambda: NO_WINDOWS)
 
     def __getitem__(self, name: str) -> Float32Array:
         """Return one variable's values, shape (n_frames,); KeyError for an unknown name."""
@@ -41,11 +36,11 @@ class Features:
 
     def part(self, frames: slice) -> "Features":
         """Return some of the frames of the block, as a block."""
-        return Features(self.names, self.values[frames], self.windows[frames])
+        return Features(self.names, self.values[frames])
 
     def with_columns(self, names: tuple[str, ...], values: Float32Array) -> "Features":
         """Return the same with more columns, shape (n_frames, n_more)."""
-        return Features(_longer(self.names, names), np.concatenate((self.values, values), axis=1), self.windows)
+        return Features(self.names + names, np.concatenate((self.values, values), axis=1))
 
     def frame(self, k: int) -> dict[str, float]:
         """Return the values of frame `k` by name."""
@@ -63,12 +58,6 @@ def peak_levels_of(frames: Float32Array) -> Float32Array:
     """Return the largest absolute sample of each frame, shape (n_frames,)."""
     levels: Float32Array = np.maximum.reduce(np.abs(frames), axis=1)
     return levels
-
-
-@lru_cache(maxsize=64)
-def _longer(names: tuple[str, ...], more: tuple[str, ...]) -> tuple[str, ...]:
-    """Join names; the same names give the same object, by which whoever looks them up knows them again."""
-    return names + more
 
 
 class BandFeatures:

@@ -13,7 +13,7 @@ FREQUENCIES = "\\"
 """What a line with frequencies begins with."""
 
 
-def marks_of(text: str, file: str) -> tuple[RawLabel, ...]:
+def raw_labels_of(text: str, file: str) -> tuple[RawLabel, ...]:
     """Read the stretches that have a name from the text of an exported label track.
 
     Raises
@@ -21,13 +21,15 @@ def marks_of(text: str, file: str) -> tuple[RawLabel, ...]:
     CorpusError : a line is no label; names it.
     """
     lines = [(number, line) for number, line in enumerate(text.split("\n"), 1) if line.strip()]
-    found = [_mark_of(line, f"line {number}", file) for number, line in lines if not line.startswith(FREQUENCIES)]
-    stretches = [mark for mark in found if mark.start != mark.end]
+    found = [
+        _raw_label_of(line, f"line {number}", file) for number, line in lines if not line.startswith(FREQUENCIES)
+    ]
+    stretches = [raw for raw in found if raw.start != raw.end]
     if found and not stretches:
         raise CorpusError(
             f"{file}: all its labels are points without length; drag each label over its sound and export them again"
         )
-    return tuple(mark for mark in stretches if mark.name)
+    return tuple(raw for raw in stretches if raw.name)
 
 
 def format_audacity(labels: Sequence[Label]) -> str:
@@ -35,7 +37,7 @@ def format_audacity(labels: Sequence[Label]) -> str:
     return "".join(f"{label.start:.6f}\t{label.end:.6f}\t{label.phoneme.label}\n" for label in labels)
 
 
-def _mark_of(line: str, place: str, file: str) -> RawLabel:
+def _raw_label_of(line: str, place: str, file: str) -> RawLabel:
     start, end, name = [*line.split("\t", 2), "", ""][:3]
     try:
         times = [float(time.strip().replace(",", ".")) for time in (start, end)]

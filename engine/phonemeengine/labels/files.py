@@ -38,11 +38,11 @@ def read_labels(
     """
     mapping = mapping or PhonemeMap()
     name = printable_name(path)
-    marks = read_marks(path, mapping, duration=duration, tier=tier)
-    return labels_named(marks, mapping.senses_of(names_in(marks), name))
+    raw_labels = read_raw_labels(path, mapping, duration=duration, tier=tier)
+    return labels_named(raw_labels, mapping.phone_classes_of(names_in(raw_labels), name))
 
 
-def read_marks(
+def read_raw_labels(
     path: Path, mapping: PhonemeMap, *, duration: float | None = None, tier: str | None = None
 ) -> tuple[RawLabel, ...]:
     """Read a label file as `read_labels` does, and leave its names as they are.
@@ -58,17 +58,17 @@ def read_marks(
         )
     text = read_text(path)
     if suffix == ".textgrid":
-        marks = _chosen(tiers_of(text, name), mapping, tier, name).marks
+        raw_labels = _chosen(tiers_of(text, name), mapping, tier, name).raw_labels
     else:
-        marks = (table if suffix == ".csv" else audacity).marks_of(text, name)
-    if not marks:
+        raw_labels = (table if suffix == ".csv" else audacity).raw_labels_of(text, name)
+    if not raw_labels:
         raise CorpusError(f"{name}: there is no label in it; label the sounds and save it again")
-    return in_order(marks, name, duration)
+    return in_order(raw_labels, name, duration)
 
 
-def names_in(marks: Iterable[RawLabel]) -> Counter[str]:
+def names_in(raw_labels: Iterable[RawLabel]) -> Counter[str]:
     """Count the names of marks."""
-    return Counter(mark.name for mark in marks)
+    return Counter(raw.name for raw in raw_labels)
 
 
 def write_labels(
@@ -115,7 +115,7 @@ def _chosen(tiers: tuple[Tier, ...], mapping: PhonemeMap, wanted: str | None, fi
                 f"{file}: there is no tier of intervals named {wanted!r:.40}, found {names}; choose one"
             )
         return found[0]
-    filled = [tier for tier in tiers if tier.marks]
+    filled = [tier for tier in tiers if tier.raw_labels]
     if not filled:
         raise CorpusError(
             f"{file}: there is no tier of intervals with a label, found {names}; label the sounds in one"
@@ -124,4 +124,4 @@ def _chosen(tiers: tuple[Tier, ...], mapping: PhonemeMap, wanted: str | None, fi
 
 
 def _known_share(tier: Tier, mapping: PhonemeMap) -> float:
-    return sum(mapping.knows(mark.name) for mark in tier.marks) / len(tier.marks)
+    return sum(mapping.knows(raw.name) for raw in tier.raw_labels) / len(tier.raw_labels)

@@ -62,12 +62,12 @@ class RawLabel:
     certainty: str | None = None
 
 
-def in_order(marks: Iterable[RawLabel], file: str, duration: float | None = None) -> tuple[RawLabel, ...]:
+def in_order(raw_labels: Iterable[RawLabel], file: str, duration: float | None = None) -> tuple[RawLabel, ...]:
     """Return marks in order of time, mended where a file's rounding made them overlap or outlast the sound.
 
     Parameters
     ----------
-    marks : in any order.
+    raw_labels : in any order.
     file : what the file is called in a refusal.
     duration : length of the sound, seconds, where it is known. A mark that ends up to 50 ms after it is cut there;
         up to 1 ms is rounding and stays.
@@ -76,43 +76,43 @@ def in_order(marks: Iterable[RawLabel], file: str, duration: float | None = None
     ------
     CorpusError : times that are impossible, overlap by more than 1 ms, or lie beyond the sound.
     """
-    ordered = sorted(_checked(marks, file), key=lambda mark: (mark.start, mark.end))
+    ordered = sorted(_checked(raw_labels, file), key=lambda raw: (raw.start, raw.end))
     if duration is not None:
-        ordered = [_within(mark, file, duration) for mark in ordered]
-    for k, (mark, following) in enumerate(itertools.pairwise(ordered)):
-        if mark.end - following.start > ROUNDING:
+        ordered = [_within(raw, file, duration) for raw in ordered]
+    for k, (raw, following) in enumerate(itertools.pairwise(ordered)):
+        if raw.end - following.start > ROUNDING:
             raise CorpusError(
-                f"{file}, {following.place}: labels must not overlap, found {_span(following)} after {_span(mark)} "
-                f"of {mark.place}; move one of their borders"
+                f"{file}, {following.place}: labels must not overlap, found {_span(following)} after {_span(raw)} "
+                f"of {raw.place}; move one of their borders"
             )
-        ordered[k] = replace(mark, end=max(mark.start, min(mark.end, following.start)))
+        ordered[k] = replace(raw, end=max(raw.start, min(raw.end, following.start)))
     return tuple(ordered)
 
 
-def _checked(marks: Iterable[RawLabel], file: str) -> Iterator[RawLabel]:
-    for mark in marks:
-        if not (math.isfinite(mark.start) and math.isfinite(mark.end) and mark.start >= 0):
+def _checked(raw_labels: Iterable[RawLabel], file: str) -> Iterator[RawLabel]:
+    for raw in raw_labels:
+        if not (math.isfinite(raw.start) and math.isfinite(raw.end) and raw.start >= 0):
             fault = "times must be seconds from 0"
-        elif mark.end < mark.start:
+        elif raw.end < raw.start:
             fault = "a label must not end before it starts"
-        elif mark.end > LAST_END:
+        elif raw.end > LAST_END:
             fault = f"labels must end within a day ({LAST_END:g} s)"
         else:
-            yield mark
+            yield raw
             continue
-        raise CorpusError(f"{file}, {mark.place}: {fault}, found {_span(mark)}; correct the label")
+        raise CorpusError(f"{file}, {raw.place}: {fault}, found {_span(raw)}; correct the label")
 
 
-def _within(mark: RawLabel, file: str, duration: float) -> RawLabel:
-    if mark.end <= duration + ROUNDING:
-        return mark
-    if mark.start >= duration or mark.end > duration + LONGEST_OVERHANG:
+def _within(raw: RawLabel, file: str, duration: float) -> RawLabel:
+    if raw.end <= duration + ROUNDING:
+        return raw
+    if raw.start >= duration or raw.end > duration + LONGEST_OVERHANG:
         raise CorpusError(
-            f"{file}, {mark.place}: the label at {_span(mark)} lies beyond the end of the sound, which lasts "
+            f"{file}, {raw.place}: the label at {_span(raw)} lies beyond the end of the sound, which lasts "
             f"{duration:.3f} s; check whether the labels belong to this sound"
         )
-    return replace(mark, end=duration)
+    return replace(raw, end=duration)
 
 
-def _span(mark: RawLabel) -> str:
-    return f"{mark.start:g}..{mark.end:g} s"
+def _span(raw: RawLabel) -> str:
+    return f"{raw.start:g}..{raw.end:g} s"

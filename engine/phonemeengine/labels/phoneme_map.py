@@ -5,28 +5,25 @@ sound of *see* in ARPAbet and that of *she* in SAMPA: what else stands in the fi
 written in, and a name that is then still doubtful counts as unknown.
 """
 
+import os
 import tomllib
 from collections import abc
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import tomli_w
-
 from phonemeengine.errors import CorpusError, UnknownPhonemeError
 from phonemeengine.files import printable_name
 from phonemeengine.labels.label import Label, RawLabel
 from phonemeengine.labels.phone_sets import AFFRICATE, PhoneClass, own_phone_class, phone_classes_in
-from phonemeengine.labels.table import rows_of, table_of
-from phonemeengine.labels.text_io import read_text, write_text
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.labels.table import rows_of
+from phonemeengine.labels.text_io import read_text
+from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 
 FORMAT = "phonemeanalyser mapping 1"
 COLUMNS = ("name", "phoneme")
 CLOSURE = 0.45
 """Share of an affricate that is closure, as in the corpus format."""
-
-_OWN = {phoneme.label: phoneme for phoneme in Phoneme}
 
 
 @dataclass(frozen=True)
@@ -44,7 +41,7 @@ class PhonemeMap:
         """Return whether a name may stand for a phoneme."""
         return name in self.phonemes or own_phone_class(name) is not None or any(phone_classes_in(name))
 
-    def senses_of(self, names: abc.Mapping[str, int], file: str) -> dict[str, PhoneClass]:
+    def phone_classes_of(self, names: abc.Mapping[str, int], file: str) -> dict[str, PhoneClass]:
         """Return what the names in some label files mean.
 
         Parameters
@@ -65,43 +62,31 @@ class PhonemeMap:
         return known
 
 
-def labels_named(marks: Iterable[RawLabel], senses: abc.Mapping[str, PhoneClass]) -> tuple[Label, ...]:
+def labels_named(raw_labels: Iterable[RawLabel], phone_classes: abc.Mapping[str, PhoneClass]) -> tuple[Label, ...]:
     """Return marks as labels; affricates become a closure, which is unidentified, and friction."""
-    return tuple(label for mark in marks for label in _labels_of(mark, senses[mark.name]))
+    return tuple(label for raw in raw_labels for label in _labels_of(raw, phone_classes[raw.name]))
 
 
-def load_phoneme_map(path: Path) -> PhonemeMap:
+def load_phoneme_map(path: str | os.PathLike[str]) -> PhonemeMap:
     """Load a mapping: TOML with lines ``name = "phoneme"`` in a table ``[phonemes]``, or CSV with name and phoneme.
 
     Raises
     ------
     CorpusError : it cannot be read, or names no phoneme of ours.
     """
+    path = Path(path)
     file = printable_name(path)
     text = read_text(path)
     entries = _entries_of_csv(text, file) if path.suffix.lower() == ".csv" else _entries_of_toml(text, file)
     return PhonemeMap({name: _phoneme_of(name, phoneme, file) for name, phoneme in entries.items()})
 
 
-def save_phoneme_map(mapping: PhonemeMap, path: Path) -> None:
-    """Save a mapping as CSV where the name ends in ``.csv``, else as TOML.
-
-    Raises
-    ------
-    CorpusError : the file cannot be written.
-    """
-    entries = {name: phoneme.label for name, phoneme in mapping.phonemes.items()}
-    if path.suffix.lower() == ".csv":
-        write_text(table_of(COLUMNS, entries.items()), path)
-    else:
-        write_text(tomli_w.dumps({"format": FORMAT, "phonemes": entries}), path)
-
-
 def _phoneme_of(name: str, phoneme: object, file: str) -> Phoneme:
-    found = _OWN.get(phoneme.strip().lower()) if isinstance(phoneme, str) else None
+    found = PHONEMES_BY_LABEL.get(phoneme.strip().lower()) if isinstance(phoneme, str) else None
     if found is None:
         raise CorpusError(
-            f"{file}: {name!r:.40} must stand for one of {', '.join(_OWN)}, found {phoneme!r:.40}; correct it"
+            f"{file}: {name!r:.40} must stand for one of {', '.join(PHONEMES_BY_LABEL)}, found {phoneme!r:.40}; "
+            "correct it"
         )
     return found
 
@@ -109,24 +94,27 @@ def _phoneme_of(name: str, phoneme: object, file: str) -> Phoneme:
 def _senses_in_the_same_alphabet(names: list[str]) -> dict[str, PhoneClass]:
     """Return what names mean in the alphabets that know the most of them; what these do not agree on is left out."""
     found = {name: phone_classes_in(name) for name in names}
-    n_known = [sum(sense is not None for sense in column) for column in zip(*found.values(), strict=True)]
+    n_known = [sum(phone_class is not None for phone_class in column) for column in zip(*found.values(), strict=True)]
     likely = [k for k, n in enumerate(n_known) if n == max(n_known)]
     meanings = {
-        name: {senses[k] for k in likely if senses[k]} or {sense for sense in senses if sense}
-        for name, senses in found.items()
+        name: {phone_classes[k] for k in likely if phone_classes[k]}
+        or {phone_class for phone_class in phone_classes if phone_class}
+        for name, phone_classes in found.items()
     }
-    return {name: sense for name, few in meanings.items() if len(few) == 1 for sense in few if sense}
+    return {
+        name: phone_class for name, few in meanings.items() if len(few) == 1 for phone_class in few if phone_class
+    }
 
 
-def _labels_of(mark: RawLabel, sense: PhoneClass) -> tuple[Label, ...]:
-    phone = mark.name if mark.phone is None else mark.phone
-    certainty = mark.certainty or sense.certainty
-    if mark.certainty is not None or sense.certainty != AFFRICATE or sense.phoneme is Phoneme.P:
-        return (Label(mark.start, mark.end, phone, sense.phoneme, certainty),)
-    friction = mark.start + CLOSURE * (mark.end - mark.start)
+def _labels_of(raw: RawLabel, phone_class: PhoneClass) -> tuple[Label, ...]:
+    phone = raw.name if raw.phone is None else raw.phone
+    certainty = raw.certainty or phone_class.certainty
+    if raw.certainty is not None or phone_class.certainty != AFFRICATE or phone_class.phoneme is Phoneme.P:
+        return (Label(raw.start, raw.end, phone, phone_class.phoneme, certainty),)
+    friction = raw.start + CLOSURE * (raw.end - raw.start)
     return (
-        Label(mark.start, friction, f"{phone}_cl", Phoneme.UNIDENTIFIED, AFFRICATE),
-        Label(friction, mark.end, f"{phone}_fr", sense.phoneme, AFFRICATE),
+        Label(raw.start, friction, f"{phone}_cl", Phoneme.UNIDENTIFIED, AFFRICATE),
+        Label(friction, raw.end, f"{phone}_fr", phone_class.phoneme, AFFRICATE),
     )
 
 

@@ -43,14 +43,14 @@ def table_of(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
     return text.getvalue()
 
 
-def marks_of(text: str, file: str) -> tuple[RawLabel, ...]:
+def raw_labels_of(text: str, file: str) -> tuple[RawLabel, ...]:
     """Read the text of a label file of the corpus format.
 
     Raises
     ------
     CorpusError : a column or a row is missing, or a row says something impossible.
     """
-    return tuple(_mark_of(row, f"line {line}", file) for line, row in rows_of(text, COLUMNS, file))
+    return tuple(_raw_label_of(row, f"line {line}", file) for line, row in rows_of(text, COLUMNS, file))
 
 
 def format_table(labels: Sequence[Label]) -> str:
@@ -61,7 +61,7 @@ def format_table(labels: Sequence[Label]) -> str:
     )
 
 
-def _mark_of(row: dict[str, str], place: str, file: str) -> RawLabel:
+def _raw_label_of(row: dict[str, str], place: str, file: str) -> RawLabel:
     try:
         start, end = float(row["start_s"]), float(row["end_s"])
     except ValueError:

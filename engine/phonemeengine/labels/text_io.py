@@ -1,12 +1,10 @@
 """Text files of labels: read whatever encoding Praat writes, and written so that a half one never shows."""
 
 import codecs
-import os
-from contextlib import suppress
 from pathlib import Path
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.files import printable_name, reason_of
+from phonemeengine.files import printable_name, read_file, write_file
 
 LARGEST = 64 << 20
 """Bytes of a label file at most: a day of labels has fewer."""
@@ -27,21 +25,12 @@ def read_text(path: Path) -> str:
     ------
     CorpusError : it cannot be read, is no text, or is too large.
     """
-    name = printable_name(path)
-    try:
-        size = path.stat().st_size
-        content = path.read_bytes() if size <= LARGEST else b""
-    except (OSError, ValueError) as error:
-        raise CorpusError(f"{name}: it cannot be read ({reason_of(error)}); check the file") from error
-    if size > LARGEST:
-        raise CorpusError(
-            f"{name}: a file of labels has at most {LARGEST >> 20} MB, this has {size / 1e6:.0f} MB; choose another"
-        )
+    content = read_file(path, LARGEST, "a file of labels", CorpusError)
     try:
         text = content.decode(_encoding_of(content))
     except UnicodeDecodeError as error:
         raise CorpusError(
-            f"{name}: this is no text in UTF-8 or UTF-16; save it as a text file in one of them"
+            f"{printable_name(path)}: this is no text in UTF-8 or UTF-16; save it as a text file in one of them"
         ) from error
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
@@ -53,19 +42,7 @@ def write_text(text: str, path: Path, encoding: str = "utf-8") -> None:
     ------
     CorpusError : it cannot be written.
     """
-    part = path.with_name(path.name + ".part")
-    try:
-        with part.open("wb") as file:
-            file.write(text.encode(encoding, errors="replace"))
-            file.flush()
-            os.fsync(file.fileno())
-        part.replace(path)
-    except (OSError, ValueError) as error:
-        with suppress(OSError, ValueError):
-            part.unlink()
-        raise CorpusError(
-            f"{printable_name(path)}: it cannot be written ({reason_of(error)}); choose another folder"
-        ) from error
+    write_file(path, text.encode(encoding, errors="replace"), CorpusError, durable=True)
 
 
 def _encoding_of(content: bytes) -> str:

@@ -37,7 +37,7 @@ class Tier:
     """A tier of stretches: its name, and those stretches that have a name."""
 
     name: str
-    marks: tuple[RawLabel, ...]
+    raw_labels: tuple[RawLabel, ...]
 
 
 def tiers_of(text: str, file: str) -> tuple[Tier, ...]:
@@ -147,14 +147,14 @@ def _next_tier(words: _Words, number: int) -> Tier | None:
     name = words.text(f"the name of tier {number}")
     words.number(f"where tier {name!r:.40} begins")
     words.number(f"where tier {name!r:.40} ends")
-    n_marks = words.count(f"the number of stretches in tier {name!r:.40}")
-    marks = [
-        mark for k in range(n_marks) if (mark := _next_mark(words, kind, f"tier {name!r:.40}, interval {k + 1}")).name
+    n_labels = words.count(f"the number of stretches in tier {name!r:.40}")
+    raw_labels = [
+        raw for k in range(n_labels) if (raw := _next_label(words, kind, f"tier {name!r:.40}, interval {k + 1}")).name
     ]
-    return Tier(name, tuple(marks)) if kind == INTERVALS else None
+    return Tier(name, tuple(raw_labels)) if kind == INTERVALS else None
 
 
-def _next_mark(words: _Words, kind: str, place: str) -> RawLabel:
+def _next_label(words: _Words, kind: str, place: str) -> RawLabel:
     start = words.number(f"the beginning of {place}")
     end = words.number(f"the end of {place}") if kind == INTERVALS else start
     return RawLabel(start, end, words.text(f"the name of {place}").strip(), place)

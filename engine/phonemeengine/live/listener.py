@@ -4,6 +4,7 @@ The thread opens, reads, analyses and hands over to a recording; whoever shows t
 or `poll`, and never waits for sound.
 """
 
+import logging
 import threading
 import time
 from collections import deque
@@ -12,14 +13,14 @@ from contextlib import suppress
 
 import numpy as np
 
-from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.analyser import Analyser, Analysis, Reading, latest_reading
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput, Input
 from phonemeengine.audio.level import Level, PeakMeter
 from phonemeengine.errors import DeviceError
+from phonemeengine.lifetime import Closing
 from phonemeengine.live.microphone_analyser import Latency, MicrophoneAnalyser
-from phonemeengine.live.reading import Reading, latest_reading
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.status import NOT_LISTENING, QUIET, Status, status_of
 from phonemeengine.presets.preset import Preset
@@ -36,8 +37,10 @@ OPEN_TIMEOUT = 0.5
 READ_TIMEOUT = 0.1
 """Seconds that the thread waits for sound before it looks whether all is well."""
 
+_log = logging.getLogger(__name__)
 
-class Listener:
+
+class Listener(Closing):
     """Listens to a microphone and recognises what it hears, from the moment it is made until it is closed.
 
     A device that is missing, vanishes, stands still or comes back never raises: `status` says what is going on, and
@@ -49,32 +52,29 @@ class Listener:
     choice : which microphone, channel and rate; the system's default where it names none.
     pitch : measure `f0` too, which no rule needs.
     phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none.
-    tape : records from the first sample on; see `record`.
-    on_heard : called in the listening thread with each block, as soon as it is known; it must not wait.
+    recorder : records from the first sample on; see `record`.
+    on_analysis : called in the listening thread with each block, as soon as it is known; it must not wait.
     on_sound : called there with each block of sound, shape (n, n_channels), and its rate; it must not wait either.
-    open_input : opens the microphone.
     """
 
     def __init__(
         self, preset: Preset, choice: InputChoice | None = None, *, pitch: bool = False,
-        phonemes_only: bool = False, tape: Recorder | None = None,
-        on_heard: Callable[[Analysis], object] = lambda _analysis: None,
+        phonemes_only: bool = False, recorder: Recorder | None = None,
+        on_analysis: Callable[[Analysis], object] = lambda _analysis: None,
         on_sound: Callable[[Float32Array, int], object] = lambda _block, _rate: None,
-        open_input: Callable[[InputChoice], Input] = CardInput,
     ) -> None:  # fmt: skip
         self.choice = choice or InputChoice()
         self.n_dropped = 0
         self._preset = preset
         self._pitch = pitch
         self._phonemes_only = phonemes_only
-        self._on_heard = on_heard
+        self._on_analysis = on_analysis
         self._on_sound = on_sound
-        self._open_input = open_input
         self._source: Input | None = None
         self._ear: MicrophoneAnalyser | None = None
         self._newest: Analysis | None = None
         self._meter = PeakMeter()
-        self._tape = tape
+        self._recorder = recorder
         self._error: Exception | None = None
         self._refusal = "opening the microphone"
         self._began = self._heard_at = time.monotonic()
@@ -176,7 +176,7 @@ class Listener:
 
     @property
     def preset(self) -> Preset:
-        """What it recognises with; `use` takes another one."""
+        """What it recognises with; `set_preset` takes another one."""
         return self._preset
 
     def set_preset(self, preset: Preset) -> None:
@@ -190,9 +190,9 @@ class Listener:
         self._commands.append(self._change)
         self._pause.set()
 
-    def record(self, tape: Recorder | None) -> None:
-        """Record everything that is heard from now on; None ends that. Whoever made the tape closes it."""
-        self._tape = tape
+    def record(self, recorder: Recorder | None) -> None:
+        """Record everything that is heard from now on; None ends that. Whoever made the recorder closes it."""
+        self._recorder = recorder
 
     def close(self) -> None:
         """Stop, and let the microphone go; one that is being opened and hangs is let go when it answers."""
@@ -214,22 +214,37 @@ class Listener:
                     self._listen(self._source)
         except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
             self._error = error
+            _log.exception("listening has failed")
         finally:
             if self._ear is None:
                 self._lost_before = self.lost_seconds
             self._gap_is_loss = False
             self._let_go("not listening")
+            _log.info("listening has ended; %.2f s lost, %d frames dropped", self.lost_seconds, self.n_dropped)
 
     def _warm_up(self) -> None:
         """Analyse silence, so that the first sound need not wait for what is imported at the first use."""
         analyser = Analyser(self._preset, pitch=self._pitch, phonemes_only=self._phonemes_only)
         analyser.push(np.zeros(2 * WINDOW, np.float32))
 
+    def _open_input(self, choice: InputChoice) -> Input:
+        """Open a microphone; a subclass listens to something else.
+
+        Raises
+        ------
+        DeviceError : it cannot be opened now.
+        """
+        return CardInput(choice)
+
     def _open(self) -> None:
         try:
-            self._source = self._open_input(self.choice)
+            self._source = source = self._open_input(self.choice)
+            _log.info("%s is open: %d Hz, %d channels", source.name, source.rate, source.n_channels)
         except DeviceError as error:
-            self._refusal = f"{error}; trying again every 2 s"
+            refusal = f"{error}; trying again every 2 s"
+            if refusal != self._refusal:
+                _log.warning("%s", refusal)
+            self._refusal = refusal
             self._pause.wait(RETRY_PERIOD)
             self._pause.clear()
 
@@ -252,14 +267,14 @@ class Listener:
         block = ear.pick_channels(block)
         self._meter.add_samples(block, self._heard_at)
         self._on_sound(block, source.rate)
-        tape = self._tape
-        if tape is not None:
-            tape.write(block, source.rate, ear.seconds, gap)
+        recorder = self._recorder
+        if recorder is not None:
+            recorder.write(block, source.rate, ear.seconds, gap)
         analysis = ear.analyse(block)
         if len(analysis):
             self._hand_over(analysis)
-            if tape is not None:
-                tape.add_analysis(analysis)
+            if recorder is not None:
+                recorder.add_analysis(analysis)
 
     def _new_ear(self, source: Input, began: float, gap: float) -> MicrophoneAnalyser:
         """Go on counting frames where the clock stands, `gap` seconds after the last sound."""
@@ -278,11 +293,13 @@ class Listener:
         self._next_frame = analysis.start + len(analysis)
         self._waiting.append(analysis)
         if len(self._waiting) > MOST_WAITING:
+            if self.n_dropped == 0:
+                _log.warning("frames are dropped, since nobody takes them")
             with suppress(IndexError):  # `take` may have come first
                 self.n_dropped += len(self._waiting.popleft())
         self._newest = analysis
         self._known_at = time.monotonic()
-        self._on_heard(analysis)
+        self._on_analysis(analysis)
 
     def _change(self) -> None:
         self._let_go("opening the microphone")
@@ -291,6 +308,7 @@ class Listener:
     def _let_go(self, refusal: str) -> None:
         source, self._refusal = self._source, refusal
         if source is not None:
+            _log.info("%s is let go: %s", source.name, refusal)
             if self._ear is not None:
                 self._lost_before += self._ear.lost_seconds
                 self._next_frame += round(self._ear.lost_seconds / FRAME_PERIOD)  # the numbers follow the clock

@@ -67,7 +67,7 @@ class MicrophoneAnalyser:
         self.source = source
         self.start = start
         self._n_heard = 0
-        self._spent = 0.0
+        self._spent = self._look_ahead = 0.0
         self._columns = slice(channel - 1, channel) if channel else slice(None)
         self.analyser = Analyser(for_live_use(preset), pitch=pitch, start=start, phonemes_only=phonemes_only)
         self._resampler = Resampler(source.rate, 1, steady=True) if source.rate != SAMPLE_RATE else None
@@ -83,8 +83,7 @@ class MicrophoneAnalyser:
         if not self._spent:
             return Latency()
         held_back = self._resampler.delay if self._resampler is not None else 0.0
-        look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD
-        return Latency(self.source.delay + held_back, look_ahead=look_ahead, analysis=self._spent)
+        return Latency(self.source.delay + held_back, look_ahead=self._look_ahead, analysis=self._spent)
 
     @property
     def seconds(self) -> float:
@@ -112,6 +111,7 @@ class MicrophoneAnalyser:
         if self._resampler is not None:
             mono = self._resampler.resample(mono[:, np.newaxis])[:, 0]
         analysis = self.analyser.push(mono)
+        self._look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD  # asked here: it may be made now
         spent = time.monotonic() - began
         self._spent = STEADINESS * (self._spent or spent) + (1 - STEADINESS) * spent
         return analysis

@@ -1,5 +1,6 @@
 """What is analysed and not heard yet."""
 
+import logging
 import threading
 from collections import deque
 
@@ -8,6 +9,8 @@ from phonemeengine.settings import SAMPLE_RATE
 
 MOST_WAITING = 1500
 """Blocks that wait at most; older ones are dropped and counted."""
+
+_log = logging.getLogger(__name__)
 
 
 class PlaybackQueue:
@@ -36,6 +39,8 @@ class PlaybackQueue:
         """Have a block wait until so many samples are heard."""
         with self.lock:
             self._blocks.append((due, analysis))
+            if len(self._blocks) > MOST_WAITING and self.n_dropped == 0:
+                _log.warning("frames are dropped, since nobody takes them")
             while len(self._blocks) > MOST_WAITING:
                 self.n_dropped += len(self._blocks.popleft()[1])
 

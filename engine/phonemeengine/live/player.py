@@ -4,6 +4,7 @@ The thread reads, plays and analyses; whoever shows the result calls `take` now 
 heard since. Nothing else passes between the two.
 """
 
+import logging
 import threading
 import time
 from collections import deque
@@ -15,6 +16,7 @@ from phonemeengine.analyser import PRE_ROLL, Analyser, Analysis
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.output import ClockOutput, Output, open_output
 from phonemeengine.audio.source import Reader
+from phonemeengine.errors import EngineError
 from phonemeengine.live.playback_queue import PlaybackQueue
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
@@ -27,6 +29,8 @@ STALL_TIMEOUT = 1.0
 """Seconds that a sound card may take to open or close before that goes on without whoever asked for it."""
 WAKE_TIMEOUT = 0.3
 """Seconds that a sound card is given to ask for sound."""
+
+_log = logging.getLogger(__name__)
 
 
 class Player:
@@ -120,7 +124,7 @@ class Player:
 
     @property
     def preset(self) -> Preset:
-        """What it recognises with; `use` takes another one."""
+        """What it recognises with; `set_preset` takes another one."""
         return self._preset
 
     def set_preset(self, preset: Preset) -> None:
@@ -176,8 +180,10 @@ class Player:
         try:
             output = self._open_device(self.reader.n_channels)
             output.gain, self._output = self._output.gain, output
+            _log.info("playing on %s", output.name)
         except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
             self._error = error
+            _log.exception("no output can be opened")
         finally:
             self._opened.set()
 
@@ -196,6 +202,7 @@ class Player:
                     self._output.run(running=True)
             except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
                 self._error, self._at_end, self._target, busy = error, True, None, False
+                _log.warning("playing has stopped: %s", error, exc_info=not isinstance(error, EngineError))
             if not busy:
                 self._wake.wait(0.02 if self._playing else 1.0)
                 self._wake.clear()
@@ -275,6 +282,7 @@ class Player:
     def _change_output(self, output: Output) -> None:
         """Go on elsewhere from the first frame that was not handed out."""
         old = self._output
+        _log.log(logging.INFO if output.is_card else logging.WARNING, "%s: on with %s", old.name, output.name)
         output.gain = old.gain
         with self._waiting.lock:
             place, over = round(self.position * SAMPLE_RATE), self._at_end and not self._waiting

@@ -1,7 +1,9 @@
 """What is recorded while a microphone is heard: a file, and its phonemes beside it if that is wanted."""
 
 import csv
+import logging
 import math
+import os
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -14,12 +16,15 @@ from phonemeengine.audio.gaps import Gap, gaps_in_words
 from phonemeengine.audio.recording import Recording
 from phonemeengine.errors import RecordingError
 from phonemeengine.files import free_path
+from phonemeengine.lifetime import Closing
 from phonemeengine.paths import journal_folder, recordings_folder
 from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
 
+_log = logging.getLogger(__name__)
 
-class Recorder:
+
+class Recorder(Closing):
     """Records what a listener hears.
 
     The file is begun with the first block. A microphone that comes back goes on in the same file, where the gap is
@@ -27,31 +32,32 @@ class Recorder:
 
     Parameters
     ----------
-    next_path : names a new file; called for each, in the listening thread.
+    target : the new file, ``.wav`` (RF64 beyond 4 GB) or ``.flac``, after which others get numbers; or what names
+        each, called in the listening thread.
     with_phonemes : write the phonemes beside it as they are recognised, as a table that ends in ``.csv``.
     fill_gaps : write silence for the time in which a microphone was away, besides the mark.
     seconds : how much of each file is recorded at most.
-    journal, rescue : see `Recording`; the user's own folders unless others are named.
 
     Attributes
     ----------
+    journal, rescue : where running recordings are noted, and where one is copied to if its own folder vanishes; the
+        user's own folders, unless others are set before the first sound.
     paths : the files, in their order.
     gaps : where sound is missing in the newest file.
     """
 
     def __init__(
-        self, next_path: Callable[[], Path], *, with_phonemes: bool = False, fill_gaps: bool = False,
-        seconds: float = math.inf, journal: Path | None = None, rescue: Path | None = None,
+        self, target: str | os.PathLike[str] | Callable[[], Path], *, with_phonemes: bool = False,
+        fill_gaps: bool = False, seconds: float = math.inf,
     ) -> None:  # fmt: skip
         self.paths: list[Path] = []
         self.gaps: list[Gap] = []
-        self._next_path = next_path
+        self.journal, self.rescue = journal_folder(), recordings_folder()
+        self._next_path = target if callable(target) else _numbered(Path(target))
         self._with_phonemes = with_phonemes
         self._fill_gaps = fill_gaps
         self._most = seconds
         self._n_given = 0
-        self._journal = journal or journal_folder()
-        self._rescue = rescue or recordings_folder()
         self._recording: Recording | None = None
         self._phonemes: PhonemeLog | None = None
         self._refusal: str | None = None
@@ -128,6 +134,7 @@ class Recorder:
         n_silent = self._fitting(round(seconds * recording.rate), recording.rate) if self._fill_gaps else 0
         gap = Gap(self._n_given, seconds, n_silent)
         self.gaps.append(gap)
+        _log.warning("%s has a gap of %.2f s", recording.path, seconds)
         recording.skip(seconds, n_silent)
         self._n_given += n_silent
         if self._phonemes is not None:
@@ -139,13 +146,14 @@ class Recorder:
             threading.Thread(target=self._finish, args=(old, phonemes), name="recording ends").start()
         try:
             path = self._next_path()
-            self._recording = Recording(path, rate, n_channels, journal=self._journal, rescue=self._rescue)
+            self._recording = Recording(path, rate, n_channels, journal=self.journal, rescue=self.rescue)
             self.paths.append(path)
             self._n_given = 0
             self.gaps = []
             self._phonemes = self._table(path, began) if self._with_phonemes else None
         except RecordingError as error:
             self._refusal = str(error)
+            _log.error("%s", error)
             return None
         return self._recording
 
@@ -157,6 +165,12 @@ class Recorder:
             recording.close()
         if phonemes is not None and recording is not None:
             phonemes.close(recording.seconds)
+
+
+def _numbered(path: Path) -> Callable[[], Path]:
+    """Return what names the path itself, and then numbered ones after it."""
+    names = iter([path])
+    return lambda: next(names, None) or free_path(path)
 
 
 class PhonemeLog:

@@ -1,20 +1,17 @@
 """A sound file as a game uses it: played, looked into, and recognised while it is heard."""
 
+import os
 from collections import deque
-from collections.abc import Callable
-from pathlib import Path
-from types import TracebackType
-from typing import Self
 
 import numpy as np
 
-from phonemeengine.analyser import Analysis
+from phonemeengine.analyser import Analysis, Reading, latest_reading
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.audio.output import AHEAD, Output, open_output
 from phonemeengine.dsp.spectrum import SpectrumAnalyser
+from phonemeengine.lifetime import Closing
 from phonemeengine.live.player import STEP, Player
-from phonemeengine.live.reading import Reading, latest_reading
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, AnalysisSettings, Channel
 
@@ -55,7 +52,7 @@ class RecentSamples:
         return window
 
 
-class Sound:
+class Sound(Closing):
     """Plays a sound file and says what is heard: `poll` gives the phoneme and the intensity.
 
     No call waits for sound or disk, once the file is open.
@@ -65,19 +62,15 @@ class Sound:
     path : the sound file.
     preset : what to recognise with.
     channel : what is recognised of a file of several channels.
-    open_device : opens the output for a number of channels.
 
     Raises
     ------
     AudioError : the file cannot be read.
     """
 
-    def __init__(
-        self, path: Path, preset: Preset, channel: Channel = Channel.MIX,
-        open_device: Callable[[int], Output] = open_output,
-    ) -> None:  # fmt: skip
+    def __init__(self, path: str | os.PathLike[str], preset: Preset, channel: Channel = Channel.MIX) -> None:
         self._tap = RecentSamples(SoundReader(path, channel))
-        self._player = Player(self._tap, preset, open_device)
+        self._player = Player(self._tap, preset, self._open_device)
         self._transform = SpectrumAnalyser(AnalysisSettings(filters=frozenset()))
         self._newest: Analysis | None = None
         self._stopped = False
@@ -131,7 +124,7 @@ class Sound:
 
     @property
     def preset(self) -> Preset:
-        """What it recognises with; `use` takes another one."""
+        """What it recognises with; `set_preset` takes another one."""
         return self._player.preset
 
     def set_preset(self, preset: Preset) -> None:
@@ -162,13 +155,9 @@ class Sound:
         """Stop, and let file and device go."""
         self._player.close()
 
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
+    def _open_device(self, n_channels: int) -> Output:
+        """Open what is played on; a subclass plays elsewhere."""
+        return open_output(n_channels)
 
     def _at(self) -> int:
         return round(self._player.position * SAMPLE_RATE)

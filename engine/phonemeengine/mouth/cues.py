@@ -5,12 +5,13 @@ brief, so m and p take the time that they lack from their neighbours; everything
 """
 
 import heapq
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.recognition.segments import Segment
 
 MINIMUM = 0.06
@@ -20,7 +21,6 @@ ROUNDING = 1e-9
 """Seconds by which a cue may fall short of the minimum, since differences of times are rounded."""
 MOST_ANTICIPATION = 0.12
 """Seconds that the mouth may be ahead of the sound at most."""
-VOWELS = frozenset({Phoneme.I, Phoneme.A, Phoneme.E, Phoneme.U, Phoneme.O})
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ def cues_of(
 
     Parameters
     ----------
-    runs : what was said, without gaps; see `runs_of`.
+    runs : what was said, without gaps; see `segments_of`.
     table : the mouth shapes.
     minimum : least duration of a cue, seconds; a sound that is shorter is one cue.
     anticipation : by how much the mouth is ahead of vowels, seconds; it is ahead of lips that meet by the time that
@@ -67,21 +67,28 @@ def cues_of(
     """
     _check("minimum", minimum, LONGEST_MINIMUM)
     _check("anticipation", anticipation, MOST_ANTICIPATION)
-    cues = [
-        Cue(run.start, run.end, run.phoneme, table.phonemes[run.phoneme], run.intensity)
-        for run in runs
-        if run.end > run.start
-    ]
-    cues = _joined(_Chain(_joined(cues, _same_phoneme), minimum, table.firm).cleaned(), _same_phoneme)
-    return tuple(_ahead(cues, anticipation, minimum, table))
+    cues = cleaned_cues((run for run in runs if run.end > run.start), table, minimum)
+    begins = begins_of(cues, table, anticipation, minimum)
+    ends = [*begins[1:], *(cue.end for cue in cues[-1:])]
+    return tuple(replace(cue, start=start, end=end) for cue, start, end in zip(cues, begins, ends, strict=True))
 
 
-def leads_of(table: MouthTable, anticipation: float) -> dict[Phoneme, float]:
-    """Return how early the movement to a phoneme begins, seconds; phonemes that are left out begin on time."""
-    closing = {
-        phoneme: min(anticipation, table.times[phoneme].to_shape) for phoneme in table.firm - {Phoneme.SILENCE}
-    }
-    return dict.fromkeys(VOWELS, anticipation) | closing
+def cleaned_cues(runs: Iterable[Segment], table: MouthTable, minimum: float, n_begun: int = 0) -> list[Cue]:
+    """Make cues of runs that last the minimum, seconds; so many of the first stay, however short they are."""
+    cues = [Cue(run.start, run.end, run.phoneme, table.phonemes[run.phoneme], run.intensity) for run in runs]
+    cues = _joined(cues, _same_phoneme)
+    return _joined(_Chain(cues, minimum, table.closed_phonemes, n_begun).cleaned(), _same_phoneme)
+
+
+def begins_of(cues: Sequence[Cue], table: MouthTable, anticipation: float, minimum: float) -> list[float]:
+    """Return when the mouth begins to move to each cue: to vowels, and lips that meet, early; see `cues_of`."""
+    firm = table.closed_phonemes - {Phoneme.SILENCE}
+    leads = dict.fromkeys(VOWELS, anticipation) | {p: min(anticipation, table.times[p].to_shape) for p in firm}
+    begins = [cue.start for cue in cues[:1]]
+    for before, cue in pairwise(cues):
+        spare = min(leads.get(cue.phoneme, 0.0), before.duration / 2, max(before.duration - minimum, 0.0))
+        begins.append(cue.start - spare)
+    return begins
 
 
 def joined_by_shape(cues: Iterable[Cue]) -> tuple[Cue, ...]:
@@ -116,27 +123,17 @@ def _union(one: Cue, other: Cue) -> Cue:
     return replace(longer, start=one.start, end=other.end, intensity=0.0 if silent else mean)
 
 
-def _ahead(cues: list[Cue], anticipation: float, minimum: float, table: MouthTable) -> list[Cue]:
-    """Begin vowels, and lips that meet, early at the cost of what comes before them."""
-    ahead = leads_of(table, anticipation)
-    for k in range(len(cues) - 1, 0, -1):
-        before, cue = cues[k - 1], cues[k]
-        if cue.phoneme in ahead:
-            spare = min(ahead[cue.phoneme], before.duration / 2, max(before.duration - minimum, 0.0))
-            cues[k - 1], cues[k] = replace(before, end=before.end - spare), replace(cue, start=cue.start - spare)
-    return cues
-
-
 class _Chain:
     """Cues of which each knows its neighbours, so that the shortest can be dealt with first."""
 
-    def __init__(self, cues: list[Cue], minimum: float, firm: frozenset[Phoneme]) -> None:
+    def __init__(self, cues: list[Cue], minimum: float, closed: frozenset[Phoneme], n_begun: int) -> None:
         self._cues: list[Cue | None] = list(cues)
         self._before = list(range(-1, len(cues) - 1))
         self._after = [*range(1, len(cues)), -1]
         self._minimum = minimum
         self._least = minimum - ROUNDING
-        self._firm = firm
+        self._closed = closed
+        self._n_begun = n_begun
         self._shortest: list[tuple[float, int]] = []
 
     def cleaned(self) -> list[Cue]:
@@ -152,7 +149,7 @@ class _Chain:
 
     def _watch(self, k: int) -> None:
         cue = self._cues[k]
-        if cue is not None and cue.duration < self._least:
+        if k >= self._n_begun and cue is not None and cue.duration < self._least:
             heapq.heappush(self._shortest, (cue.duration, k))
 
     def _at(self, k: int) -> Cue | None:
@@ -163,7 +160,7 @@ class _Chain:
         lack = self._minimum - cue.duration
         before, after = self._at(self._before[k]), self._at(self._after[k])
         spares = [max(other.duration - self._minimum, 0.0) if other else 0.0 for other in (before, after)]
-        if cue.phoneme not in self._firm or sum(spares) < lack:
+        if cue.phoneme not in self._closed or sum(spares) < lack:
             return False
         first = min(spares[0], max(lack / 2, lack - spares[1]))
         self._cues[k] = replace(cue, start=cue.start - first, end=cue.end + lack - first)

@@ -3,8 +3,6 @@
 Its origin is where it turns on the neck; a unit is a decimetre. Made by `python -m tools.head`.
 """
 
-import zipfile
-import zlib
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +13,11 @@ from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import movestate_of
+from phonemeengine.recognition.npz import read_npz
 
 HEAD = Path(__file__).with_name("head.npz")
+LARGEST = 64 << 20
+"""Bytes of all its arrays at most."""
 OWN_LIFE = ("eye", "brow")
 """States whose names begin so are not interactable: the mouth does not push eyes and brows back."""
 
@@ -29,13 +30,12 @@ def load_head() -> MorphMesh:
     MeshError : the program's own file is missing or damaged.
     """
     try:
-        with HEAD.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
-            return _figure_of({name: file[name] for name in file.files})
-    except (OSError, ValueError, KeyError, zipfile.BadZipFile, zlib.error) as error:
+        return _morph_mesh_of(read_npz(HEAD, LARGEST))
+    except (OSError, ValueError, KeyError) as error:
         raise MeshError(f"{HEAD.name}: the program's own head cannot be read; install the program again") from error
 
 
-def _figure_of(arrays: dict[str, NDArray[Any]]) -> MorphMesh:
+def _morph_mesh_of(arrays: dict[str, NDArray[Any]]) -> MorphMesh:
     colours = (arrays["colours"] / 255).astype(np.float32)
     mesh = mesh_of(arrays["positions"], arrays["triangles"], name="head", colours=colours)
     names = [str(name) for name in arrays["names"]]

@@ -6,11 +6,8 @@ The head rises with the voice's pitch and nods with its loudness (Yehia, Kuratat
 
 import math
 import random
-from dataclasses import dataclass
+from typing import NamedTuple
 
-import numpy as np
-
-from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.mouth.low_pass import LowPass
 
 PER_SEMITONE = 0.5
@@ -26,24 +23,12 @@ FOLLOWING, USUAL = 0.18, 4.0
 """Time constants with which it follows the voice, and learns the usual pitch, seconds."""
 
 
-@dataclass(frozen=True)
-class HeadPose:
+class HeadPose(NamedTuple):
     """How the head is turned, degrees: yaw to its left, pitch upwards, roll to its left shoulder."""
 
     yaw: float = 0.0
     pitch: float = 0.0
     roll: float = 0.0
-
-
-def quaternions_of(poses: Float32Array) -> Float64Array:
-    """Return poses, shape (n, 3): yaw, pitch and roll in degrees, as quaternions x, y, z, w, shape (n, 4).
-
-    The head looks along z, and its left is x. It rolls first, then nods, then turns.
-    """
-    halves = np.radians(np.asarray(poses, float)) / 2
-    (s, u, p), (c, v, q) = np.sin(halves).T, np.cos(halves).T  # of yaw, pitch and roll
-    parts = (-c * u * q - s * v * p, s * v * q - c * u * p, s * u * q - c * v * p, c * v * q + s * u * p)
-    return np.stack(parts, axis=1)
 
 
 class HeadMotion:
@@ -73,12 +58,10 @@ class HeadMotion:
     def pose(self, time: float) -> HeadPose:
         """Return the pose at a time; times never go back."""
         still = 0.5 + 0.5 * self._speaking.at(time)
-        yaw, pitch, roll = (
-            width
-            * still
-            * sum(math.sin(2 * math.pi * time / p + q) for p, q in zip(periods, phases, strict=True))
-            / 2
-            for width, periods, phases in zip(SWAY, PERIODS, self._phases, strict=True)
-        )
+        turned = 2 * math.pi * time
+        yaw, pitch, roll = [
+            width * still * (math.sin(turned / p + phase) + math.sin(turned / q + other)) / 2
+            for width, (p, q), (phase, other) in zip(SWAY, PERIODS, self._phases, strict=True)
+        ]
         voice = PER_SEMITONE * self._rise.at(time) - NOD * self._loudness.at(time)
         return HeadPose(yaw, pitch + voice, roll)

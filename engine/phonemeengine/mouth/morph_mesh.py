@@ -59,78 +59,80 @@ def morph_targets_of(mesh: Mesh, states: Sequence[Movestate]) -> MorphTargets:
     return checked(MorphTargets(tuple(states), numbers, mesh.positions[numbers]))
 
 
-def checked(face: MorphTargets) -> MorphTargets:
-    """Return a face after looking at whether its parts fit together.
+def checked(targets: MorphTargets) -> MorphTargets:
+    """Return targets after looking at whether their parts fit together.
 
     Raises
     ------
     MeshError : too many states, two of one name, a position that is no number, or a state that moves a vertex
         which is not among those that move.
     """
-    if len(face.states) > MOST_STATES:
-        raise MeshError(f"a face has at most {MOST_STATES} movestates, this has {len(face.states)}; leave some out")
-    names = [state.name for state in face.states]
+    if len(targets.states) > MOST_STATES:
+        raise MeshError(
+            f"a face has at most {MOST_STATES} movestates, this has {len(targets.states)}; leave some out"
+        )
+    names = [state.name for state in targets.states]
     if len(set(names)) < len(names):
         twice = next(name for name in names if names.count(name) > 1)
         raise MeshError(f"two movestates are called {twice!r}; rename one")
-    if len(face.positions) and not np.abs(face.positions).max() <= FARTHEST:
+    if len(targets.positions) and not np.abs(targets.positions).max() <= FARTHEST:
         raise MeshError("a vertex that moves has no finite position; export it again")
     known = np.zeros(MOST_VERTICES, bool)
-    known[face.numbers] = True
-    for state in face.states:
+    known[targets.numbers] = True
+    for state in targets.states:
         if not known[state.numbers].all():
             missing = int(state.numbers[~known[state.numbers]][0])
             raise MeshError(
                 f"movestate {state.name!r} moves vertex {missing}, which the list of all lacks; export it again"
             )
-    return face
+    return targets
 
 
-def matched(face: MorphTargets, mesh: Mesh, tolerance: float = TOLERANCE) -> MorphTargets:
-    """Return a face the numbers of a mesh: as it is where its vertices are in their places, else reorganised.
+def matched(targets: MorphTargets, mesh: Mesh, tolerance: float = TOLERANCE) -> MorphTargets:
+    """Return targets with the numbers of a mesh: as they are where they fit it, else remapped.
 
     Raises
     ------
-    MeshError : vertices of the face are nowhere in the mesh; names them.
+    MeshError : vertices of the targets are nowhere in the mesh; names them.
     """
-    if not len(face.numbers):
-        return face
-    if int(face.numbers[-1]) < len(mesh):
-        apart = np.linalg.norm(mesh.positions[face.numbers] - face.positions, axis=1)
+    if not len(targets.numbers):
+        return targets
+    if int(targets.numbers[-1]) < len(mesh):
+        apart = np.linalg.norm(mesh.positions[targets.numbers] - targets.positions, axis=1)
         if float(apart.max()) <= tolerance:
-            return face
-    return remap_vertices(face, mesh, tolerance)
+            return targets
+    return remap_vertices(targets, mesh, tolerance)
 
 
-def remap_vertices(face: MorphTargets, mesh: Mesh, tolerance: float = TOLERANCE) -> MorphTargets:
-    """Renumber the vertices of a face by where they are, for a mesh whose exporter changed their order.
+def remap_vertices(targets: MorphTargets, mesh: Mesh, tolerance: float = TOLERANCE) -> MorphTargets:
+    """Renumber the vertices of targets by where they are, for a mesh whose exporter changed their order.
 
     A vertex that the exporter split moves in all its copies. Of several vertices at one place the first becomes the
     first, and so on; where the mesh has fewer, the last ones are dropped.
 
     Raises
     ------
-    MeshError : vertices of the face are nowhere in the mesh; names them.
+    MeshError : vertices of the targets are nowhere in the mesh; names them.
     """
-    near = _near(face, mesh, tolerance)
-    by_place: list[list[int]] = [[] for _ in face.numbers]
+    near = _near(targets, mesh, tolerance)
+    by_place: list[list[int]] = [[] for _ in targets.numbers]
     for old, new in _pairs(near):
         by_place[old].append(new)
-    places = {int(number): place for place, number in enumerate(face.numbers)}
+    places = {int(number): place for place, number in enumerate(targets.numbers)}
     return morph_targets_of(
-        mesh, [_renumbered(state, [by_place[places[n]] for n in state.numbers.tolist()]) for state in face.states]
+        mesh, [_renumbered(state, [by_place[places[n]] for n in state.numbers.tolist()]) for state in targets.states]
     )
 
 
-def _near(face: MorphTargets, mesh: Mesh, tolerance: float) -> list[list[int]]:
-    """Return the vertices of the mesh that are where each vertex of the face was."""
-    from scipy.spatial import cKDTree  # noqa: PLC0415 - takes 200 ms, which only who reorganises should wait for
+def _near(targets: MorphTargets, mesh: Mesh, tolerance: float) -> list[list[int]]:
+    """Return the vertices of the mesh that are where each vertex of the targets was."""
+    from scipy.spatial import cKDTree  # noqa: PLC0415 - takes 200 ms, which only who remaps should wait for
 
-    if not len(face.numbers):
+    if not len(targets.numbers):
         return []
     tree = cKDTree(mesh.positions)
-    counts = tree.query_ball_point(face.positions, tolerance, return_length=True)
-    if lost := face.numbers[counts == 0].tolist():
+    counts = tree.query_ball_point(targets.positions, tolerance, return_length=True)
+    if lost := targets.numbers[counts == 0].tolist():
         more = f" and {len(lost) - N_NAMED} others" if len(lost) > N_NAMED else ""
         raise MeshError(
             f"{len(lost)} of the {len(counts)} vertices that move are not in the mesh within {tolerance:g}: "
@@ -138,7 +140,7 @@ def _near(face: MorphTargets, mesh: Mesh, tolerance: float) -> list[list[int]]:
         )
     if counts.sum() > MOST_NEAR:
         raise MeshError(f"too many vertices are within {tolerance:g} of each other; choose a smaller tolerance")
-    near: list[list[int]] = tree.query_ball_point(face.positions, tolerance, return_sorted=True).tolist()
+    near: list[list[int]] = tree.query_ball_point(targets.positions, tolerance, return_sorted=True).tolist()
     return near
 
 

@@ -60,14 +60,14 @@ class Morpher:
 
     def __init__(self, table: MouthTable, *, detail: Detail = Detail.PHONEMES, seed: int = 0) -> None:
         self.table = table
-        self._manner = table.manner
+        self._motion = table.motion
         self._detail = detail
         self._random = random.Random(seed)  # noqa: S311 - nothing secret depends on it
         self._rows = _rows_of(table, detail, self._random)
-        self._firm = {*table.firm, Phoneme.SILENCE}
+        self._closed = {*table.closed_phonemes, Phoneme.SILENCE}
         self._movements = deque([_Movement(-math.inf, 0.0, Phoneme.SILENCE, True, 1.0)], maxlen=MOST_MOVEMENTS)
         self._code = int(Phoneme.SILENCE)
-        self._loudness = LowPass(self._manner.loudness)
+        self._loudness = LowPass(self._motion.loudness)
 
     @property
     def movestates(self) -> tuple[str, ...]:
@@ -83,17 +83,17 @@ class Morpher:
         phoneme : its code, as `Phoneme`.
         intensity : 0..1.
         """
-        self.hear_loudness(time, intensity)
-        self.hear_phoneme(time, phoneme)
+        self.set_loudness(time, intensity)
+        self.set_phoneme(time, phoneme)
 
-    def hear_phoneme(self, time: float, phoneme: int) -> None:
+    def set_phoneme(self, time: float, phoneme: int) -> None:
         """Take a phoneme alone from a time on: the loudness goes on."""
-        code = _followed(phoneme, self._detail, self._firm)
+        code = _followed(phoneme, self._detail, self._closed)
         if code != self._code:
             self._movements.append(self._movement(time, code))
             self._code = code
 
-    def hear_loudness(self, time: float, intensity: float) -> None:
+    def set_loudness(self, time: float, intensity: float) -> None:
         """Take the loudness alone, 0..1, from a time on: the phoneme goes on."""
         self._loudness.set_target(time, min(max(intensity, 0.0), 1.0))
 
@@ -121,23 +121,23 @@ class Morpher:
         return weights
 
     def _movement(self, time: float, code: int) -> _Movement:
-        times, spread = self.table.times, self._manner.randomness
-        whole = code in self._firm or self._detail is Detail.TWO_STATES
+        times, spread = self.table.times, self._motion.randomness
+        whole = code in self._closed or self._detail is Detail.TWO_STATES
         closes = code == Phoneme.SILENCE
         duration = times[Phoneme(self._code)].to_rest if closes else times[Phoneme(code)].to_shape
         vary_time, vary_shape = self._random.uniform(-spread, spread), self._random.uniform(-2 * spread, 0.0)
-        if code not in self._firm:
+        if code not in self._closed:
             duration *= 1 + vary_time
-        return _Movement(time, duration, code, whole, 1.0 if code in self._firm else 1.0 + vary_shape)
+        return _Movement(time, duration, code, whole, 1.0 if code in self._closed else 1.0 + vary_shape)
 
     def _gain(self, time: float) -> float:
-        quiet = 0.0 if self._detail is Detail.LOUDNESS else self._manner.quiet
-        return quiet + (1.0 - quiet) * self._loudness.at(time)
+        least = 0.0 if self._detail is Detail.LOUDNESS else self._motion.minimum_opening
+        return least + (1.0 - least) * self._loudness.at(time)
 
 
-def _followed(phoneme: int, detail: Detail, firm: set[Phoneme]) -> int:
+def _followed(phoneme: int, detail: Detail, closed_phonemes: set[Phoneme]) -> int:
     """Return the phoneme that the mouth shows."""
-    closed = phoneme == Phoneme.SILENCE or (detail is Detail.TWO_STATES and phoneme in firm)
+    closed = phoneme == Phoneme.SILENCE or (detail is Detail.TWO_STATES and phoneme in closed_phonemes)
     if detail is Detail.PHONEMES:
         return int(phoneme)
     return int(Phoneme.SILENCE if closed else Phoneme.A)
@@ -145,9 +145,9 @@ def _followed(phoneme: int, detail: Detail, firm: set[Phoneme]) -> int:
 
 def _rows_of(table: MouthTable, detail: Detail, chance: random.Random) -> Float32Array:
     """Return the weights of every phoneme with the habits of one mouth; lips that meet do so in every mouth."""
-    rows, spread = table.weights(), table.manner.randomness
+    rows, spread = table.weights(), table.motion.randomness
     habits = np.array([chance.uniform(-spread, 0.0) for _ in table.movestates], np.float32)
-    loose = [p for p in Phoneme if p not in {*table.firm, Phoneme.SILENCE}]
+    loose = [p for p in Phoneme if p not in {*table.closed_phonemes, Phoneme.SILENCE}]
     rows[loose] *= 1 + _alike_on_both_sides(habits, table.movestates)
     if detail is Detail.TWO_STATES:
         rows[Phoneme.A] *= HALF_OPEN

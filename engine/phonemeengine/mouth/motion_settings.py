@@ -11,7 +11,7 @@ LIMITS: dict[str, tuple[float, float, str]] = {
     "attack": (0.005, 1.0, "s"),
     "release": (0.005, 1.0, "s"),
     "loudness": (0.0, 1.0, "s"),
-    "quiet": (0.0, 1.0, ""),
+    "minimum_opening": (0.0, 1.0, ""),
     "randomness": (0.0, 0.5, ""),
 }
 NEARLY = 0.9
@@ -62,7 +62,7 @@ class MotionSettings:
     Parameters
     ----------
     loudness : time constant with which it follows the loudness, seconds.
-    quiet : share of a shape that the faintest speech keeps, 0..1.
+    minimum_opening : share of a shape that the faintest speech keeps, 0..1.
     randomness : by how much shapes and times vary from one phoneme to the next, 0..0.5; 0 is a machine.
 
     Raises
@@ -71,7 +71,7 @@ class MotionSettings:
     """
 
     loudness: float = 0.05
-    quiet: float = 0.4
+    minimum_opening: float = 0.4
     randomness: float = 0.1
 
     def __post_init__(self) -> None:

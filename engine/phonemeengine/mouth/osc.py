@@ -12,12 +12,11 @@ address                    arguments                     when
 =========================  ============================  ==========================================================
 """
 
+import math
 import socket
 import threading
 import time
-from collections import deque
-from collections.abc import Iterator, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -25,29 +24,19 @@ import numpy as np
 from pythonosc.osc_bundle_builder import IMMEDIATELY, OscBundleBuilder
 from pythonosc.osc_message_builder import OscMessageBuilder
 
-from phonemeengine.analyser import Analysis
+from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.mouth.morpher import Detail, Morpher
+from phonemeengine.lifetime import Closing
+from phonemeengine.mouth.performer import Performer
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import FRAME_PERIOD
 
 RATE = 60.0
 """Pictures of the mouth that are sent each second."""
 REPEAT = 0.1
 """Seconds after which a phoneme that stays is sent again: messages may get lost, and receivers come late."""
-QUIET = 0.5
-"""Seconds without a frame after which the mouth closes."""
-CLOSE_AFTER = 10.0
-"""Seconds after which every mouth has closed."""
 IN_A_PACKET = 24
 """Movestates in one packet: it fits into an Ethernet frame of 1500 bytes."""
-MOST_WAITING = 1000
-"""Frames that wait to be sent at most."""
-
-LEFT_TO_SPEECH: tuple[dict[Phoneme, float], float] = ({}, 1.0)
-"""No shape is asked for, and the speech moves the whole mouth."""
 
 Arguments = tuple[str | int | float, ...]
 
@@ -82,15 +71,15 @@ class OscSettings:
     table: MouthTable
 
 
-class OscMouth:
-    """Sends what is heard or asked for, from a thread of its own, until it is closed; nobody waits for the network.
+class OscMouth(Closing):
+    """Sends what a performer shows, from a thread of its own, until it is closed; nobody waits for the network.
 
     Parameters
     ----------
     address : the receiver.
-    table : the mouth shapes and the movestates.
-    detail : how much of the speech the mouth follows.
-    seed : of the mouth's randomness.
+    performer : whose mouth is sent; it hears what is said from other threads meanwhile.
+    clock : the clock of the performer's times, seconds.
+    on_failure : given a sentence, in the thread that sends, when the receiver cannot be reached for another reason.
 
     Raises
     ------
@@ -98,36 +87,19 @@ class OscMouth:
     """
 
     def __init__(
-        self, address: OscAddress, table: MouthTable, *, detail: Detail = Detail.PHONEMES, seed: int = 0
-    ) -> None:
+        self, address: OscAddress, performer: Performer, *, clock: Callable[[], float] = time.monotonic,
+        on_failure: Callable[[str], object] = lambda _sentence: None,
+    ) -> None:  # fmt: skip
         self.failure = ""
         self.n_sent = 0
         self._socket, self._receiver = _opened(address)
-        self._table = table
-        self._morpher, self._visemes = Morpher(table, detail=detail, seed=seed), VisemeOverride(table)
-        self._asked: tuple[dict[Phoneme, float], float] = LEFT_TO_SPEECH
-        self._columns = np.flatnonzero(np.any(table.weights() != 0, axis=0)).tolist()
-        self._frames: deque[tuple[float, int, float]] = deque(maxlen=MOST_WAITING)
-        self._last = (int(Phoneme.SILENCE), 0.0)
-        self._said, self._said_at = -1, 0.0
-        self._began = self._heard_at = time.monotonic()
+        self._performer, self._clock, self._on_failure = performer, clock, on_failure
+        self._began = clock()
+        self._said, self._said_at = (Phoneme.SILENCE, 0.0), -math.inf
+        self._use(performer.table)
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self._run, name="osc", daemon=True)
         self._thread.start()
-
-    def add_analysis(self, analysis: Analysis) -> None:
-        """Take the next frames, as soon as they are known; returns at once."""
-        now, n = time.monotonic(), len(analysis)
-        for k in range(n):
-            began = now - (n - 1 - k) * FRAME_PERIOD
-            self._frames.append((began, int(analysis.phonemes[k]), float(analysis.intensities[k])))
-
-    def ask(self, phonemes: Mapping[Phoneme, float], speech: float = 0.0) -> None:
-        """Show the shapes of these phonemes, 0..1, beside a share of what is heard; of none, what is heard.
-
-        Returns at once.
-        """
-        self._asked = (dict(phonemes), speech) if phonemes else LEFT_TO_SPEECH
 
     def close(self) -> None:
         """Close the mouth at the receiver, and stop."""
@@ -137,54 +109,35 @@ class OscMouth:
     def _run(self) -> None:
         following = time.monotonic()
         while not self._closing.is_set():
-            self._show(time.monotonic())
+            self._show(self._clock())
             following = max(following + 1 / RATE, time.monotonic() - 1 / RATE)
             self._closing.wait(max(following - time.monotonic(), 0.0))
-        self._hear_waiting()
-        self._asked = LEFT_TO_SPEECH
-        now = time.monotonic()
-        self._hear(now, int(Phoneme.SILENCE), 0.0)
-        self._send_picture(now + CLOSE_AFTER)
+        self._say((Phoneme.SILENCE, 0.0), self._clock())
+        self._send_weights(self._table.weights()[Phoneme.SILENCE], self._clock())
         self._socket.close()
 
-    def _hear_waiting(self) -> None:
-        with suppress(IndexError):
-            while True:
-                self._hear(*self._frames.popleft())
-
     def _show(self, now: float) -> None:
-        self._hear_waiting()
-        if now - self._heard_at > QUIET and self._last[0] != Phoneme.SILENCE:
-            self._hear(now, int(Phoneme.SILENCE), 0.0)
-        self._send_picture(now)
+        face = self._performer.at(now)
+        if face.table is not self._table:
+            self._use(face.table)
+        for said in self._performer.pop_said():
+            if said[0] != self._said[0] or now - self._said_at >= REPEAT:
+                self._say(said, now)
+        self._send_weights(face.weights, now)
 
-    def _hear(self, began: float, code: int, intensity: float) -> None:
-        self._heard_at = began = max(began, self._heard_at)
-        self._morpher.hear(began, code, intensity)
-        self._last = (code, intensity)
-        if code != self._said and not self._asked[0]:
-            self._say(began)
+    def _use(self, table: MouthTable) -> None:
+        """Send the movestates of another table, those that it moves."""
+        self._table, self._columns = table, np.flatnonzero(np.any(table.weights() != 0, axis=0)).tolist()
 
-    def _say(self, now: float) -> None:
-        code, intensity = self._saying
-        self._said, self._said_at = code, now
-        phoneme = Phoneme(code)
+    def _say(self, said: tuple[Phoneme, float], now: float) -> None:
+        self._said, self._said_at = said, now
+        phoneme, intensity = said
         intensity = 0.0 if phoneme is Phoneme.SILENCE else intensity  # it may be asked for, yet nobody hears it
         self._send(
             [("/phoneme", (phoneme.label, intensity)), ("/viseme", (self._table.phonemes[phoneme], intensity))]
         )
 
-    @property
-    def _saying(self) -> tuple[int, float]:
-        """What is asked for the most, or else what was heard last: a phoneme and its intensity."""
-        asked, _ = self._asked
-        return max(asked.items(), key=lambda entry: entry[1]) if asked else self._last
-
-    def _send_picture(self, now: float) -> None:
-        if now - self._said_at >= REPEAT or self._saying[0] != self._said:
-            self._say(now)
-        self._visemes.ask_as(*self._asked)
-        weights = self._visemes.mixed(self._morpher.weights(now), now)
+    def _send_weights(self, weights: Float32Array, now: float) -> None:
         values = [(self._table.movestates[k], min(max(float(weights[k]), 0.0), 1.0)) for k in self._columns]
         messages: list[tuple[str, Arguments]] = [("/VMC/Ext/OK", (1,)), ("/VMC/Ext/T", (now - self._began,))]
         messages += [("/VMC/Ext/Blend/Val", value) for value in values]
@@ -198,7 +151,10 @@ class OscMouth:
             self._socket.sendto(_bundle(messages), self._receiver)
             self.n_sent += 1
         except OSError as error:
-            self.failure = f"the OSC receiver cannot be reached ({error.strerror or error}); check its address"
+            failure = f"the OSC receiver cannot be reached ({error.strerror or error}); check its address"
+            if failure != self.failure:
+                self.failure = failure
+                self._on_failure(failure)
 
 
 def _bundle(messages: list[tuple[str, Arguments]]) -> bytes:

@@ -1,12 +1,12 @@
 """Mouth shapes that a person asks for by key or slider, beside the speech."""
 
-import math
 from collections.abc import Mapping
 from enum import Enum
 
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.mouth.low_pass import LowPass
 from phonemeengine.mouth.percentages import Mode, Percentages
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
@@ -43,13 +43,17 @@ class VisemeOverride:
         self._percentages.set_percentages(LEFT_TO_SPEECH)
         self._before: dict[str | Others, float] = {}
         self.held = ""
+        self._named: dict[str, Phoneme] = {}
+        for phoneme, shape in table.phonemes.items():
+            self._named.setdefault(shape, phoneme)
         columns = {name: k for k, name in enumerate(table.movestates)}
         self._rows = np.zeros((len(table.shapes), len(columns)), np.float32)
-        for row, shape in enumerate(table.shapes.values()):
-            for name, percent in shape.items():
+        for row, shape_percents in enumerate(table.shapes.values()):
+            for name, percent in shape_percents.items():
                 self._rows[row, columns[name]] = percent / 100
-        self._at = self._percentages.weights
-        self._time = -math.inf
+        self._target = self._at = self._percentages.weights
+        self._smooth, self._looked = [LowPass(TIME_CONSTANT, share) for share in self._at.tolist()], 0.0
+        self._settled = self._left_to_speech = True
 
     @property
     def shares(self) -> dict[str, float]:
@@ -63,18 +67,16 @@ class VisemeOverride:
 
     @property
     def blinks(self) -> float:
-        """How far blinks close the eyes meanwhile, 0..1, as `mixed` was last asked."""
+        """How far blinks close the eyes meanwhile, 0..1, as `apply` was last called."""
         return float(self._at[-1])
 
     @property
     def phonemes(self) -> dict[Phoneme, float]:
-        """The shapes that are asked for now, as the first phonemes that have them; how far, above 0 to 1."""
-        first: dict[str, Phoneme] = {}
-        for phoneme, shape in self._table.phonemes.items():
-            first.setdefault(shape, phoneme)
-        return {first[shape]: share for shape, share in self.shares.items() if share > 0 and shape in first}
+        """The shapes that are asked for now, as phonemes that have them; how far, above 0 to 1."""
+        named = self._named
+        return {named[shape]: share for shape, share in self.shares.items() if share > 0 and shape in named}
 
-    def ask(self, shape: str, share: float, mode: Mode) -> None:
+    def set(self, shape: str, share: float, mode: Mode) -> None:
         """Ask for a shape, 0..1; the mode says what becomes of the others, of the speech and of the blinks.
 
         With `Mode.INTERACT` the speech has what the shapes leave, before they have to shrink.
@@ -86,43 +88,65 @@ class VisemeOverride:
         self._percentages.set_percentage(shape, 100 * share, mode)
         if not any(self.shares.values()):
             self._percentages.set_percentages(LEFT_TO_SPEECH)
+        self._aim()
 
     def hold(self, shape: str) -> None:
         """Show a shape alone until `release`, as `Mode.RESET` does."""
         self.release()
         self.held, self._before = shape, self._percentages.percentages
         self._percentages.set_percentage(shape, 100, Mode.RESET)
+        self._aim()
 
     def release(self) -> None:
         """Let go of the shape that is held: all is as it was before."""
         self.held = ""
         self._percentages.set_percentages(self._before)
         self._before = {}
+        self._aim()
 
-    def ask_as(self, phonemes: Mapping[Phoneme, float], speech: float) -> None:
-        """Ask for nothing but the shapes that the table has for some phonemes, 0..1, beside a share of the speech."""
-        self._percentages.reset_all()
-        self._percentages.set_percentage(Others.SPEECH, 100 * speech)
+    def set_phonemes(self, phonemes: Mapping[Phoneme, float], speech: float) -> None:
+        """Ask for the shapes that the table has for these phonemes alone, 0..1, beside a share of the speech.
+
+        Of none, the speech is left to itself.
+        """
+        self.clear()
         for phoneme, share in phonemes.items():
             shape = self._table.phonemes[phoneme]
-            self._percentages.set_percentage(shape, max(100 * share, self._percentages.percentage(shape)))
+            if 100 * share > self._percentages.percentage(shape):
+                self._percentages.set_percentage(shape, 100 * share)
+                self._named[shape] = phoneme
+        if phonemes:
+            self._percentages.set_percentage(Others.SPEECH, 100 * speech)
+        self._aim()
 
-    def ask_nothing(self) -> None:
+    def clear(self) -> None:
         """Leave the face to speech and blinks."""
         self.release()
         self._percentages.reset_all()
         self._percentages.set_percentages(LEFT_TO_SPEECH)
+        self._aim()
 
-    def mixed(self, spoken: Float32Array, now: float) -> Float32Array:
+    def apply(self, spoken: Float32Array, now: float) -> Float32Array:
         """Return the weights of the mouth, shape (n_movestates,): what is asked for, and speech's share of its own.
 
         They get there smoothly; times never go back.
         """
-        passed, self._time = max(now - self._time, 0.0), now
-        goal = self._percentages.weights
-        self._at = goal + (self._at - goal) * np.float32(math.exp(-passed / TIME_CONSTANT))
-        if np.abs(self._at - goal).max() < UNSEEN:
-            self._at = goal
+        self._looked = now
+        if not self._settled:
+            self._at = np.array([share.at(now) for share in self._smooth], np.float32)
+            self._settled = bool(np.abs(self._at - self._target).max() < UNSEEN)
+            self._at = self._target if self._settled else self._at
+        elif self._left_to_speech:
+            return spoken
         *shares, speech, _ = self._at
         mixed: Float32Array = speech * spoken + np.array(shares, np.float32) @ self._rows
         return mixed
+
+    def _aim(self) -> None:
+        """Go to what is asked for now, from the last look on."""
+        target = self._percentages.weights
+        if not np.array_equal(target, self._target):
+            self._target, self._settled = target, False
+            self._left_to_speech = not any(self.shares.values())
+            for share, wanted in zip(self._smooth, target.tolist(), strict=True):
+                share.set_target(self._looked, wanted)

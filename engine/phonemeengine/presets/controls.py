@@ -14,9 +14,9 @@ from phonemeengine.features.variables import DEFICITS, SCORES, Spectrum
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS, PhonemeData, Thresholds
-from phonemeengine.recognition.recogniser import NEED_WAVEFORM, RECOGNISERS, Recogniser
-from phonemeengine.recognition.rules import CONDITIONS, RULES, Condition, Rule, RuleRecogniser
+from phonemeengine.recognition.rules import CONDITIONS, Condition, Rule
 from phonemeengine.recognition.scores import MOST_LOG_ODDS, deficits_of
+from phonemeengine.recognition.spec import Recogniser, Tuning, spec_of
 from phonemeengine.settings import BIN_WIDTH, LIMITS, Filter
 
 CONDITION_OF = {c.threshold: c for c in CONDITIONS}
@@ -134,50 +134,51 @@ def controls_of(preset: Preset, recogniser: Recogniser | None) -> tuple[ControlG
     preset : whose numbers they read and write.
     recogniser : made from the preset; None where it cannot be made, which has the thresholds of the thesis.
     """
-    groups = [*_groups_of(preset, recogniser), _calm(has_hysteresis=_knows_deficits(recogniser))]
+    has_hysteresis = recogniser is not None and spec_of(preset.recogniser).has_deficits
+    groups = [*_groups_of(preset, recogniser), _calm(has_hysteresis=has_hysteresis)]
     return tuple(group for group in groups if group.controls)
 
 
 def unused_settings(preset: Preset) -> frozenset[str]:
     """Return the filters and further settings that change nothing of what a preset's recogniser says.
 
-    The names are those of `Filter` and of the fields of `AnalysisSettings`. Of a recogniser of another package all
-    that is known is that it neither looks ahead nor says by how much a phoneme falls short.
+    The names are those of `Filter` and of the fields of `AnalysisSettings`.
     """
-    unused: set[str] = set() if preset.recogniser == "learned" else {"look_ahead"}
-    if preset.recogniser in NEED_WAVEFORM:
+    spec = spec_of(preset.recogniser)
+    unused: set[str] = set() if spec.looks_ahead else {"look_ahead"}
+    if not spec.has_deficits:
+        unused.add("hysteresis")
+    if not spec.needs_features:
         return frozenset(unused | {step.value for step in Filter})
-    if preset.recogniser not in RECOGNISERS:
-        return frozenset(unused | {"hysteresis"})
-    compared = {c.variable for rule in _rules_of(preset) for c in rule.conditions}
-    if not any(v.name in compared and v.source is Spectrum.MEL for v in preset.variables):
-        unused.add(Filter.MEL)
+    if spec.rules is not None:
+        compared = {c.variable for rule in spec.rules(preset.config) for c in rule.conditions}
+        if not any(v.name in compared and v.source is Spectrum.MEL for v in preset.variables):
+            unused.add(Filter.MEL)
     return frozenset(unused)
 
 
-def _rules_of(preset: Preset) -> tuple[Rule, ...]:
-    return preset.rules if preset.recogniser == "rules" else RULES
-
-
 def _groups_of(preset: Preset, recogniser: Recogniser | None) -> Iterator[ControlGroup]:
-    if recogniser is not None and recogniser.scores:
-        yield from _sensitivities(preset)
+    if recogniser is None:
+        yield from _thresholds(frozenset(Thresholds.__dataclass_fields__))
         return
-    used = Thresholds.__dataclass_fields__.keys() if recogniser is None else recogniser.used_thresholds
+    tuned_by = spec_of(preset.recogniser).tuned_by
+    if Tuning.SENSITIVITIES in tuned_by:
+        yield from _sensitivities(preset)
+    if Tuning.THRESHOLDS in tuned_by:
+        yield from _thresholds(recogniser.used_thresholds)
+    if Tuning.RULES in tuned_by:
+        yield from _limits_in(preset)
+
+
+# -- the numbers of PhonemeData ----------------------------------------------------------------------------------
+
+
+def _thresholds(used: frozenset[str]) -> Iterator[ControlGroup]:
     yield ControlGroup("Filters", FILTERS_NOTE, tuple(_number_control(name) for name in FILTER_FIELDS))
     complete = all(name in used for names in RULE_FIELDS for name in names)
     for (title, note), names in zip(NOTES, RULE_FIELDS, strict=True):
         controls = tuple(_number_control(name) for name in names if name in used)
         yield ControlGroup(title, note if complete else "", controls)
-    if preset.recogniser == "rules":
-        yield from _limits_in(preset)
-
-
-def _knows_deficits(recogniser: Recogniser | None) -> bool:
-    return isinstance(recogniser, RuleRecogniser) or (recogniser is not None and bool(recogniser.scores))
-
-
-# -- the numbers of PhonemeData ----------------------------------------------------------------------------------
 
 
 def _number_control(name: str) -> Control:
@@ -271,7 +272,7 @@ def _limited(condition: Condition, limit: float, changes: bool) -> Condition:
 
 def _sensitivities(preset: Preset) -> Iterator[ControlGroup]:
     """Yield a control for each phoneme that the recogniser can name."""
-    templates = preset.templates if preset.recogniser == "templates" else None
+    templates = preset.templates if Tuning.TEMPLATES in spec_of(preset.recogniser).tuned_by else None
     named = set(Phoneme) if templates is None else {Phoneme.SILENCE, *templates.means}
     apart = {Phoneme.SILENCE: "Silence", Phoneme.UNIDENTIFIED: "Other sounds"}
     sounds = tuple(_sensitivity_control(p) for p in Phoneme if p in named - apart.keys())

@@ -1,18 +1,19 @@
 """Preset files: TOML, and the old PhonemeData text."""
 
 import os
-from collections.abc import Sequence
-from contextlib import suppress
+from collections.abc import Iterable
 from dataclasses import replace
 from importlib import resources
 from pathlib import Path
 
 from phonemeengine.errors import EngineError, ModelError, PresetError
+from phonemeengine.files import read_text_file, write_file
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
 from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model, load_model, save_model
+from phonemeengine.recognition.spec import spec_of
 
 _SHIPPED = Path(str(resources.files("phonemeengine.presets"))) / "factory"
 FACTORY = _SHIPPED if _SHIPPED.is_dir() else Path(__file__).resolve().parents[3] / "presets"
@@ -23,12 +24,9 @@ _NAMES = ("learned", "extended", "templates", "thesis", "thesis-calm", "thesis-a
 FACTORY_PRESETS = tuple(FACTORY / f"{name}.toml" for name in _NAMES)
 """The presets that ship with the program, the surest one first."""
 THESIS_PRESETS = tuple(path for path in FACTORY_PRESETS if path.stem.startswith("thesis"))
-FACTORY_PRESET_OF = {
-    "learned": "learned.toml", "rules": "extended.toml", "templates": "templates.toml", "thesis": "thesis.toml",
-}  # fmt: skip
-"""The factory preset that was tuned with each of the program's own recognisers."""
 LARGEST_FILE = 1 << 20
 PHONEME_DATA_SUFFIXES = (".phonemedata", ".txt")
+PRESET_SUFFIXES = (".toml", *PHONEME_DATA_SUFFIXES)
 
 
 def load_preset(path: str | os.PathLike[str]) -> Preset:
@@ -42,20 +40,10 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
     PresetError : the file cannot be read or is no preset; the message begins with the file's name.
     """
     path = preset_path(path)
-    try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise PresetError(
-                f"{path.name}: a preset is smaller than 1 MB, this has {path.stat().st_size / 1e6:.1f} MB; "
-                "choose a .toml or .phonemedata file"
-            )
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise PresetError(f"{path.name}: this is not a text file; choose a .toml or .phonemedata file") from error
-    except OSError as error:
-        if path.name == str(path) and not path.suffix and not path.exists():
-            known = ", ".join(sorted(_names()))
-            raise PresetError(f"{path}: there is no such preset; name a file, or one of {known}") from None
-        raise PresetError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
+    if path.name == str(path) and not path.suffix and not path.exists():
+        known = ", ".join(sorted(_names()))
+        raise PresetError(f"{path}: there is no such preset; name a file, or one of {known}")
+    text = read_text_file(path, LARGEST_FILE, "a .toml or .phonemedata file", PresetError)
     try:
         if path.suffix.lower() == ".toml":
             return preset_from_toml(text, path.parent)
@@ -64,7 +52,7 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
         raise PresetError(f"{path.name}: {error}") from error
 
 
-def save_preset(preset: Preset, path: Path) -> None:
+def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     """Save a preset: as PhonemeData where the name ends in ``.phonemedata`` or ``.txt``, else as TOML.
 
     What a PhonemeData file cannot hold is lost there; `beyond_phoneme_data` says what that is. A model is saved
@@ -74,14 +62,15 @@ def save_preset(preset: Preset, path: Path) -> None:
     ------
     PresetError : a file cannot be written.
     """
+    path = Path(path)
     if is_phoneme_data(path):
-        _write(path, format_phoneme_data(preset.phoneme_data).encode(errors="replace"))
+        write_file(path, format_phoneme_data(preset.phoneme_data).encode(errors="replace"), PresetError)
         return
     beside = path.with_suffix(".npz")
     if preset.model is not None and not _holds(beside, preset.model):
         save_model(preset.model, beside)
     text = preset_to_toml(preset, beside.name if preset.model is not None else "")
-    _write(path, text.encode(errors="replace"))
+    write_file(path, text.encode(errors="replace"), PresetError)
 
 
 def preset_path(name: str | os.PathLike[str]) -> Path:
@@ -99,14 +88,18 @@ def _names() -> dict[str, Path]:
 def own_presets() -> tuple[Path, ...]:
     """Return the preset files in the user's own folder, by name."""
     folder = presets_folder()
-    suffixes = (".toml", *PHONEME_DATA_SUFFIXES)
-    found = [path for path in folder.iterdir() if path.suffix.lower() in suffixes] if folder.is_dir() else []
+    found = [path for path in folder.iterdir() if path.suffix.lower() in PRESET_SUFFIXES] if folder.is_dir() else []
     return tuple(sorted(found, key=lambda path: path.name.lower()))
 
 
 def factory_preset(recogniser: str) -> Preset | None:
-    """Return the factory preset that was tuned with a recogniser; None for one of another package."""
-    name = FACTORY_PRESET_OF.get(recogniser)
+    """Return the factory preset that was tuned with a recogniser; None for one that brings none.
+
+    Raises
+    ------
+    EngineError : there is no such recogniser, or its preset cannot be read.
+    """
+    name = spec_of(recogniser).factory_preset
     return load_preset(FACTORY / name) if name else None
 
 
@@ -119,7 +112,7 @@ def beyond_phoneme_data(preset: Preset) -> tuple[str, ...]:
     """Return what of a preset a PhonemeData file cannot hold, in the user's words; empty where it holds all."""
     kept = Preset().with_phoneme_data(preset.phoneme_data)
 
-    def differ(names: Sequence[str]) -> bool:
+    def differ(names: Iterable[str]) -> bool:
         return any(getattr(preset.settings, name) != getattr(kept.settings, name) for name in names)
 
     lost = {
@@ -157,14 +150,3 @@ def _holds(path: Path, model: Model) -> bool:
         return load_model(path) == model
     except ModelError:
         return False
-
-
-def _write(path: Path, content: bytes) -> None:
-    part = path.with_name(path.name + ".part")
-    try:
-        part.write_bytes(content)
-        part.replace(path)
-    except OSError as error:
-        with suppress(OSError):
-            part.unlink()
-        raise PresetError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error

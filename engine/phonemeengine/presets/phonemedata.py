@@ -5,8 +5,9 @@ from dataclasses import fields
 
 import numpy as np
 
+from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.errors import PresetError
-from phonemeengine.recognition.phoneme_data import LARGEST, LAYOUT, PhonemeData
+from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
 
 _NAMES = tuple(name for line in LAYOUT for name in line)
 _SPELLING = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|[-+]?(nan|inf|infinity)", re.IGNORECASE)
@@ -51,7 +52,7 @@ def _number(word: str, line: int, name: str) -> float:
     if not _SPELLING.fullmatch(word):
         raise PresetError(f"line {line}: {name} must be a number, found {_shown(word)}")
     value = float(word)
-    if not abs(value) <= LARGEST:
+    if not abs(value) <= LARGEST_FLOAT32:
         raise PresetError(f"line {line}: {name} must be a finite number, found {_shown(word)}")
     return value
 

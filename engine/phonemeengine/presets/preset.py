@@ -8,10 +8,10 @@ from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_use
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, Thresholds
-from phonemeengine.recognition.recogniser import RecogniserConfig, check_recogniser
 from phonemeengine.recognition.rules import Rule
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, check_sensitivities
 from phonemeengine.recognition.smoothing import SUCCESSORS
+from phonemeengine.recognition.spec import THESIS, RecogniserConfig, check_recogniser
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings
 
@@ -29,24 +29,24 @@ class Preset:
     thresholds : the numbers that the rules compare with.
     variables : the user's own variables.
     recogniser : name of the recogniser.
-    rules : what the recogniser "rules" asks, in this order; each condition compares a variable with a number.
-    model : what the recogniser "learned" knows.
-    templates : what the recogniser "templates" compares with.
-    sensitivities : by phoneme, log-odds in nats that "learned" and "templates" add to those of the phoneme, -10..10.
+    rules : what the recogniser of own rules asks, in this order; each condition compares a variable with a number.
+    model : what the learned recogniser knows.
+    templates : what the recogniser by templates compares with.
+    sensitivities : by phoneme, log-odds in nats that recognisers by scores add to those of the phoneme, -10..10.
     successors : what replaces an unidentified frame after each phoneme.
     notes : free text.
 
     Raises
     ------
-    EngineError : a variable's name is taken, a rule asks for a variable that nobody measures, there are no rules to
-        ask, or there is no such recogniser, or there are two.
+    EngineError : a variable's name is taken, a rule asks for a variable that nobody measures, there is no such
+        recogniser, or there are two, or it lacks rules, a model or templates.
     """
 
     name: str = "untitled"
     settings: AnalysisSettings = field(default_factory=AnalysisSettings)
     thresholds: Thresholds = field(default_factory=Thresholds)
     variables: tuple[Variable, ...] = ()
-    recogniser: str = "thesis"
+    recogniser: str = THESIS.name
     rules: tuple[Rule, ...] = ()
     model: Model | None = None
     templates: Templates | None = None
@@ -56,13 +56,8 @@ class Preset:
 
     def __post_init__(self) -> None:
         check_user_variables(self.variables)
-        check_recogniser(self.recogniser)
+        check_recogniser(self.recogniser, self.config)
         check_sensitivities(self.sensitivities)
-        if self.recogniser == "rules" and not self.rules:
-            raise PresetError(
-                'the recogniser "rules" asks rules of the preset\'s own, and it has none; add them under [[rules]], '
-                "or choose another recogniser"
-            )
         _check_rules(self.rules, {*BUILT_IN_NAMES, *(v.name for v in self.variables)})
 
     @property
@@ -71,7 +66,7 @@ class Preset:
         return self.notes.strip().partition("\n")[0]
 
     @property
-    def tuning(self) -> RecogniserConfig:
+    def config(self) -> RecogniserConfig:
         """What the recogniser is made from."""
         look_ahead = self.settings.look_ahead
         return RecogniserConfig(

@@ -46,24 +46,24 @@ class LearnedRecogniser:
         self._head = model.heads[self.look_ahead]
         self._warps = model.warps
         self._network = Network(model.layers, silent_log_mels(len(model.warps)))
-        self._judge = VtlnMixer(len(model.warps))
+        self._mixer = VtlnMixer(len(model.warps))
         self._sensitivity = Sensitivity(sensitivities)
         self._n_early = self.look_ahead
 
-    def recognise(self, features: Features) -> Recognition:
+    def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
         """Recognise the next frames; the answers are about those `look_ahead` frames before."""
-        if not len(features.windows):
+        if not len(windows):
             return NOTHING
-        found = self._network.forward(log_mels(features.windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
+        found = self._network.forward(log_mels(windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
         if self._n_early:
             n_early = min(self._n_early, len(found))
             found, self._n_early = found[n_early:], self._n_early - n_early
         if not len(found):
             return NOTHING
-        scores = self._sensitivity.apply(self._judge.combine(self._shares_of(found)))
+        scores = self._sensitivity.apply(self._mixer.combine(self._probabilities_of(found)))
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
 
-    def _shares_of(self, found: Float32Array) -> Float32Array:
+    def _probabilities_of(self, found: Float32Array) -> Float32Array:
         """Return how likely each phoneme is with each vocal tract, shape (n, n_warps, n_phonemes)."""
         scores: Float32Array = found.reshape(-1, found.shape[2]).dot(self._head.weights)
         scores += self._head.bias

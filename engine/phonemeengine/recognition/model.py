@@ -1,7 +1,6 @@
 """A trained model and its file: arrays in an ``.npz``, never anything that is executed."""
 
 import json
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from hashlib import sha256
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import ModelError
+from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.npz import read_npz
@@ -93,15 +93,11 @@ def save_model(model: Model, path: Path) -> None:
     ModelError : it cannot be written.
     """
     about = np.frombuffer(json.dumps(model.about, sort_keys=True).encode(), np.uint8)
-    part = path.with_name(path.name + ".part")
     try:
-        with part.open("wb") as file:
+        with atomic_write(path) as file:
             np.savez_compressed(file, allow_pickle=False, about=about, **_arrays_of(model))
-        part.replace(path)
     except OSError as error:
-        with suppress(OSError):
-            part.unlink()
-        raise ModelError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
+        raise ModelError(f"{path.name}: cannot be written ({reason_of(error)}); choose another folder") from error
 
 
 def load_model(path: Path) -> Model:
@@ -120,7 +116,7 @@ def load_model(path: Path) -> Model:
         return _model_of(read_npz(path, LARGEST_FILE))
     except OSError as error:
         raise ModelError(
-            f"{path.name}: the model cannot be read ({error.strerror}); put it beside its preset"
+            f"{path.name}: the model cannot be read ({reason_of(error)}); put it beside its preset"
         ) from error
     except ModelError as error:
         raise ModelError(f"{path.name}: {str(error).removeprefix(path.name + ': ')}") from error
@@ -188,7 +184,8 @@ def _halved(array: Float32Array) -> Float32Array:
 def _checked(array: NDArray[Any], shape: tuple[int | None, ...]) -> Float32Array:
     """Return an array as float32, after looking at its shape and its numbers."""
     fits = array.ndim == len(shape) and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True))
-    if not fits or array.dtype.kind != "f" or array.size > MOST_CHANNELS**2 * TAPS or not np.all(np.isfinite(array)):
+    known = array.dtype in {np.dtype(np.float16), np.dtype(np.float32)}
+    if not (fits and known and array.size <= MOST_CHANNELS**2 * TAPS and np.all(np.isfinite(array))):
         raise ModelError("its arrays do not fit together; get it anew, or train it again")
     return array.astype(np.float32)
 

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, fields
 
+from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.errors import SettingsError
 
 RULE_FIELDS = (
@@ -14,8 +15,6 @@ RULE_FIELDS = (
 FILTER_FIELDS = ("time_smooth", "frequency_smooth", "high_pass_start", "high_pass_end", "denoise_threshold")
 LAYOUT = (FILTER_FIELDS, *RULE_FIELDS)
 """The lines of a PhonemeData file."""
-LARGEST = 3.4028235e38
-"""The largest float32, in the digits in which it is written."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,7 +48,7 @@ class Thresholds:
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)
-            if not abs(value) <= LARGEST:
+            if not abs(value) <= LARGEST_FLOAT32:
                 raise SettingsError(f"{field.name} must be a finite number within ±3.4e38, got {value}")
 
 

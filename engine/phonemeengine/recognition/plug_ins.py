@@ -4,6 +4,8 @@ A package declares one in its ``pyproject.toml``::
 
     [project.entry-points."phonemeanalyser.recognisers"]
     loudness = "package.module:Loudness"
+
+What it names is a `RecogniserSpec`, or, the short way, a class that is made from `Thresholds`.
 """
 
 import sys
@@ -15,9 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from phonemeengine.errors import RecogniserError
+from phonemeengine.arrays import Float32Array
+from phonemeengine.errors import AudioError, CorpusError, RecogniserError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.progress import Cancelled
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.trace import RuleComparison, Trace
@@ -25,61 +29,95 @@ from phonemeengine.recognition.trace import RuleComparison, Trace
 GROUP = "phonemeanalyser.recognisers"
 """The group of entry points in which packages offer recognisers."""
 LONGEST = 160
-"""Characters that are told of a foreign error."""
+"""Characters that are shown of a foreign error."""
+MOST_LOOK_AHEAD = 100
+"""Frames: who waits longer than a second for what comes is no use to a mouth."""
 
 
 class PlugIn:
     """A recogniser from another package; whatever it does wrong is one sentence.
 
-    Its `recognise` gives bare codes, it never looks ahead, and it has no scores.
-
-    It is made when it is first asked for anything, by the thread that asks: making it may take a while.
+    It needs no more than `recognise` and `explain`, and `recognise` may give bare codes. It is made when it is first
+    asked for anything, by the thread that asks: making it may take a while.
 
     Parameters
     ----------
-    entry : what its package declares: a callable that takes `Thresholds` and gives a `Recogniser`.
-    thresholds : what it is made with.
-
-    Raises
-    ------
-    RecogniserError : it cannot be imported.
+    entry : what its package declares.
+    make : makes it.
+    wanted_scores : the scores that it must have; None where it may have any.
     """
 
-    look_ahead = 0
-    scores: tuple[str, ...] = ()
+    def __init__(
+        self, entry: EntryPoint, make: Callable[[], object], wanted_scores: tuple[str, ...] | None = None
+    ) -> None:
+        self._entry = entry
+        self._make = make
+        self._wanted_scores = wanted_scores
+        self._n_early: int | None = None
 
-    def __init__(self, entry: EntryPoint, thresholds: Thresholds) -> None:
-        self._name = f"the recogniser {entry.name!r} of the package {package_of(entry)}"
-        self._thresholds = thresholds
-        self._factory = self._asked("be imported", entry.load)
+    @cached_property
+    def look_ahead(self) -> int:
+        """Frames after a frame that it says it waits for; RecogniserError where it cannot be made, or lies."""
+        found: int = self._call("say how far it looks ahead", lambda: int(getattr(self._recogniser, "look_ahead", 0)))
+        if not 0 <= found <= MOST_LOOK_AHEAD:
+            raise self._refusal(f"looks {found} frames ahead, and 0..{MOST_LOOK_AHEAD} are allowed")
+        return found
+
+    @cached_property
+    def scores(self) -> tuple[str, ...]:
+        """The names of its scores; RecogniserError where it cannot be made, or they are not those wanted."""
+        recogniser = self._recogniser
+        names: tuple[str, ...] = self._call(
+            "name its scores", lambda: tuple(str(name) for name in getattr(recogniser, "scores", ()))
+        )
+        if self._wanted_scores is not None and names != self._wanted_scores:
+            raise self._refusal("is tuned by sensitivities, so its scores must be those of all phonemes")
+        return names
 
     @cached_property
     def used_thresholds(self) -> frozenset[str]:
         """The fields of `Thresholds` that it says it compares with; RecogniserError where it cannot be made."""
         recogniser = self._recogniser
-        used: frozenset[str] = self._asked(
+        used: frozenset[str] = self._call(
             "name its thresholds", lambda: frozenset(getattr(recogniser, "used_thresholds", ()))
         )
         return used & {field.name for field in fields(Thresholds)}
 
-    def recognise(self, features: Features) -> Recognition:
+    def recognise(self, windows: Float32Array, features: Features) -> Recognition:
         """Recognise a block.
 
         Raises
         ------
-        RecogniserError : it cannot be made, it failed, or what it gave are no codes of phonemes, one for each frame.
+        RecogniserError : it cannot be made, it failed, or what it gave are no codes of phonemes, or no scores, one
+            for each frame.
         """
         recogniser = self._recogniser
-        codes = self._asked("recognise", lambda: recogniser.recognise(_read_only(features)))
-        wanted = (len(features.values),)
-        if not isinstance(codes, np.ndarray) or codes.dtype != np.uint8 or codes.shape != wanted:
-            raise self._refusal(f"gave {_described(codes)} where codes of uint8, shape {wanted}, are wanted")
-        if codes.size and codes.max() >= len(Phoneme):
-            raise self._refusal(f"gave the code {codes.max()}, and phonemes are 0..{len(Phoneme) - 1}")
-        return Recognition(codes.copy())
+        given = self._call(
+            "recognise", lambda: recogniser.recognise(_read_only(windows), _read_only_features(features))
+        )
+        found = given if isinstance(given, Recognition) else Recognition(given)
+        n = self._n_due(len(features.values))
+        _check(found.phonemes, np.uint8, (n,), "codes", self._refusal)
+        if n and found.phonemes.max() >= len(Phoneme):
+            raise self._refusal(f"gave the code {found.phonemes.max()}, and phonemes are 0..{len(Phoneme) - 1}")
+        if not self.scores:
+            return Recognition(found.phonemes.copy())
+        _check(found.scores, np.float32, (n, len(self.scores)), "scores", self._refusal)
+        assert found.scores is not None
+        return Recognition(found.phonemes.copy(), found.scores.copy())
 
-    def deficits(self, _features: Features) -> None:
-        """Tell nothing: only its codes are known."""
+    def deficits(self, features: Features) -> Float32Array | None:
+        """Return by how much each phoneme falls short, shape (n_frames, n_phonemes), or None where it does not say.
+
+        Raises
+        ------
+        RecogniserError : it cannot be made, it failed, or what it gave are no numbers for each frame and phoneme.
+        """
+        ask = getattr(self._recogniser, "deficits", None)
+        found = None if ask is None else self._call("say what falls short", ask, _read_only_features(features))
+        if found is not None:
+            _check(found, np.float32, (len(features.values), len(Phoneme)), "deficits", self._refusal)
+        return found
 
     def explain(self, features: Features, k: int) -> Trace:
         """Return why frame `k` of a block is recognised as it is.
@@ -89,25 +127,44 @@ class PlugIn:
         RecogniserError : it cannot be made, it failed, or what it gave is no `Trace`.
         """
         recogniser = self._recogniser
-        trace: Trace = self._asked("say why", lambda: _checked(recogniser.explain(_read_only(features), k)))
+        trace: Trace = self._call("say why", lambda: _checked(recogniser.explain(_read_only_features(features), k)))
         return trace
 
     @cached_property
     def _recogniser(self) -> Any:
-        return self._asked("be made", self._factory, self._thresholds)
+        return self._call("be made", self._make)
 
-    def _asked(self, what: str, act: Callable[..., Any], *arguments: Any) -> Any:
-        """Have the foreign code do something; what it raises becomes a sentence, even where it wants to exit."""
-        try:
-            return act(*arguments)
-        except (Exception, SystemExit) as error:
-            text = f"{type(error).__name__}: {error}"
-            told = " ".join("".join(c if c.isprintable() else " " for c in text).split())
-            shown = told if len(told) <= LONGEST else told[:LONGEST] + "…"
-            raise self._refusal(f"cannot {what} ({shown.removesuffix(':')})") from error
+    def _n_due(self, n_frames: int) -> int:
+        """Return how many answers the next frames give: the first ones of a sound wait for what comes."""
+        early = self.look_ahead if self._n_early is None else self._n_early
+        self._n_early = max(0, early - n_frames)
+        return max(0, n_frames - early)
+
+    def _call(self, what: str, act: Callable[..., Any], *arguments: Any) -> Any:
+        return call_foreign(self._entry, what, act, *arguments)
 
     def _refusal(self, what: str) -> RecogniserError:
-        return RecogniserError(f"{self._name} {what}; choose another recogniser")
+        return _refusal(self._entry, what)
+
+
+def call_foreign(entry: EntryPoint, what: str, act: Callable[..., Any], *arguments: Any) -> Any:
+    """Have the code of another package do something; what it raises becomes a sentence, even where it wants to exit.
+
+    Raises
+    ------
+    RecogniserError : it failed.
+    AudioError, CorpusError, Cancelled : as they are: it said what is wrong with a sound or with recordings, or was
+        no longer wanted.
+    """
+    try:
+        return act(*arguments)
+    except (AudioError, CorpusError, RecogniserError, Cancelled):
+        raise
+    except (Exception, SystemExit) as error:
+        text = f"{type(error).__name__}: {error}"
+        line = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+        shown = line if len(line) <= LONGEST else line[:LONGEST] + "…"
+        raise _refusal(entry, f"cannot {what} ({shown.removesuffix(':')})") from error
 
 
 def plug_ins() -> dict[str, tuple[EntryPoint, ...]]:
@@ -129,19 +186,31 @@ def _found(_path: tuple[str, ...]) -> dict[str, tuple[EntryPoint, ...]]:
     return found
 
 
-def _read_only(features: Features) -> Features:
-    """Return the same features, but not to be written to: they are shown and saved, too."""
-    values = features.values.view()
-    values.flags.writeable = False
-    windows = features.windows.view()
-    windows.flags.writeable = False
-    return Features(features.names, values, windows)
+def _refusal(entry: EntryPoint, what: str) -> RecogniserError:
+    name = f"the recogniser {entry.name!r} of the package {package_of(entry)}"
+    return RecogniserError(f"{name} {what}; choose another recogniser")
 
 
-def _described(codes: object) -> str:
-    if isinstance(codes, np.ndarray):
-        return f"{codes.dtype}, shape {codes.shape}"
-    return f"a {type(codes).__name__}"
+def _read_only(values: Float32Array) -> Float32Array:
+    """Return the same values, but not to be written to: they are shown and saved, too."""
+    view = values.view()
+    view.flags.writeable = False
+    return view
+
+
+def _read_only_features(features: Features) -> Features:
+    return Features(features.names, _read_only(features.values))
+
+
+def _check(
+    array: object, dtype: type, shape: tuple[int, ...], what: str, refusal: Callable[[str], RecogniserError]
+) -> None:
+    """Refuse what is no array of a type and shape."""
+    if not isinstance(array, np.ndarray) or array.dtype != dtype or array.shape != shape:
+        found = (
+            f"{array.dtype}, shape {array.shape}" if isinstance(array, np.ndarray) else f"a {type(array).__name__}"
+        )
+        raise refusal(f"gave {found} where {what} of {np.dtype(dtype)}, shape {shape}, are wanted")
 
 
 def _checked(trace: Any) -> Trace:

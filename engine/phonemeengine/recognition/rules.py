@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array, IndexArray
+from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
@@ -92,7 +92,7 @@ class RuleRecogniser:
 
     Parameters
     ----------
-    rules : in the order in which they are asked.
+    rules : in the order in which they apply.
     thresholds : the numbers that conditions name.
     """
 
@@ -103,9 +103,9 @@ class RuleRecogniser:
         self._rules = (*rules, DEFAULT_RULE)
         self._conditions = tuple(dict.fromkeys(c for rule in rules for c in rule.conditions))
         self._limits_of = {c: _limit_of(c, thresholds) for c in self._conditions}
-        self._asked = self._columns_of_rules()
+        self._condition_columns = self._columns_of_rules()
         members = np.zeros((len(self._conditions) + 1, len(self._rules)), np.float32)
-        members[self._asked.T, np.arange(len(self._rules))] = 1
+        members[self._condition_columns.T, np.arange(len(self._rules))] = 1
         self._members = members[:-1]
         self._labels = [self._label_of(number) for number in range(len(self._rules))]
         self._phonemes = np.array([rule.phoneme for rule in self._rules], np.uint8)
@@ -127,10 +127,15 @@ class RuleRecogniser:
         """Return what one of its conditions compares with."""
         return self._limits_of[condition]
 
-    def recognise(self, features: Features) -> Recognition:
+    def recognise(self, _windows: Float32Array, features: Features) -> Recognition:
         """Recognise a block."""
+        return Recognition(self.phonemes_of(features))
+
+    def phonemes_of(self, features: Features) -> UInt8Array:
+        """Return which phoneme each frame's variables are, shape (n_frames,)."""
         failures = (self._compared(features) <= self._limits).dot(self._members)
-        return Recognition(self._phonemes[failures.argmin(axis=1)])
+        phonemes: UInt8Array = self._phonemes[failures.argmin(axis=1)]
+        return phonemes
 
     def deficits(self, features: Features) -> Float32Array:
         """Return how much the limits would have to give way until each phoneme is named, as a share of them.
@@ -140,7 +145,7 @@ class RuleRecogniser:
         """
         margins = (self._compared(features) - self._limits) / np.maximum(np.abs(self._limits), 1e-9)
         always = np.full((len(margins), 1), np.inf, np.float32)
-        strengths = np.concatenate((margins, always), axis=1)[:, self._asked].min(axis=2)
+        strengths = np.concatenate((margins, always), axis=1)[:, self._condition_columns].min(axis=2)
         in_the_way = np.maximum.accumulate(strengths, axis=1)[:, :-1]
         costs = np.maximum(-strengths, 0)
         costs[:, 1:] = np.maximum(costs[:, 1:], in_the_way)
@@ -193,7 +198,7 @@ class RuleRecogniser:
 
         Shape (n_frames, n_conditions).
         """
-        if features.names is not self._names:
+        if features.names != self._names:
             self._names = features.names
             self._signed = np.zeros((len(features.names), len(self._conditions)), np.float32)
             for k, c in enumerate(self._conditions):

@@ -114,6 +114,6 @@ def trace_of_scores(features: Features, k: int) -> Trace:
     return Trace(best, best.label, tuple(_compared(row, p, order[1] if p is best else best) for p in order))
 
 
-def _compared(row: Float32Array, phoneme: Phoneme, rival: Phoneme) -> RuleComparison:
-    value, limit = float(row[phoneme]), float(row[rival])
-    return RuleComparison(phoneme.label, SCORES[phoneme], value, ">", SCORES[rival], limit, value - limit)
+def _compared(row: Float32Array, phoneme: Phoneme, other: Phoneme) -> RuleComparison:
+    value, limit = float(row[phoneme]), float(row[other])
+    return RuleComparison(phoneme.label, SCORES[phoneme], value, ">", SCORES[other], limit, value - limit)

@@ -4,13 +4,15 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 SEGMENT_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
-"""The columns of a table of runs."""
+"""The columns of a table of segments."""
 
 
 @dataclass(frozen=True)
@@ -29,46 +31,51 @@ class Segment:
 
 
 class SegmentBuilder:
-    """Joins equal frames into runs, as the frames come."""
+    """Joins equal frames into segments, as the frames come."""
 
     def __init__(self) -> None:
         self._code, self._first, self._frame, self._total = -1, 0, 0, 0.0
 
     def extend(self, phonemes: UInt8Array, intensities: Float32Array) -> list[Segment]:
-        """Take the next frames, both of shape (n_frames,), and give the runs that ended."""
-        runs = []
+        """Take the next frames, both of shape (n_frames,), and give the segments that ended."""
+        ended = []
         for code, intensity in zip(phonemes.tolist(), intensities.tolist(), strict=True):
             if code != self._code and self._frame > self._first:
-                runs.append(self._run(self._frame * FRAME_PERIOD))
+                ended.append(self._segment(self._frame * FRAME_PERIOD))
                 self._first, self._total = self._frame, 0.0
             self._code = code
             self._total += intensity
             self._frame += 1
-        return runs
+        return ended
 
     def finish(self, duration: float) -> list[Segment]:
-        """Return the run that is still open, which ends where the sound does, at `duration` seconds."""
-        return [self._run(duration)] if self._frame > self._first else []
+        """Return the segment that is still open, which ends where the sound does, at `duration` seconds."""
+        return [self._segment(duration)] if self._frame > self._first else []
 
-    def _run(self, end: float) -> Segment:
+    def _segment(self, end: float) -> Segment:
         mean = self._total / (self._frame - self._first)
         return Segment(self._first * FRAME_PERIOD, end, Phoneme(self._code), mean)
 
 
 def segments_of(blocks: Iterable[tuple[UInt8Array, Float32Array]], duration: float) -> Iterator[Segment]:
-    """Join equal frames into runs that cover a sound from 0 to its end without gaps.
+    """Join equal frames into segments that cover a sound from 0 to its end without gaps.
 
     Parameters
     ----------
     blocks : phonemes and intensities of consecutive blocks of frames, each of shape (n_frames,).
-    duration : seconds of the whole sound, where the last run ends.
+    duration : seconds of the whole sound, where the last one ends.
     """
-    joiner = SegmentBuilder()
+    builder = SegmentBuilder()
     for phonemes, intensities in blocks:
-        yield from joiner.extend(phonemes, intensities)
-    yield from joiner.finish(duration)
+        yield from builder.extend(phonemes, intensities)
+    yield from builder.finish(duration)
 
 
 def labels_of_segments(segments: Iterable[Segment]) -> tuple[Label, ...]:
     """Return stretches of recognised phonemes, in order of time, as labels."""
     return tuple(Label(s.start, s.end, s.phoneme.label, s.phoneme) for s in segments)
+
+
+def count_changes(phonemes: UInt8Array) -> int:
+    """Count how often the phoneme is another than in the frame before."""
+    return int(np.count_nonzero(phonemes[1:] != phonemes[:-1]))

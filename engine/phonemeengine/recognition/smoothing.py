@@ -26,7 +26,7 @@ SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType(
 )
 """What a frame is likeliest to be where the rules say nothing, by the phoneme that they named last.
 
-Counted on labelled speech by `fit_thesis`, with the thresholds of the preset Thesis: the
+Counted on labelled speech by `tools.fit.thesis`, with the thresholds of the preset Thesis: the
 class of which the largest share is found there. The rules say nothing mostly where the band of the second formant is
 neither strong (a, e) nor weak (u, o, i, m), hence the many o. The entry of unidentified is what is
 likeliest after anything.

@@ -6,13 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import LARGEST_FLOAT32, Float32Array
 from phonemeengine.dsp.cepstra import N_CEPSTRA, cepstra_of
 from phonemeengine.dsp.log_mel import log_mels
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import LARGEST
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import (
     NO_SENSITIVITIES,
@@ -86,9 +85,9 @@ class TemplateRecogniser:
         self._scale = (1 / np.array(templates.spread)).astype(np.float32)
         self._means = np.array(list(templates.means.values()), np.float32) * self._scale
 
-    def recognise(self, features: Features) -> Recognition:
+    def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
         """Recognise a block."""
-        bands = log_mels(features.windows)
+        bands = log_mels(windows)
         scores = np.zeros((len(bands), len(Phoneme)), np.float32)
         loud = 1 / (1 + np.exp(np.clip((self._silence_below - levels_of(bands)) / RAMP, -60, 60)))
         scores[:, self._phonemes] = self._likenesses(cepstra_of(bands)) * loud[:, np.newaxis]
@@ -117,7 +116,7 @@ def _check_row(name: str, row: tuple[float, ...]) -> None:
     if len(row) != N_CEPSTRA:
         raise SettingsError(f"{name} must have {N_CEPSTRA} numbers in templates, got {len(row)}")
     for value in row:
-        if not abs(value) <= LARGEST:
+        if not abs(value) <= LARGEST_FLOAT32:
             raise SettingsError(f"{name} must hold finite numbers within ±3.4e38 in templates, got {value}")
 
 

@@ -14,10 +14,10 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 MEMORY = 10.0
-"""Seconds over which sureness is remembered, so that another speaker may come."""
+"""Seconds over which confidence is remembered, so that another speaker may come."""
 TRUST = 0.1
-"""How much a frame's sureness, a logarithm of a probability, tells about the tract: neighbouring frames say the same
-again and again."""
+"""How much a frame's confidence, a logarithm of a probability, tells about the tract: neighbouring frames say nearly
+the same."""
 
 _KEPT = math.exp(-FRAME_PERIOD / MEMORY)
 

@@ -27,7 +27,7 @@ from phonemeengine.settings import LIMITS, QUANTISATIONS, SAMPLE_RATE, Decimatio
 
 
 @dataclass(frozen=True)
-class Field:
+class FilterField:
     """How a parameter is shown: its label, and either choices or decimals and step of a number."""
 
     label: str
@@ -52,25 +52,27 @@ TITLES: dict[Filter, tuple[str, str]] = {
     Filter.NORMALISE: ("Normalise", "Divides each spectrum by its largest amplitude: loudness does not matter."),
 }  # fmt: skip
 
-FIELDS: dict[str, Field] = {
-    "quantise": Field("every", tuple((f"{n}: {SAMPLE_RATE // n:,} Hz".replace(",", " "), n) for n in QUANTISATIONS)),
-    "decimation": Field("kind", (("plain", Decimation.PLAIN), ("anti-aliased", Decimation.ANTI_ALIASED))),
-    "pre_emphasis": Field("share", decimals=2, step=0.01),
-    "window_function": Field("shape", tuple((w.value.replace("_", "-").title(), w) for w in WindowFunction)),
-    "frequency_smooth": Field("strength"),
-    "time_smooth": Field("strength"),
-    "high_pass_start": Field("start", decimals=1, step=10),
-    "high_pass_end": Field("end", decimals=1, step=10),
-    "low_pass_start": Field("start", decimals=0, step=100),
-    "low_pass_end": Field("end", decimals=0, step=100),
-    "denoise_threshold": Field("threshold", decimals=5, step=0.0005),
-    "mel_bands": Field("bands", decimals=0, step=1),
-    "minimum_hold": Field("hold", decimals=2, step=0.01),
-    "hysteresis": Field("hysteresis", decimals=2, step=0.05),
-    "look_ahead": Field("file", decimals=2, step=0.01),
-    "live_look_ahead": Field("live", decimals=2, step=0.01),
-    "intensity_low": Field("0 at", decimals=0, step=1),
-    "intensity_high": Field("1 at", decimals=0, step=1),
+FIELDS: dict[str, FilterField] = {
+    "quantise": FilterField(
+        "every", tuple((f"{n}: {SAMPLE_RATE // n:,} Hz".replace(",", " "), n) for n in QUANTISATIONS)
+    ),
+    "decimation": FilterField("kind", (("plain", Decimation.PLAIN), ("anti-aliased", Decimation.ANTI_ALIASED))),
+    "pre_emphasis": FilterField("share", decimals=2, step=0.01),
+    "window_function": FilterField("shape", tuple((w.value.replace("_", "-").title(), w) for w in WindowFunction)),
+    "frequency_smooth": FilterField("strength"),
+    "time_smooth": FilterField("strength"),
+    "high_pass_start": FilterField("start", decimals=1, step=10),
+    "high_pass_end": FilterField("end", decimals=1, step=10),
+    "low_pass_start": FilterField("start", decimals=0, step=100),
+    "low_pass_end": FilterField("end", decimals=0, step=100),
+    "denoise_threshold": FilterField("threshold", decimals=5, step=0.0005),
+    "mel_bands": FilterField("bands", decimals=0, step=1),
+    "minimum_hold": FilterField("hold", decimals=2, step=0.01),
+    "hysteresis": FilterField("hysteresis", decimals=2, step=0.05),
+    "look_ahead": FilterField("file", decimals=2, step=0.01),
+    "live_look_ahead": FilterField("live", decimals=2, step=0.01),
+    "intensity_low": FilterField("0 at", decimals=0, step=1),
+    "intensity_high": FilterField("1 at", decimals=0, step=1),
 }
 
 
@@ -256,7 +258,7 @@ class FilterColumn(QScrollArea):
         self.bypass.blockSignals(False)
 
     def _show_unused(self) -> None:
-        """Return which steps do nothing to what is recognised; they still shape what is seen."""
+        """Show which steps do nothing to what is recognised; they still shape what is seen."""
         name = self._preset.preset.recogniser
         unused = unused_settings(self._preset.preset)
         titles = {step.value: title for step, title in TITLES.items()}

@@ -7,9 +7,9 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
-from phonemeanalyser.desktop.session.level_meter import LevelMeterView
 from phonemeanalyser.desktop.session.microphone import MOST_CHANNELS, RATES, Microphone
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 
 DEFAULT = "default microphone"
 
@@ -22,7 +22,7 @@ class MicrophoneBar(QWidget):
         self._microphone = microphone
         self.device, self.channel, self.rate = QComboBox(), QComboBox(), QComboBox()
         self.again = QToolButton()
-        self.meter = LevelMeterView(microphone, theme)
+        self.meter = LevelMeterView(microphone.read_level, theme)
         self._lay_out()
         self._connect()
         self._fill()

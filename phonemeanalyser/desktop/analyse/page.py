@@ -5,8 +5,10 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QAbstractButton, QSplitter
 
 from phonemeanalyser.desktop.analyse.averaged_view import AveragedView
+from phonemeanalyser.desktop.analyse.phoneme_view import PhonemeView
 from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
 from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
+from phonemeanalyser.desktop.analyse.threshold_view import ThresholdView
 from phonemeanalyser.desktop.analyse.waveform_view import WaveformView
 from phonemeanalyser.desktop.session.history import shown_spectra
 from phonemeanalyser.desktop.session.preset import PresetModel
@@ -24,6 +26,7 @@ class AnalysisPage(QSplitter):
     Attributes
     ----------
     spectra : the splitter between the two spectra.
+    phoneme, thresholds : what is drawn of it in docks beside the page.
     """
 
     picture_asked = Signal(QPixmap, str)
@@ -35,14 +38,18 @@ class AnalysisPage(QSplitter):
         self.spectrum = SpectrumView("Spectrum", tip, theme)
         self.averaged = AveragedView(session.averages, theme)
         self.waveform = WaveformView(theme)
-        self.time_view = ScrollView(session.history, preset, theme)
+        self.scroll_view = ScrollView(session.history, preset, theme)
+        self.phoneme = PhonemeView(session, theme)
+        self.thresholds = ThresholdView(preset, session.history, theme)
         self.spectra = QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()
-        for view in (self.spectrum, self.averaged, self.waveform, self.time_view):
+        for view in (self.spectrum, self.averaged, self.waveform, self.scroll_view):
             view.menu.save_asked.connect(self.picture_asked)
 
     def refresh_fast(self) -> None:
-        """Draw what changes with every picture."""
+        """Draw what changes with every picture; a phoneme at once, when it is another one."""
+        if self.phoneme.is_outdated:
+            self.phoneme.refresh()
         newest = self._history.newest
         if newest is not None:
             self.spectrum.draw(shown_spectra(newest)[-1])
@@ -50,12 +57,14 @@ class AnalysisPage(QSplitter):
         else:
             self.spectrum.clear()
             self.waveform.clear()
-        self.time_view.refresh()
+        self.scroll_view.refresh()
 
     def refresh_slow(self) -> None:
         """Draw numbers, and what changes slowly."""
         self.averaged.refresh()
-        self.time_view.refresh_numbers()
+        self.phoneme.refresh()
+        self.thresholds.refresh()
+        self.scroll_view.refresh_numbers()
 
     def set_coarse(self, on: bool) -> None:
         """Draw everything coarsely, or all of it finely."""
@@ -76,7 +85,7 @@ class AnalysisPage(QSplitter):
     def switches(self) -> dict[str, QAbstractButton]:
         """What the user may have switched, by the names under which it is kept."""
         return {
-            "sonagram_db": self.time_view.decibels,
+            "sonagram_db": self.scroll_view.decibels,
             "coarse_spectrum": self.spectrum.coarse,
             "coarse_average": self.averaged.coarse,
             "coarse_waveform": self.waveform.coarse,
@@ -88,7 +97,7 @@ class AnalysisPage(QSplitter):
         self.spectra.addWidget(self.spectrum)
         self.spectra.addWidget(self.averaged)
         self.spectra.setSizes([300, 460])
-        for widget in (self.spectra, self.waveform, self.time_view):
+        for widget in (self.spectra, self.waveform, self.scroll_view):
             self.addWidget(widget)
         self.setSizes([190, 130, 370])
         for splitter in (self.spectra, self):

@@ -68,7 +68,7 @@ class PhonemeView(QWidget):
             if values["f0"] == 0:
                 self.meters["f(g)"] = "–"
         self.changes = None if self.input_silent else self._session.history.changes_per_s(FLICKER_SECONDS)
-        self.trace = None if self.input_silent else self._session.explain()
+        self.trace = None if self.input_silent else self._session.results.explain()
         self.setAccessibleName("nothing comes" if self.input_silent else self.phoneme.label)
         self.update()
 

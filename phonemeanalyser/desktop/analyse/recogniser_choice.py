@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeengine.recognition.recogniser import recogniser_names
+from phonemeengine.recognition.spec import recogniser_names
 
 
 class RecogniserChoice(QWidget):

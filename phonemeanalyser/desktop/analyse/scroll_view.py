@@ -71,7 +71,7 @@ class ScrollView(QWidget):
         self._choose_colours()
 
     def invite(self, text: str) -> None:
-        """Return what the user may do, where nothing has been analysed yet."""
+        """Say what the user may do, where nothing has been analysed yet."""
         self._hint.setText(text)
 
     def refresh(self) -> None:
@@ -279,7 +279,7 @@ class ScrollView(QWidget):
         self._refresh_read_out()
 
     def _refresh_read_out(self) -> None:
-        """Return what lies under the mouse now: it may stand still while the picture moves."""
+        """Show what lies under the mouse now: it may stand still while the picture moves."""
         plot = self._plot_at(self._mouse) if self._mouse is not None else None
         self._cursor_label.show_reading(
             "" if plot is None else self._describe(plot, plot.vb.mapSceneToView(self._mouse))

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
-from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWELS, Tone, ToneKind, vowel_of
+from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWEL_FORMANTS, Tone, ToneKind, vowel_of
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class ToneBar(QWidget):
         self.kind = _choice("Kind of tone", [(kind.value.replace("_", " "), kind) for kind in ToneKind])
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.unit = QLabel("Hz")
-        self.vowel = _choice("Vowel", [(name, name) for name in (*VOWELS, OWN)])
+        self.vowel = _choice("Vowel", [(name, name) for name in (*VOWEL_FORMANTS, OWN)])
         self.numbers = {name: self._number(name) for name in NUMBERS}
         self._lay_out()
         self._connect()
@@ -149,7 +149,7 @@ class ToneBar(QWidget):
         if name == OWN:
             self.numbers["F1"].setFocus()
             self.numbers["F1"].selectAll()
-        self._choose(replace(self._tone, formants=VOWELS.get(name, self._tone.formants)))
+        self._choose(replace(self._tone, formants=VOWEL_FORMANTS.get(name, self._tone.formants)))
         self.vowel.setCurrentIndex(k)
 
     def _edit(self, name: str, value: float) -> None:

@@ -15,9 +15,10 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.analyse.microphone_bar import MicrophoneBar
+from phonemeanalyser.desktop.analyse.position_slider import PositionSlider
 from phonemeanalyser.desktop.analyse.record_button import RecordButton
 from phonemeanalyser.desktop.analyse.tone_bar import ToneBar
-from phonemeanalyser.desktop.session.position_slider import PositionSlider, clock_of
+from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.still_label import StillLabel
@@ -64,7 +65,7 @@ class Transport(QWidget):
         self.record = RecordButton(session, theme)
         self.loop = self._button(pixmap.SP_BrowserReload, "Begin again at the end (L)")
         self.source = QComboBox()
-        self.time_line = PositionSlider(session, theme)
+        self.position_slider = PositionSlider(session, theme)
         self.microphone = MicrophoneBar(session.microphone, theme)
         self.tone = ToneBar(theme)
         self.tone.show_tone(session.tone)
@@ -83,16 +84,16 @@ class Transport(QWidget):
     def refresh(self) -> None:
         """Show where the sound is, and how loud the microphone."""
         session = self._session
-        self.time_line.refresh()
+        self.position_slider.refresh()
         if session.source is SoundSource.MICROPHONE:
             self.microphone.refresh()
-        text = clock_of(session.position, True)
+        text = format_clock(session.position, True)
         if session.source is SoundSource.FILE:
-            text += f" / {clock_of(session.duration, True)}"
+            text += f" / {format_clock(session.duration, True)}"
         recording = session.microphone.recording
         if recording:
             sign = "●" if session.microphone.listening else "waiting"
-            text = f"{sign} {clock_of(session.microphone.recorded_seconds, True)}"
+            text = f"{sign} {format_clock(session.microphone.recorded_seconds, True)}"
         style = f"color: {self._theme.bad}; font-weight: bold" if recording else ""
         if style != self.time.styleSheet():
             self.time.setStyleSheet(style)
@@ -120,7 +121,7 @@ class Transport(QWidget):
         self.source.setToolTip("Where the sound comes from")
         self.source.setAccessibleName("source")
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        for page in (self.time_line, self.microphone, self.tone):
+        for page in (self.position_slider, self.microphone, self.tone):
             self.pages.addWidget(page)
         self._rows.setContentsMargins(6, 3, 6, 3)
         self._rows.setSpacing(3)
@@ -135,7 +136,7 @@ class Transport(QWidget):
         return QSize(width, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Return what belongs to the source a row of its own where one row has no room for all."""
+        """Give what belongs to the source a row of its own where one row has no room for all."""
         super().resizeEvent(event)
         self._wrap()
 
@@ -169,7 +170,7 @@ class Transport(QWidget):
         self.record.folder_asked.connect(self.folder_asked)
         self.loop.toggled.connect(session.set_loop)
         self.source.activated.connect(lambda k: session.set_source(SoundSource(self.source.itemData(k))))
-        self.time_line.sought.connect(session.seek)
+        self.position_slider.sought.connect(session.seek)
         self.tone.tone_changed.connect(session.set_tone)
         self.volume.valueChanged.connect(session.set_volume)
         self.channel.activated.connect(lambda k: session.set_channel(Channel(str(k))))
@@ -191,7 +192,7 @@ class Transport(QWidget):
         self.source.setCurrentIndex(self.source.findData(session.source))
         self.record.show_state()
         self._show_page()
-        self.time_line.update()
+        self.position_slider.update()
         self.refresh()
 
     def _show_channels(self) -> None:
@@ -209,8 +210,10 @@ class Transport(QWidget):
         """Show the controls of the source in use."""
         source = self._session.source
         pages: dict[SoundSource, QWidget] = {
-            SoundSource.FILE: self.time_line, SoundSource.MICROPHONE: self.microphone, SoundSource.TONE: self.tone
-        }  # fmt: skip
+            SoundSource.FILE: self.position_slider,
+            SoundSource.MICROPHONE: self.microphone,
+            SoundSource.TONE: self.tone,
+        }
         self.pages.setCurrentWidget(pages[source])
         self.pages.updateGeometry()
         of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
@@ -218,7 +221,7 @@ class Transport(QWidget):
             widget.setVisible(source is SoundSource.FILE)
         for widget in (self.volume_label, self.volume):
             widget.setVisible(source is not SoundSource.MICROPHONE)
-        needing_a_file: tuple[QWidget, ...] = (self.play, self.stop, self.time_line)
+        needing_a_file: tuple[QWidget, ...] = (self.play, self.stop, self.position_slider)
         for widget in needing_a_file:
             widget.setEnabled(source is not SoundSource.FILE or self._session.path is not None)
 

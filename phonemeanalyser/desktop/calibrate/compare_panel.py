@@ -27,9 +27,9 @@ class ComparePanel(QWidget):
     file_asked = Signal()
     play_asked = Signal(Path, float, float)
 
-    def __init__(self, rival: ComparisonModel, theme: Theme) -> None:
+    def __init__(self, comparison: ComparisonModel, theme: Theme) -> None:
         super().__init__()
-        self._rival = rival
+        self._comparison = comparison
         self.box = QComboBox()
         self.state = QLabel()
         self.difference = QCheckBox("difference in the matrix")
@@ -46,11 +46,11 @@ class ComparePanel(QWidget):
         if self.box.findData(path) < 0:
             self.box.insertItem(self.box.count() - 1, path.stem, path)
         self.box.setCurrentIndex(self.box.findData(path))
-        self._rival.choose(path)
+        self._comparison.choose(path)
 
     def _lay_out(self) -> None:
         self.box.addItem(NONE, None)
-        for path in self._rival.shipped():
+        for path in self._comparison.shipped():
             self.box.addItem(path.stem, path)
         self.box.addItem(OTHER, "")
         self.box.setToolTip("Preset to compare with, on the same takes and recordings")
@@ -72,13 +72,13 @@ class ComparePanel(QWidget):
 
     def _connect(self) -> None:
         self.box.activated.connect(self._choose)
-        self._rival.changed.connect(self._show)
-        self._rival.measuring.changed.connect(self._show_measuring)
+        self._comparison.changed.connect(self._show)
+        self._comparison.measuring.changed.connect(self._show_measuring)
         for view in (self.own, self.others):
             view.play_asked.connect(self.play_asked)
 
     def _show_measuring(self) -> None:
-        measuring = self._rival.measuring
+        measuring = self._comparison.measuring
         self.state.setText(f"measuring {100 * measuring.progress:.0f} %" if measuring.busy else "")
 
     def _choose(self, index: int) -> None:
@@ -87,10 +87,10 @@ class ComparePanel(QWidget):
             self.box.setCurrentIndex(0)
             self.file_asked.emit()
         else:
-            self._rival.choose(data)
+            self._comparison.choose(data)
 
     def _show(self) -> None:
-        comparison, preset = self._rival.comparison, self._rival.preset
+        comparison, preset = self._comparison.result, self._comparison.preset
         self.difference.setEnabled(comparison is not None)
         if preset is None:
             self.box.setCurrentIndex(0)

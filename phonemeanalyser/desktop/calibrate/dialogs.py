@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.session.preset import PRESET_FILTER
 
 PROJECT, SPEAKER = "calibration/project", "calibration/speaker"
-PRESETS = "Presets (*.toml *.phonemedata *.txt)"
 
 
 class CalibrationDialogs(QObject):
@@ -64,7 +64,7 @@ class CalibrationDialogs(QObject):
     def ask_preset(self) -> Path | None:
         """Let the user choose a preset to compare with."""
         folder = str(self._settings.value("folder/preset", str(Path.home())))
-        name, _ = QFileDialog.getOpenFileName(self._window, "A preset to compare with", folder, PRESETS)
+        name, _ = QFileDialog.getOpenFileName(self._window, "A preset to compare with", folder, PRESET_FILTER)
         return Path(name) if name else None
 
     def _remember_project(self) -> None:

@@ -9,7 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from phonemeanalyser.desktop.calibrate.bench_model import BenchModel, Line
+from phonemeanalyser.desktop.calibrate.workbench_model import Line, WorkbenchModel
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
@@ -26,9 +26,9 @@ COLUMNS = ("min", "median", "max")
 class DistributionView(QWidget):
     """A row for each phoneme: its histogram, mirrored, with quartiles, median and ends; and its numbers."""
 
-    def __init__(self, bench: BenchModel, theme: Theme) -> None:
+    def __init__(self, workbench: WorkbenchModel, theme: Theme) -> None:
         super().__init__()
-        self._bench = bench
+        self._workbench = workbench
         self._theme = theme
         self.lines: list[Line] = []
         self._held: Line | None = None
@@ -43,19 +43,19 @@ class DistributionView(QWidget):
             "to maximum. Drag a threshold, or move it with the arrow keys (Shift: finer; Up and Down choose one)"
         )
         self.menu = PlotMenu(self, "distribution", lambda _at: table_of(self._columns()))
-        bench.distribution_changed.connect(self.show_lines)
+        workbench.distribution_changed.connect(self.show_lines)
         self.show_lines()
 
     def show_lines(self) -> None:
         """Show the thresholds of the preset as they are now."""
         if self._held is None:
-            self.lines = self._bench.lines()
+            self.lines = self._workbench.lines()
             self._chosen = min(self._chosen, max(0, len(self.lines) - 1))
         self.update()
 
     def x_of(self, value: float) -> float:
         """Return where a value lies, pixels."""
-        distribution = self._bench.shown
+        distribution = self._workbench.shown
         if distribution is None:
             return float(LEFT)
         low, high = float(distribution.edges[0]), float(distribution.edges[-1])
@@ -67,7 +67,7 @@ class DistributionView(QWidget):
 
     def value_at(self, x: float) -> float:
         """Return the value that lies at a pixel."""
-        distribution = self._bench.shown
+        distribution = self._workbench.shown
         if distribution is None:
             return 0.0
         low, high = float(distribution.edges[0]), float(distribution.edges[-1])
@@ -81,11 +81,11 @@ class DistributionView(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(self._theme.base))
-        distribution = self._bench.shown
+        distribution = self._workbench.shown
         if distribution is None:
             words = (
                 "measuring …"
-                if self._bench.measuring.busy
+                if self._workbench.measuring.busy
                 else "Record takes, or load labelled recordings, to see how they are spread"
             )
             draw_text(painter, QRectF(self.rect()), words, self._theme.faint, 13, CENTRED)
@@ -96,8 +96,8 @@ class DistributionView(QWidget):
             self._paint_row(painter, distribution, phoneme, spread, TOP + k * height, height)
         for k, line in enumerate(self.lines):
             self._paint_line(painter, k, line)
-        if self._bench.preview is not None:
-            self._paint_best(painter, self._bench.preview.threshold)
+        if self._workbench.preview is not None:
+            self._paint_best(painter, self._workbench.preview.threshold)
 
     def _paint_row(
         self, painter: QPainter, distribution: Distribution, phoneme: Phoneme, spread: Quartiles, top: float,
@@ -175,11 +175,11 @@ class DistributionView(QWidget):
         draw_text(painter, box, f"parts best at {short(threshold)}", self._theme.accent, 10, CENTRED)
 
     def _unit_of(self, distribution: Distribution) -> str:
-        return unit_of(distribution.variable, self._bench.own_variables)
+        return unit_of(distribution.variable, self._workbench.own_variables)
 
     def _columns(self) -> dict[str, Sequence[object]]:
         """Return what is drawn as columns, each under its name and unit."""
-        distribution = self._bench.shown
+        distribution = self._workbench.shown
         if distribution is None:
             return {}
         unit, spreads = self._unit_of(distribution), distribution.spreads.values()
@@ -222,7 +222,7 @@ class DistributionView(QWidget):
         """End the drag."""
         if self._held is not None:
             self._held = None
-            self._bench.end_move()
+            self._workbench.end_move()
             self.show_lines()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -240,8 +240,8 @@ class DistributionView(QWidget):
             super().keyPressEvent(event)
 
     def _move(self, line: Line, value: float) -> None:
-        self._bench.move(line, value)
-        self.lines = self._bench.lines()
+        self._workbench.move(line, value)
+        self.lines = self._workbench.lines()
         if self._held is not None:
             self._held = next((fresh for fresh in self.lines if fresh.name == line.name), None)
         self.update()

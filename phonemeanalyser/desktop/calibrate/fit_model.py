@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
+from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import TaskQueue
-from phonemeengine.calibration.fits.fitting import FITTED, FitReport, fit_preset
+from phonemeengine.calibration.fits.fitting import FitReport, fit_preset
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance
@@ -19,8 +19,9 @@ from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, subrange
+from phonemeengine.recognition.spec import spec_of
 
-MOST_STRETCHES = 200
+MOST_SEGMENTS = 200
 """Stretches that are listed of each preset."""
 
 
@@ -36,24 +37,24 @@ class FitModel(QObject):
     changed = Signal()
     error = Signal(str)
 
-    def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
+    def __init__(self, preset: PresetModel, workbench: WorkbenchModel) -> None:
         super().__init__()
         self.report: FitReport | None = None
         self._preset = preset
-        self._bench = bench
+        self._workbench = workbench
         self.searching = TaskQueue(self.error.emit)
 
     @property
     def why_not(self) -> str:
         """Why nothing can be fitted now, as a sentence; nothing where it can."""
         recogniser = self._preset.preset.recogniser
-        if recogniser not in FITTED:
+        if not spec_of(recogniser).fit:
             return f"The recogniser {recogniser} has no thresholds; the guided calibration teaches it your voice."
-        return "" if self._bench.workbench is not None else "Record takes or load labelled recordings first."
+        return "" if self._workbench.features is not None else "Record takes or load labelled recordings first."
 
     def begin(self) -> None:
         """Search for better thresholds, or for better limits of the preset's own rules."""
-        utterances, known, preset = self._bench.utterances, self._bench.workbench, self._preset.preset
+        utterances, known, preset = self._workbench.utterances, self._workbench.features, self._preset.preset
         self.report = None
         self.searching.replace(lambda progress: _fitted(utterances, known, preset, progress), self._take_report)
 
@@ -63,9 +64,8 @@ class FitModel(QObject):
         if report is not None:
             now, found = self._preset.preset, report.preset
             self._preset.end_edit()
-            self._preset.edit(
-                replace(now, thresholds=found.thresholds, successors=found.successors, rules=found.rules), "fit"
-            )
+            fitted = {tuning.value: getattr(found, tuning) for tuning in spec_of(found.recogniser).tuned_by}
+            self._preset.edit(replace(now, successors=found.successors, **fitted), "fit")
         self.changed.emit()
 
     def refuse(self) -> None:
@@ -94,16 +94,16 @@ class ComparisonModel(QObject):
     changed = Signal()
     error = Signal(str)
 
-    def __init__(self, preset: PresetModel, bench: BenchModel) -> None:
+    def __init__(self, preset: PresetModel, workbench: WorkbenchModel) -> None:
         super().__init__()
         self.preset: Preset | None = None
         self.confusion: Confusion | None = None
-        self.comparison: PresetComparison | None = None
+        self.result: PresetComparison | None = None
         self._own = preset
-        self._bench = bench
+        self._workbench = workbench
         self.measuring, self._comparing = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
-        bench.measured.connect(self._measure)
-        bench.confusion_changed.connect(self._compare)
+        workbench.measured.connect(self._measure)
+        workbench.confusion_changed.connect(self._compare)
 
     def shipped(self) -> tuple[Path, ...]:
         """Return the presets that come with the program."""
@@ -111,7 +111,7 @@ class ComparisonModel(QObject):
 
     def choose(self, path: Path | None) -> None:
         """Compare with the preset of a file, or with none."""
-        self.preset = self.confusion = self.comparison = None
+        self.preset = self.confusion = self.result = None
         if path is not None:
             try:
                 self.preset = load_preset(path)
@@ -126,10 +126,10 @@ class ComparisonModel(QObject):
             queue.close()
 
     def _measure(self) -> None:
-        utterances, preset = self._bench.utterances, self.preset
+        utterances, preset = self._workbench.utterances, self.preset
         if preset is None or not utterances:
             self.measuring.cancel()
-            self.confusion = self.comparison = None
+            self.confusion = self.result = None
             self.changed.emit()
             return
         self.measuring.replace(
@@ -142,19 +142,19 @@ class ComparisonModel(QObject):
         self._compare()
 
     def _compare(self) -> None:
-        own, other, preset = self._bench.confusion, self.confusion, self.preset
-        if own is None or other is None or preset is None or len(own.answers) != len(other.answers):
+        own, other, preset = self._workbench.confusion, self.confusion, self.preset
+        if own is None or other is None or preset is None or len(own.predicted) != len(other.predicted):
             return
-        now, utterances = self._own.preset, self._bench.utterances
+        now, utterances = self._own.preset, self._workbench.utterances
         self._comparing.replace(
             lambda _progress: compare(
-                _scores_of(now, own, utterances), _scores_of(preset, other, utterances), most=MOST_STRETCHES
+                _scores_of(now, own, utterances), _scores_of(preset, other, utterances), most=MOST_SEGMENTS
             ),
             self._take_comparison,
         )
 
     def _take_comparison(self, comparison: PresetComparison) -> None:
-        self.comparison = comparison
+        self.result = comparison
         self.changed.emit()
 
 
@@ -162,8 +162,8 @@ def _fitted(
     utterances: tuple[Utterance, ...], known: LabelledFeatures | None, preset: Preset, progress: Progress
 ) -> FitReport:
     """Fit on a workbench of its own, since the window asks the other one meanwhile."""
-    bench = LabelledFeatures(utterances, preset, known=known, progress=subrange(progress, 0.0, 0.05))
-    return fit_preset(bench, preset, subrange(progress, 0.05, 1.0))
+    features = LabelledFeatures(utterances, preset, known=known, progress=subrange(progress, 0.0, 0.05))
+    return fit_preset(features, preset, subrange(progress, 0.05, 1.0))
 
 
 def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance, ...]) -> CorpusScores:
@@ -172,6 +172,6 @@ def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance
     for k, utterance in enumerate(utterances):
         span = slice(int(confusion.edges[k]), int(confusion.edges[k + 1]))
         labels = FrameLabels(confusion.labels.phonemes[span], confusion.labels.certain[span])
-        codes = confusion.answers[span]
+        codes = confusion.predicted[span]
         answers.append(Predictions(utterance, labels, codes, np.zeros(len(codes), np.float32)))
     return CorpusScores(preset, 0, 0.0, tuple(answers), group_scores_of(answers), {}, {})

@@ -10,12 +10,11 @@ from enum import StrEnum
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes_model import UNNAMED, TakesModel
-from phonemeanalyser.desktop.session.capture import to_mono_44k
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.calibrate import Outcome, calibrate
+from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.sentences import SENTENCES, Sentence
 from phonemeengine.calibration.takes.onset import onset_in, quiet_at_end
@@ -23,6 +22,7 @@ from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.room_noise import RoomNoise, measure_room
 from phonemeengine.calibration.takes.spoken import keep_sentence
 from phonemeengine.errors import EngineError, TakeError
+from phonemeengine.live.capture import to_mono_44k
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.progress import Progress
 
@@ -110,10 +110,11 @@ class GuideModel(QObject):
         self.advice = ""
         self.numbers: dict[int, int] = {}
         self.room: RoomNoise | None = None
-        self.outcome: Outcome | None = None
+        self.outcome: CalibrationResult | None = None
         self.sentence = SENTENCES[0]
         self.spoken: Utterance | None = None
         self._session = session
+        self._capture = session.microphone.capture
         self._preset = preset
         self._takes = takes
         self._awaited: list[int] = []
@@ -152,7 +153,7 @@ class GuideModel(QObject):
         """What the figures are measured on, in words."""
         if self.outcome is None:
             return ""
-        if self.outcome.in_turn:
+        if self.outcome.cross_validated:
             return f"on quarters of the takes, each held back in turn, {self.outcome.seconds:.0f} s"
         seconds = f"{self.outcome.seconds:.1f} s"
         return f"on one sentence that was held back, {seconds}, labels aligned by the known text"
@@ -166,7 +167,7 @@ class GuideModel(QObject):
             return 0.0 if self.advice else 1.0
         if self.phase is not Phase.HEARING or self._voice_at is None:
             return 0.0
-        return min(1.0, (self._session.microphone.catch.seconds - self._voice_at) / self.step.seconds)
+        return min(1.0, (self._capture.seconds - self._voice_at) / self.step.seconds)
 
     # -- what the user wants ------------------------------------------------------------------------------
 
@@ -200,7 +201,7 @@ class GuideModel(QObject):
     def cancel(self) -> None:
         """End it; what was recorded stays."""
         self._forget_work()
-        self._session.microphone.catch.end()
+        self._capture.end()
         self._preset.try_out(None)
         self._show(Phase.OFF)
 
@@ -225,25 +226,24 @@ class GuideModel(QObject):
 
     def _follow(self) -> None:
         """Look whether what is awaited was heard."""
-        catch = self._session.microphone.catch
         if self.phase is Phase.WAITING:
             self._look_for_voice()
         elif self.phase is Phase.HEARING and self._voice_at is not None:
             if self._has_ended(self._voice_at):
                 self._check()
-        elif self.phase is Phase.SHOWING and catch.seconds >= self._pause:
+        elif self.phase is Phase.SHOWING and self._capture.seconds >= self._pause:
             self._go_to(self.index if self.advice else self.index + 1, advice=self.advice)
 
     def _go_to(self, index: int, advice: str = "") -> None:
         self.index, self.advice, self._voice_at = index, advice, None
         if index >= N_STEPS:
-            self._session.microphone.catch.end()
+            self._capture.end()
             self._show(Phase.LEARNING)
             self._learn()
             return
         if not self._session.microphone.active:
             self._session.play()
-        self._session.microphone.catch.begin()
+        self._capture.begin()
         if self.step.phoneme is Phoneme.SILENCE:
             self._voice_at = 0.0
             self._show(Phase.HEARING)
@@ -251,7 +251,7 @@ class GuideModel(QObject):
             self._show(Phase.WAITING)
 
     def _look_for_voice(self) -> None:
-        sound, rate = self._session.microphone.catch.heard()
+        sound, rate = self._capture.heard()
         found = onset_in(sound, rate, self._least_voice)
         if found is not None:
             self._voice_at = found
@@ -263,12 +263,12 @@ class GuideModel(QObject):
             )
 
     def _has_ended(self, voice_at: float) -> bool:
-        catch = self._session.microphone.catch
+        capture = self._capture
         if self.index != READING:
-            return catch.seconds >= voice_at + self.step.seconds
-        sound, rate = catch.heard()
+            return capture.seconds >= voice_at + self.step.seconds
+        sound, rate = capture.heard()
         quiet = quiet_at_end(sound, rate, self._least_voice)
-        return quiet >= AFTER_SENTENCE or catch.seconds >= voice_at + LONGEST_SENTENCE
+        return quiet >= AFTER_SENTENCE or capture.seconds >= voice_at + LONGEST_SENTENCE
 
     @property
     def _least_voice(self) -> float:
@@ -277,7 +277,7 @@ class GuideModel(QObject):
 
     def _check_sentence(self) -> None:
         """Label the sentence, or say why it must be read again."""
-        samples, rate = self._session.microphone.catch.end()
+        samples, rate = self._capture.end()
         samples = samples[round(max(0.0, (self._voice_at or 0.0) - BEFORE_SENTENCE) * rate) :]
         room, sentence, folder = self.room.level if self.room else 0.0, self.sentence, self._takes.folder
         speaker = self._takes.speaker.strip() or UNNAMED
@@ -304,15 +304,15 @@ class GuideModel(QObject):
         """Show for a while what came of a check."""
         self.advice = advice
         self._pause = ADVICE if advice else PRAISE
-        self._session.microphone.catch.begin()
+        self._capture.begin()
         self._show(Phase.SHOWING)
 
     def _check(self) -> None:
         if self.index == READING:
             self._check_sentence()
             return
-        catch, phoneme = self._session.microphone.catch, self.step.phoneme
-        samples, rate = catch.end()
+        phoneme = self.step.phoneme
+        samples, rate = self._capture.end()
         samples = samples[round(max(0.0, (self._voice_at or 0.0) - BEFORE) * rate) :]
         mono = to_mono_44k(samples, rate)
         report = check_take(mono, self.room.level if self.room is not None else 0.0, phoneme)
@@ -320,7 +320,9 @@ class GuideModel(QObject):
         if phoneme is Phoneme.SILENCE:
             faults += self._measure_room(mono)
         if not faults:
-            self._takes.add(samples, rate, phoneme, self._device, instead_of=self.numbers.get(self.index))
+            self._takes.add(
+                samples, rate, phoneme, self._session.microphone.name, instead_of=self.numbers.get(self.index)
+            )
             self._awaited.append(self.index)
         self._tell_checked(faults[0] if faults else "")
 
@@ -346,7 +348,7 @@ class GuideModel(QObject):
             lambda progress: calibrate(preset, takes, held_back=held_back, progress=progress), self._take_outcome
         )  # fmt: skip
 
-    def _take_outcome(self, outcome: Outcome) -> None:
+    def _take_outcome(self, outcome: CalibrationResult) -> None:
         self.outcome = outcome
         self._show(Phase.DONE)
 
@@ -362,10 +364,6 @@ class GuideModel(QObject):
     def _note_refusal(self, _sentence: str) -> None:
         if self.phase is Phase.LEARNING and not self._takes.busy:
             self._awaited = []
-
-    @property
-    def _device(self) -> str:
-        return self._session.microphone.choice.label or "default microphone"
 
     def _forget_work(self) -> None:
         for work in (self._work, self._checks):

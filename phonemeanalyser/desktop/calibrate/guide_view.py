@@ -11,10 +11,8 @@ from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 from phonemeanalyser.desktop.calibrate.guide_model import N_STEPS, READING, STEPS, Phase
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, size_that_fills
-from phonemeanalyser.desktop.session.level_meter import LevelMeterView
-from phonemeanalyser.desktop.talk.head_view import HeadView
-from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 from phonemeengine.calibration.sentences import SENTENCES
 
 RING = 15
@@ -97,6 +95,10 @@ class StepsLine(QWidget):
 class GuideView(QWidget):
     """Leads through the sounds, and shows at the end what was learned: in figures, and by a head that says it.
 
+    Parameters
+    ----------
+    head : says what is heard.
+
     Signals
     -------
     save_asked : the new preset is in use, and is to be saved under a name of its own.
@@ -104,16 +106,16 @@ class GuideView(QWidget):
 
     save_asked = Signal()
 
-    def __init__(self, calibration: CalibrationModel, talking: TalkModel, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, head: QWidget, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme
         self.title, self.hint, self.advice, self.room = QLabel(), QLabel(), QLabel(), QLabel()
         self.steps = StepsLine(calibration, theme)
         self.ring = CountdownRing(calibration, theme)
-        self.meter = LevelMeterView(calibration.session.microphone, theme)
+        self.meter = LevelMeterView(calibration.session.microphone.read_level, theme)
         self.figures = FiguresTable(("before", "after"), theme)
-        self.head = HeadView(talking, theme)
+        self.head = head
         self.language = QComboBox()
         self.hear_old, self.hear_new, self.save = QToolButton(), QToolButton(), QToolButton()
         self.back, self.again, self.skip = QToolButton(), QToolButton(), QToolButton()
@@ -141,7 +143,7 @@ class GuideView(QWidget):
         column.addWidget(self.steps)
         column.addWidget(self.ring, 3)
         column.addWidget(self.hint)
-        column.addLayout(self._findings(), 3)
+        column.addLayout(self._outcome_row(), 3)
         for widget in (self.advice, self.meter, self.room):
             column.addWidget(widget)
         self.accept.setStyleSheet(
@@ -158,7 +160,7 @@ class GuideView(QWidget):
         row.addStretch(1)
         column.addLayout(row)
 
-    def _findings(self) -> QHBoxLayout:
+    def _outcome_row(self) -> QHBoxLayout:
         """Lay the head beside the figures, with what it says below it."""
         beside, below, sides = QVBoxLayout(), QHBoxLayout(), QHBoxLayout()
         for button in (self.hear_old, self.hear_new):
@@ -286,7 +288,7 @@ class GuideView(QWidget):
         guide = self._calibration.guide
         if guide.outcome is None:
             return ""
-        sure = f"<br>{guide.outcome.sure}" if guide.outcome.sure is not None else ""
+        sure = f"<br>{guide.outcome.silence_accuracy}" if guide.outcome.silence_accuracy is not None else ""
         return f"Measured {guide.measured_on}.{sure}"
 
     def _advice(self) -> str:

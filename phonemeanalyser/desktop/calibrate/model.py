@@ -4,13 +4,12 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
 from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel, FitModel
 from phonemeanalyser.desktop.calibrate.guide_model import GuideModel
 from phonemeanalyser.desktop.calibrate.recordings_model import RecordingsModel
 from phonemeanalyser.desktop.calibrate.room_model import RoomModel
 from phonemeanalyser.desktop.calibrate.takes_model import TakeEdit, TakesModel
-from phonemeanalyser.desktop.session.capture import SampleCapture
+from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeengine.phonemes import Phoneme
@@ -27,13 +26,13 @@ class CalibrationModel(QObject):
     Signals
     -------
     held : another phoneme is held, or none any more.
-    stretch_changed : another stretch of the file is marked.
+    selection_changed : another stretch of the file is marked.
     info : a sentence for the user about something that went well.
     error : a sentence for the user.
     """
 
     held = Signal()
-    stretch_changed = Signal()
+    selection_changed = Signal()
     info = Signal(str)
     error = Signal(str)
 
@@ -41,15 +40,16 @@ class CalibrationModel(QObject):
         super().__init__()
         self.session = session
         self.preset = preset
+        self.capture = session.microphone.capture
         self.takes = TakesModel(lambda: session.microphone.folder / TAKES_FOLDER)
         self.recordings = RecordingsModel()
-        self.bench = BenchModel(preset)
-        self.fit = FitModel(preset, self.bench)
-        self.rival = ComparisonModel(preset, self.bench)
+        self.workbench = WorkbenchModel(preset)
+        self.fit = FitModel(preset, self.workbench)
+        self.comparison = ComparisonModel(preset, self.workbench)
         self.guide = GuideModel(session, preset, self.takes)
         self.room = RoomModel(session, preset, self.takes)
         self.phoneme: Phoneme | None = None
-        self.stretch: tuple[float, float] | None = None
+        self.selection: tuple[float, float] | None = None
         self._from: float | None = None
         self._until: tuple[Path, float] | None = None
         self.room.info.connect(self.info)
@@ -57,36 +57,31 @@ class CalibrationModel(QObject):
         self.takes.opened.connect(self._forget_edits)
         preset.loaded.connect(self._keep_edits)
         for model in (self.takes, self.recordings):
-            model.changed.connect(self._load_bench)
+            model.changed.connect(self._load_workbench)
             model.info.connect(self.info)
             model.error.connect(self.error)
-        for worker in (self.bench, self.fit, self.rival, self.guide, self.room):
+        for worker in (self.workbench, self.fit, self.comparison, self.guide, self.room):
             worker.error.connect(self.error)
-        session.opened.connect(self._forget_stretch)
+        session.opened.connect(self._forget_selection)
         session.heard.connect(self._follow)
         session.transport_changed.connect(self._stop_at_end)
 
     # -- takes from microphone and file -------------------------------------------------------------------
-
-    @property
-    def catch(self) -> SampleCapture:
-        """What the microphone hears while a phoneme is held."""
-        return self.session.microphone.catch
 
     def press(self, phoneme: Phoneme) -> None:
         """Hold a phoneme: what is heard, or played, until `release` becomes a take of it."""
         session = self.session
         if self.phoneme is not None or self.guide.running or self.room.listening:
             return
-        if session.source is SoundSource.FILE and session.path is not None and (session.playing or self.stretch):
-            if self.stretch is not None and not session.playing:
-                self.takes.add_stretch(session.path, session.channel, *self.stretch, phoneme)
-                self._forget_stretch()
+        if session.source is SoundSource.FILE and session.path is not None and (session.playing or self.selection):
+            if self.selection is not None and not session.playing:
+                self.takes.add_from_file(session.path, session.channel, *self.selection, phoneme)
+                self._forget_selection()
                 return
             self._from = session.position
         else:
             self.listen()
-            self.catch.begin()
+            self.capture.begin()
         self.phoneme = phoneme
         self.held.emit()
 
@@ -99,15 +94,15 @@ class CalibrationModel(QObject):
         self.held.emit()
         path = self.session.path
         if start is not None and path is not None:
-            self.takes.add_stretch(path, self.session.channel, start, self.session.position, phoneme)
+            self.takes.add_from_file(path, self.session.channel, start, self.session.position, phoneme)
             return
-        samples, rate = self.catch.end()
+        samples, rate = self.capture.end()
         if not len(samples) and not self.session.microphone.listening:
             self.error.emit(
                 f"No take of {phoneme.label}: {self.session.microphone.words}; try again when it is heard."
             )
             return
-        self.takes.add(samples, rate, phoneme, self.device)
+        self.takes.add(samples, rate, phoneme, self.session.microphone.name)
 
     def begin_guide(self) -> None:
         """Lead through all sounds, at the microphone."""
@@ -128,21 +123,16 @@ class CalibrationModel(QObject):
         if not self.session.playing:
             self.session.play()
 
-    @property
-    def device(self) -> str:
-        """What takes are recorded with."""
-        return self.session.microphone.choice.label or "default microphone"
-
     def mark(self, *, end: bool) -> None:
         """Mark where the stretch of the opened file begins, or ends: where the file stands."""
         if self.session.source is not SoundSource.FILE or self.session.path is None:
             self.error.emit("There is no file in hand; open one to mark a stretch of it.")
             return
-        start, stop = self.stretch or (0.0, self.session.duration)
+        start, stop = self.selection or (0.0, self.session.duration)
         here = self.session.position
         start, stop = (min(start, here), here) if end else (here, max(stop, here))
-        self.stretch = start, stop
-        self.stretch_changed.emit()
+        self.selection = start, stop
+        self.selection_changed.emit()
 
     # -- listening to what is there -----------------------------------------------------------------------
 
@@ -171,14 +161,14 @@ class CalibrationModel(QObject):
 
     def close(self) -> None:
         """Wait until all takes are on the disk, and end all other work."""
-        for worker in (self.guide, self.room, self.fit, self.rival, self.bench):
+        for worker in (self.guide, self.room, self.fit, self.comparison, self.workbench):
             worker.close()
         self.recordings.close()
         self.takes.close()
 
     def _follow(self) -> None:
         """End what has lasted long enough."""
-        if self.phoneme is not None and self._from is None and self.catch.full:
+        if self.phoneme is not None and self._from is None and self.capture.full:
             self.release()
         self._stop_at_end()
 
@@ -206,11 +196,11 @@ class CalibrationModel(QObject):
         for what in self.takes.now.changes:
             self._note_edit(what)
 
-    def _load_bench(self) -> None:
+    def _load_workbench(self) -> None:
         found = (*self.takes.utterances(), *self.recordings.utterances)
-        if found != self.bench.utterances:
-            self.bench.load(found)
+        if found != self.workbench.utterances:
+            self.workbench.load(found)
 
-    def _forget_stretch(self) -> None:
-        self.stretch = None
-        self.stretch_changed.emit()
+    def _forget_selection(self) -> None:
+        self.selection = None
+        self.selection_changed.emit()

@@ -2,11 +2,10 @@
 
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QWidget
 
-from phonemeanalyser.desktop.calibrate.bench_view import BenchView
 from phonemeanalyser.desktop.calibrate.guide_view import GuideView
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.takes_panel import TakesPanel
-from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.calibrate.workbench_view import WorkbenchView
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.pages import PageStack
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
@@ -15,20 +14,24 @@ from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
 class CalibrationPage(QWidget):
     """Lays out what belongs to calibration.
 
+    Parameters
+    ----------
+    head : says in the guided calibration what is heard.
+
     Attributes
     ----------
     keys : to be installed as an event filter of the window.
     """
 
-    def __init__(self, calibration: CalibrationModel, talking: TalkModel, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, head: QWidget, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme
         self.takes = TakesPanel(calibration, theme)
         self.keys = HeldKeys(calibration, self)
         self.right = PageStack()
-        self.guide = GuideView(calibration, talking, theme)
-        self.workbench = BenchView(calibration, theme)
+        self.guide = GuideView(calibration, head, theme)
+        self.workbench = WorkbenchView(calibration, theme)
         self._lay_out()
         self.takes.guide_asked.connect(calibration.begin_guide)
         calibration.guide.changed.connect(self._show_guide)

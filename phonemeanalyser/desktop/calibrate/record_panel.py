@@ -5,8 +5,7 @@ from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
-from phonemeanalyser.desktop.painting import CENTRED, draw_text
-from phonemeanalyser.desktop.session.position_slider import clock_of
+from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
@@ -70,14 +69,15 @@ class RecordPanel(QWidget):
         self.show_state()
 
     def show_state(self) -> None:
-        """Return what holding a button does now."""
-        session, stretch = self._calibration.session, self._calibration.stretch
+        """Show what holding a button does now."""
+        session, selection = self._calibration.session, self._calibration.selection
         held = self._calibration.phoneme
         of_file = session.source is SoundSource.FILE and session.path is not None
         if held is not None:
             text = f"<b>Taking {held.label}</b>: let go when it is said"
-        elif of_file and stretch is not None and not session.playing:
-            text = f"Marked <b>{clock_of(stretch[0], True)} – {clock_of(stretch[1], True)} s</b>: choose its sound"
+        elif of_file and selection is not None and not session.playing:
+            start, end = (format_clock(seconds, True) for seconds in selection)
+            text = f"Marked <b>{start} – {end} s</b>: choose its sound"
         elif of_file and session.playing:
             text = "Hold a key while its sound is heard"
         else:
@@ -123,7 +123,7 @@ class RecordPanel(QWidget):
             key = QShortcut(QKeySequence(sign.text()), self)  # a button's own would wait to be seen pressed
             key.activated.connect(lambda end=end: calibration.mark(end=end))
         calibration.held.connect(self.show_state)
-        calibration.stretch_changed.connect(self.show_state)
+        calibration.selection_changed.connect(self.show_state)
         calibration.session.transport_changed.connect(self.show_state)
         calibration.session.opened.connect(self.show_state)
         calibration.takes.changed.connect(self._show_takes)

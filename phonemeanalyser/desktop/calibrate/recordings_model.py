@@ -56,7 +56,7 @@ class RecordingsModel(QObject):
         self._reading.submit(lambda _progress: _read(wanted, mapping), lambda found: self._take_up(wanted, found))
 
     def map(self, phonemes: dict[str, Phoneme], sources: Sequence[Path]) -> None:
-        """Return what names stand for, and read again what they stood in."""
+        """Learn what names stand for, and read again what they stood in."""
         self.mapping = PhonemeMap({**self.mapping.phonemes, **phonemes})
         self.load(sources)
 
@@ -93,7 +93,7 @@ def _read(sources: Sequence[Path], mapping: PhonemeMap) -> Read | dict[str, int]
     unknown: dict[str, int] = {}
     for source in sources:
         try:
-            utterances += read_recordings(source, mapping, passed_over=refusals.append)
+            utterances += read_recordings(source, mapping, on_skipped=refusals.append)
         except UnknownPhonemeError as error:
             unknown = dict(Counter(unknown) + Counter(error.counts))
     return unknown or (tuple(utterances), [str(refusal) for refusal in refusals])

@@ -5,7 +5,6 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
-from phonemeanalyser.desktop.session.capture import to_mono_44k
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
@@ -14,6 +13,7 @@ from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.takes.room_noise import RoomNoise, SilenceAccuracy, measure_room
 from phonemeengine.calibration.takes.room_takes import speech_in
 from phonemeengine.errors import EngineError
+from phonemeengine.live.capture import to_mono_44k
 from phonemeengine.presets.preset import Preset
 
 SECONDS = 2.0
@@ -40,6 +40,7 @@ class RoomModel(QObject):
         super().__init__()
         self.listening = False
         self._session = session
+        self._capture = session.microphone.capture
         self._preset = preset
         self._takes = takes
         self._work = TaskQueue(self.error.emit)
@@ -48,14 +49,14 @@ class RoomModel(QObject):
 
     def begin(self) -> None:
         """Hear the room for two seconds; the microphone listens already."""
-        self._session.microphone.catch.begin()
+        self._capture.begin()
         self._listen(on=True)
         self.info.emit(f"Keep quiet: the room is heard for {SECONDS:g} seconds …")
 
     def cancel(self) -> None:
         """End it; nothing changes."""
         if self.listening:
-            self._session.microphone.catch.end()
+            self._capture.end()
             self._listen(on=False)
         self._work.cancel()
 
@@ -71,8 +72,8 @@ class RoomModel(QObject):
         if not self._session.microphone.active:
             self.cancel()
             self.error.emit("The room was not heard to the end, since the microphone was let go; measure it again.")
-        elif self._session.microphone.catch.seconds >= SECONDS:
-            samples, rate = self._session.microphone.catch.end()
+        elif self._capture.seconds >= SECONDS:
+            samples, rate = self._capture.end()
             self._listen(on=False)
             preset, takes = self._preset.preset, self._takes.utterances()
             self._work.replace(lambda _progress: _found_in(samples, rate, preset, takes), self._use)
@@ -96,5 +97,5 @@ class RoomModel(QObject):
 
 def _found_in(samples: Float32Array, rate: int, preset: Preset, takes: tuple[Utterance, ...]) -> Found:
     room, speech = measure_room(to_mono_44k(samples, rate), preset), speech_in(takes)
-    found = room.thresholds(preset, speech)
-    return room, found, room.sureness(found, speech)
+    found = room.set_silence(preset, speech)
+    return room, found, room.silence_accuracy(found, speech)

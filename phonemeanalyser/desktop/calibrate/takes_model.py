@@ -8,16 +8,16 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand
 
-from phonemeanalyser.desktop.calibrate.take_labels import write_labels_of
-from phonemeanalyser.desktop.calibrate.take_reports import noise_in, report_of, reports_of, sound_in
-from phonemeanalyser.desktop.session.capture import to_mono_44k
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.quality import TakeReport, check_take
-from phonemeengine.calibration.takes.take import Take
+from phonemeengine.calibration.takes.reports import read_mono, room_level, take_report, take_reports
+from phonemeengine.calibration.takes.take import TAKES, Take
+from phonemeengine.errors import TakeError
+from phonemeengine.live.capture import to_mono_44k
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE, Channel
 
@@ -137,7 +137,7 @@ class TakesModel(QObject):
 
     def noise(self) -> float:
         """Return the level of the room as the newest silence tells it, as an amplitude; 0 where there is none."""
-        return noise_in(self.now.takes, self._reports)
+        return room_level(self.now.takes, self._reports)
 
     # -- the project --------------------------------------------------------------------------------------
 
@@ -177,7 +177,7 @@ class TakesModel(QObject):
 
         self._change(act, self._tell_added)
 
-    def add_stretch(self, path: Path, channel: Channel, start: float, end: float, phoneme: Phoneme) -> None:
+    def add_from_file(self, path: Path, channel: Channel, start: float, end: float, phoneme: Phoneme) -> None:
         """Make a stretch of a file, in seconds, a take; what lies around it is kept, and does not count.
 
         The mix keeps both channels of a stereo file.
@@ -212,7 +212,7 @@ class TakesModel(QObject):
         self._change_take(number, lambda project, take: project.trim(take, start, min(end, take.duration)))
 
     def relabel(self, number: int, phoneme: Phoneme) -> None:
-        """Return that a take is another phoneme."""
+        """Let a take be another phoneme."""
         self._change_take(
             number, lambda project, take: self._checked(project, project.relabel(take, phoneme)) or take
         )
@@ -235,7 +235,7 @@ class TakesModel(QObject):
 
     def write_labels(self, suffix: str, program: str) -> None:
         """Write label files for another program beside the sounds of all takes: its name, and how they end."""
-        self._disk.submit(lambda _progress: write_labels_of(self._project, suffix, program), self.info.emit)
+        self._disk.submit(lambda _progress: _write_labels(self._project, suffix, program), self.info.emit)
 
     def select(self, number: int | None) -> None:
         """Choose a take, whose sound is read."""
@@ -246,7 +246,7 @@ class TakesModel(QObject):
             self.sound_read.emit()
             return
         path = self.path_of(take)
-        self._disk.submit(lambda _progress: sound_in(path), lambda sound: self._show_sound(number, sound))
+        self._disk.submit(lambda _progress: read_mono(path), lambda sound: self._show_sound(number, sound))
 
     # -- in the background --------------------------------------------------------------------------------
 
@@ -282,7 +282,7 @@ class TakesModel(QObject):
 
     def _opened_in_work(self, folder: Path) -> Snapshot:
         project, before = TakeProject(folder), self._project
-        self._reports = reports_of(project)
+        self._reports = take_reports(project)
         self._project = project
         if before is not None:
             before.close()
@@ -303,14 +303,14 @@ class TakesModel(QObject):
     def _checked(self, project: TakeProject, take: Take | None) -> Take | None:
         """Check a take anew, that may be another phoneme now."""
         if take is not None and not take.deleted:
-            self._reports[take.number] = report_of(project, take, self._noise_now(project))
+            self._reports[take.number] = take_report(project, take, self._noise_now(project))
         return take
 
     def _snapshot_of(self, project: TakeProject) -> Snapshot:
         return Snapshot(project.takes, dict(self._reports), project.changes)
 
     def _noise_now(self, project: TakeProject) -> float:
-        return noise_in(project.takes, self._reports)
+        return room_level(project.takes, self._reports)
 
     def _tell_added(self, take: Take) -> None:
         self.added.emit(take.number)
@@ -322,3 +322,13 @@ class TakesModel(QObject):
         if number == self.selected:
             self.sound = sound
             self.sound_read.emit()
+
+
+def _write_labels(project: TakeProject | None, suffix: str, program: str) -> str:
+    """Write label files beside all takes, and say how many."""
+    if project is None or not project.takes:
+        raise TakeError("There are no takes yet whose labels could be written; record one first.")
+    aside, n = project.write_copies(suffix), len(project.takes)
+    files = f"{n} label file{'s' if n > 1 else ''} for {program} {'lie' if n > 1 else 'lies'} beside the takes"
+    kept = f"; what else was there is kept, such as {aside[0].name}" if aside else ""
+    return f"{files} in {project.folder / TAKES}{kept}."

@@ -43,7 +43,7 @@ class Timeline(QWidget):
     @property
     def n_frames(self) -> int:
         """How many frames there are."""
-        return len(self.confusion.answers) if self.confusion is not None else 0
+        return len(self.confusion.predicted) if self.confusion is not None else 0
 
     @property
     def n_seen(self) -> float:
@@ -61,7 +61,7 @@ class Timeline(QWidget):
         if self.confusion is None:
             return
         tops = (HEADING, HEADING + LANE + GAP)
-        lanes = (self.confusion.labels.phonemes, self.confusion.answers)
+        lanes = (self.confusion.labels.phonemes, self.confusion.predicted)
         for top, word, codes in zip(tops, ("said", "recognised"), lanes, strict=True):
             draw_text(painter, QRectF(6, top, LEFT - 8, LANE), word, self._theme.text, SIZE)
             self._paint_lane(painter, top, codes)
@@ -129,7 +129,7 @@ class TimelineView(QWidget):
 
     def show_confusion(self, confusion: Confusion | None, names: list[str]) -> None:
         """Show the answers to these recordings."""
-        fresh = confusion is None or self.lanes.confusion is None or len(confusion.answers) != self.lanes.n_frames
+        fresh = confusion is None or self.lanes.confusion is None or len(confusion.predicted) != self.lanes.n_frames
         self.lanes.confusion, self.lanes.names = confusion, names
         if fresh:
             self._fit()
@@ -193,7 +193,7 @@ class TimelineView(QWidget):
             "recording": [self.lanes.names[k] for k in recordings.tolist()],
             "time (s)": ((frames - confusion.edges[recordings]) * FRAME_PERIOD).tolist(),
             "said": [Phoneme(code).label for code in confusion.labels.phonemes[frames].tolist()],
-            "recognised": [Phoneme(code).label for code in confusion.answers[frames].tolist()],
+            "recognised": [Phoneme(code).label for code in confusion.predicted[frames].tolist()],
         }
 
     def _fit(self) -> None:

@@ -15,13 +15,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeanalyser.desktop.calibrate.bench_model import BenchModel
+from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
 from phonemeengine.calibration.fits.suggestions import Suggestion
 from phonemeengine.features.variables import Variable
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recogniser import takes_own_variables
+from phonemeengine.recognition.spec import spec_of
 
 NAME = Qt.ItemDataRole.UserRole
 
@@ -40,9 +40,9 @@ class VariablesPanel(QWidget):
 
     add_asked = Signal(Variable)
 
-    def __init__(self, bench: BenchModel, theme: Theme) -> None:
+    def __init__(self, workbench: WorkbenchModel, theme: Theme) -> None:
         super().__init__()
-        self._bench = bench
+        self._workbench = workbench
         self._theme = theme
         self.table = QTableWidget(0, 2)
         self.one, self.other = QComboBox(), QComboBox()
@@ -115,17 +115,17 @@ class VariablesPanel(QWidget):
         self.table.currentCellChanged.connect(self._choose)
         self.search.clicked.connect(self._search)
         self.add.clicked.connect(self._add)
-        self._bench.distribution_changed.connect(self._fill)
-        self._bench.suggested.connect(self._fill)
-        self._bench.searching.changed.connect(self._show_search)
-        self._bench.confusion_changed.connect(self._tell)  # the recogniser may be another
+        self._workbench.distribution_changed.connect(self._fill)
+        self._workbench.suggested.connect(self._fill)
+        self._workbench.searching.changed.connect(self._show_search)
+        self._workbench.confusion_changed.connect(self._tell)  # the recogniser may be another
 
     def _fill(self) -> None:
-        ranked = [(r.variable, r.variable, r.separation, r.variable) for r in self._bench.ranking]
+        ranked = [(r.variable, r.variable, r.separation, r.variable) for r in self._workbench.ranking]
         have = {name for name, *_ in ranked}
         suggested = [
             (s.variable.name, f"+ {_range_of(s.variable)}", s.separation, f"{s.variable.name}: {_words_of(s)}")
-            for s in self._bench.suggestions
+            for s in self._workbench.suggestions
             if s.variable.name not in have
         ]
         rows = [*suggested, *ranked]
@@ -140,8 +140,8 @@ class VariablesPanel(QWidget):
                 item.setToolTip(words)
                 item.setForeground(QColor(self._theme.accent if new else self._theme.text))
                 self.table.setItem(row, column, item)
-            preview = self._bench.preview
-            if name == (self._bench.variable if preview is None else preview.variable.name):
+            preview = self._workbench.preview
+            if name == (self._workbench.variable if preview is None else preview.variable.name):
                 self.table.setCurrentCell(row, 0)
         self.table.blockSignals(False)
         self._show_add()
@@ -152,20 +152,20 @@ class VariablesPanel(QWidget):
             return
         suggestion = self._suggested()
         if suggestion is None:
-            self._bench.choose(str(item.data(NAME)))
+            self._workbench.choose(str(item.data(NAME)))
         else:
-            self._bench.look_at(suggestion)
+            self._workbench.look_at(suggestion)
         self._show_add()
 
     def _show_search(self) -> None:
-        searching = self._bench.searching
+        searching = self._workbench.searching
         self.search.setText(f"stop {100 * searching.progress:.0f} %" if searching.busy else "suggest")
 
     def _search(self) -> None:
-        if self._bench.searching.busy:
-            self._bench.searching.cancel()
+        if self._workbench.searching.busy:
+            self._workbench.searching.cancel()
         else:
-            self._bench.suggest(Phoneme(self.one.currentData()), self.other.currentData())
+            self._workbench.suggest(Phoneme(self.one.currentData()), self.other.currentData())
 
     def _add(self) -> None:
         suggestion = self._suggested()
@@ -176,19 +176,19 @@ class VariablesPanel(QWidget):
         """Return the suggestion that is chosen; None where it is a variable that there is."""
         item = self.table.item(self.table.currentRow(), 0)
         name = item.data(NAME) if item is not None else ""
-        have = {r.variable for r in self._bench.ranking}
-        return next((s for s in self._bench.suggestions if s.variable.name == name and name not in have), None)
+        have = {r.variable for r in self._workbench.ranking}
+        return next((s for s in self._workbench.suggestions if s.variable.name == name and name not in have), None)
 
     def _show_add(self) -> None:
         self.add.setEnabled(self._suggested() is not None)
         self._tell()
 
     def _tell(self) -> None:
-        """Return what the suggestion that is chosen measures, and whether it can act."""
-        suggestion, name = self._suggested(), self._bench.recogniser
+        """Say what the suggestion that is chosen measures, and whether it can act."""
+        suggestion, name = self._suggested(), self._workbench.recogniser
         self.words.setVisible(suggestion is not None)
         if suggestion is not None:
-            acts = takes_own_variables(name)
+            acts = spec_of(name).uses_own_variables
             colour = self._theme.faint if acts else self._theme.bad
             note = ACTS if acts else f"The recogniser {name} cannot use variables of your own; {NO_ACT}"
             self.words.setText(f"{_words_of(suggestion)}.<br><span style='color:{colour}'>{note}</span>")

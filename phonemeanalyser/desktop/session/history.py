@@ -10,6 +10,7 @@ from phonemeengine.arrays import Float32Array, IndexArray
 from phonemeengine.dsp.mel import spread_mel
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, WINDOW
 
 CAPACITY = 6000
@@ -131,7 +132,7 @@ class History:
         codes = codes[codes != NO_PHONEME]
         if len(codes) < 2:
             return None
-        return float(np.count_nonzero(codes[1:] != codes[:-1]) / (len(codes) * FRAME_PERIOD))
+        return count_changes(codes) / (len(codes) * FRAME_PERIOD)
 
     def _room_for(self, n: int) -> IndexArray:
         """Make the next `n` columns, and give their indices; what they push out is counted before."""

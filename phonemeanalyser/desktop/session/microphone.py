@@ -7,7 +7,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from phonemeanalyser.desktop.session.capture import SampleCapture
 from phonemeanalyser.desktop.session.devices import DeviceList
 from phonemeanalyser.desktop.session.latency_test import LatencyTest
 from phonemeanalyser.desktop.tasks import TaskQueue
@@ -16,10 +15,12 @@ from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.journal import InterruptedRecording, interrupted_recordings
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
+from phonemeengine.live.capture import SampleCapture
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
+from phonemeengine.live.status import NOT_LISTENING
 from phonemeengine.paths import journal_folder, new_recording_path, recordings_folder
 from phonemeengine.presets.preset import Preset
 
@@ -37,8 +38,37 @@ CLOSE_TIMEOUT = 6.0
 """Seconds after which the end of the program waits no longer for a card, or a disk."""
 
 
+class NoListener:
+    """What a microphone does that nobody listens to: nothing."""
+
+    status, level, latency = NOT_LISTENING, Level(), Latency()
+    rate = n_dropped = 0
+    seconds = lost_seconds = known_for = 0.0
+
+    def take_analyses(self) -> list[Analysis]:
+        """Return nothing."""
+        return []
+
+    def set_preset(self, preset: Preset) -> None:
+        """Recognise nothing with it."""
+
+    def choose(self, choice: InputChoice) -> None:
+        """Open nothing."""
+
+    def record(self, recorder: Recorder | None) -> None:
+        """Record nothing."""
+
+    def close(self) -> None:
+        """Let nothing go."""
+
+
 class Microphone(QObject):
     """Listens and records.
+
+    Attributes
+    ----------
+    listener : what is heard, how loud, and what was lost of it.
+    capture : what is heard while somebody wants its samples.
 
     Signals
     -------
@@ -62,18 +92,18 @@ class Microphone(QObject):
     ) -> None:  # fmt: skip
         super().__init__()
         self.choice = InputChoice()
+        self.listener: Listener | NoListener = NoListener()
         self.inputs = DeviceList(list_devices)
         self._cards, self._files = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
         self.latency_test = LatencyTest(self._cards, measure)
-        self.catch = SampleCapture()
+        self.capture = SampleCapture()
         self.folder = self._rescue = folder or recordings_folder()
         self.suffix = ".wav"
         self.with_phonemes = False
         self.fill_gaps = False
         self._journal = journal or journal_folder()
         self._make_listener = make_listener
-        self._listener: Listener | None = None
-        self._tape: Recorder | None = None
+        self._recorder: Recorder | None = None
         self._preset = Preset()
         self._goes_on = False
         self._troubled = self._words = ""
@@ -93,53 +123,37 @@ class Microphone(QObject):
         return self.inputs.devices
 
     @property
+    def name(self) -> str:
+        """What is listened to, as the user chose it."""
+        return self.choice.label or "default microphone"
+
+    @property
     def active(self) -> bool:
         """Whether it is listened to, or tried to."""
-        return self._listener is not None
+        return not isinstance(self.listener, NoListener)
 
     @property
     def listening(self) -> bool:
         """Whether sound comes in now."""
-        return self._listener is not None and self._listener.status.listening
+        return self.listener.status.listening
 
     @property
     def recording(self) -> bool:
         """Whether what comes is recorded."""
-        return self._tape is not None
+        return self._recorder is not None
 
     @property
     def words(self) -> str:
         """What is going on, in words."""
-        if self._listener is None:
-            return "measuring its latency" if self.latency_test.running else "not listening"
-        status = self._listener.status
-        rate = f"{self._listener.rate:,} Hz".replace(",", " ")
+        if self.latency_test.running:
+            return "measuring its latency"
+        status, rate = self.listener.status, f"{self.listener.rate:,} Hz".replace(",", " ")
         return f"{status.words}, {rate}" if status.listening else status.words
-
-    @property
-    def seconds(self) -> float:
-        """How long it has been listened to, seconds."""
-        return self._listener.seconds if self._listener else 0.0
 
     @property
     def recorded_seconds(self) -> float:
         """How much of the present recording is on disk, seconds."""
-        return self._tape.seconds if self._tape else 0.0
-
-    @property
-    def lost_seconds(self) -> float:
-        """Sound that was lost while it was listened to, seconds."""
-        return self._listener.lost_seconds if self._listener else 0.0
-
-    @property
-    def n_dropped(self) -> int:
-        """Frames that were analysed but never taken."""
-        return self._listener.n_dropped if self._listener else 0
-
-    @property
-    def level(self) -> Level:
-        """What the level meter reads."""
-        return self._listener.level if self._listener else Level()
+        return self._recorder.seconds if self._recorder else 0.0
 
     @property
     def latency(self) -> Latency | None:
@@ -147,16 +161,14 @@ class Microphone(QObject):
 
         The card's own word for its share gives way to what a loopback measured.
         """
-        if self._listener is None or not self.listening:
+        if not self.listening:
             return None
-        latency = self._listener.latency
-        measured = self.latency_test.result
+        latency, measured = self.listener.latency, self.latency_test.result
         return replace(latency, capture=measured.capture) if measured and measured.capture else latency
 
-    @property
-    def known_for(self) -> float:
-        """Seconds since the newest frames became known; 0 while nothing is listened to."""
-        return self._listener.known_for if self._listener else 0.0
+    def read_level(self) -> Level:
+        """Return what the level meter shows now."""
+        return self.listener.level
 
     # -- what it shall do ---------------------------------------------------------------------------------
 
@@ -165,8 +177,8 @@ class Microphone(QObject):
         self._preset = preset
         if self.latency_test.running:
             self._goes_on = True
-        elif self._listener is None:
-            self._listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self.catch.add_samples)
+        elif not self.active:
+            self.listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self.capture.add_samples)
             self._watch.start()
             self.changed.emit()
 
@@ -174,8 +186,8 @@ class Microphone(QObject):
         """Let the microphone go, and end the recording."""
         self.end_recording()
         self._goes_on = False
-        listener, self._listener = self._listener, None
-        if listener is not None:
+        if self.active:
+            listener, self.listener = self.listener, NoListener()
             self._watch.stop()
             self._troubled = self._words = ""
             self._cards.submit(lambda _progress: listener.close())  # a sound server that hangs, hangs no window
@@ -184,16 +196,14 @@ class Microphone(QObject):
     def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset."""
         self._preset = preset
-        if self._listener is not None:
-            self._listener.set_preset(preset)
+        self.listener.set_preset(preset)
 
     def choose(self, choice: InputChoice) -> None:
         """Listen to another microphone, channel or rate."""
         if choice != self.choice:
             self.choice = choice
             self.latency_test.result = None
-            if self._listener is not None:
-                self._listener.choose(choice)
+            self.listener.choose(choice)
             self.changed.emit()
 
     def set_else_default(self, on: bool) -> None:
@@ -221,35 +231,29 @@ class Microphone(QObject):
         """Record what is heard from now on into a new file in the folder."""
         if self.latency_test.running:
             self.error.emit("Nothing is recorded, since the latency is being measured; try again in a few seconds.")
-        if self._listener is None or self._tape is not None:
+        if not self.active or self.recording:
             return
         folder, suffix = self.folder, self.suffix
-        self._tape = Recorder(
+        self._recorder = Recorder(
             lambda: new_recording_path(folder, suffix),
             with_phonemes=self.with_phonemes,
             fill_gaps=self.fill_gaps,
-            journal=self._journal,
-            rescue=self._rescue,
         )
-        self._listener.record(self._tape)
+        self._recorder.journal, self._recorder.rescue = self._journal, self._rescue
+        self.listener.record(self._recorder)
         self.changed.emit()
 
     def end_recording(self) -> None:
         """End the recording; `recorded` tells when its file is complete."""
-        tape, self._tape = self._tape, None
-        if tape is not None:
-            if self._listener is not None:
-                self._listener.record(None)
-            self._files.submit(lambda _progress: tape.close(), lambda _none: self._tell_recorded(tape))
+        recorder, self._recorder = self._recorder, None
+        if recorder is not None:
+            self.listener.record(None)
+            self._files.submit(lambda _progress: recorder.close(), lambda _none: self._tell_recorded(recorder))
             self.changed.emit()
 
     def interrupted_recordings(self) -> list[InterruptedRecording]:
         """Return the recordings that were cut off when the program ended."""
         return interrupted_recordings(self._journal)
-
-    def take_analyses(self) -> list[Analysis]:
-        """Return what was found since the last call; raises what ended the listening."""
-        return self._listener.take_analyses() if self._listener else []
 
     def close(self) -> None:
         """Let everything go; waits until recordings are complete."""
@@ -266,16 +270,13 @@ class Microphone(QObject):
 
     def _look_for_trouble(self) -> None:
         """Say once when nothing comes any more, and once when it does again."""
-        if self._tape is not None and self._tape.failure:
+        if self._recorder is not None and self._recorder.failure:
             self.end_recording()
-        if self._listener is None:
-            return
-        status = self._listener.status
+        status = self.listener.status
         if status.listening:
             if self._troubled:
-                self.info.emit(
-                    f"The microphone is there: {status.words}; {self.lost_seconds:.1f} s could not be heard."
-                )
+                lost = f"{self.listener.lost_seconds:.1f} s could not be heard"
+                self.info.emit(f"The microphone is there: {status.words}; {lost}.")
             self._troubled = self._words = ""
             return
         words, now = status.words.split(" since ")[0], time.monotonic()
@@ -286,21 +287,21 @@ class Microphone(QObject):
             waits = "; the recording waits for it" if self.recording else ""
             self.error.emit(f"{words[0].upper()}{words[1:]}{waits}.")
 
-    def _tell_recorded(self, tape: Recorder) -> None:
-        if tape.failure:
-            self.error.emit(tape.failure)
-        elif tape.path is not None and tape.seconds:
-            self.recorded.emit(str(tape.path), tape.seconds, tape.gap_words)
-            for remark in _remarks(tape):
+    def _tell_recorded(self, recorder: Recorder) -> None:
+        if recorder.failure:
+            self.error.emit(recorder.failure)
+        elif recorder.path is not None and recorder.seconds:
+            self.recorded.emit(str(recorder.path), recorder.seconds, recorder.gap_words)
+            for remark in _remarks(recorder):
                 self.info.emit(remark)
         else:
             self.error.emit("Nothing was recorded, since no sound came; check the microphone.")
 
 
-def _remarks(tape: Recorder) -> list[str]:
+def _remarks(recorder: Recorder) -> list[str]:
     """Return what else there is to know of a recording that went well."""
-    earlier = [path.name for path in tape.paths[:-1]]
+    earlier = [path.name for path in recorder.paths[:-1]]
     if not earlier:
-        return list(tape.notes)
+        return list(recorder.notes)
     files = " and ".join(earlier)
-    return [*tape.notes, f"The microphone changed its form on the way, so what came before that is in {files}."]
+    return [*recorder.notes, f"The microphone changed its form on the way, so what came before that is in {files}."]

@@ -6,16 +6,13 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.tasks import TaskQueue
-from phonemeengine.analyser import Analysis, analyse_blocks
+from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.files import write_labels
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.segments import labels_of_segments, segments_of
-from phonemeengine.settings import SAMPLE_RATE, Channel
-
-BLOCK = 5 * SAMPLE_RATE
-"""Samples that are read at a time."""
+from phonemeengine.settings import Channel
 
 
 class PhonemeWriter(QObject):
@@ -65,6 +62,6 @@ def _write(sound: Path, channel: Channel, preset: Preset, target: Path, progress
 
 
 def _analyses(reader: SoundReader, preset: Preset, progress: Progress) -> Iterator[Analysis]:
-    for analysis in analyse_blocks(reader.blocks(BLOCK), preset):
+    for analysis in analyse_file(reader, preset):
         report_progress(progress, reader.position / reader.n_samples)
         yield analysis

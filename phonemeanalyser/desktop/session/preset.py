@@ -14,6 +14,7 @@ from phonemeengine.presets.controls import Control, ControlGroup, controls_of
 from phonemeengine.presets.files import (
     DEFAULT_PRESET,
     FACTORY,
+    PRESET_SUFFIXES,
     THESIS_PRESETS,
     beyond_phoneme_data,
     factory_preset,
@@ -24,10 +25,12 @@ from phonemeengine.presets.files import (
 )
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recogniser import Recogniser, recogniser_of
 from phonemeengine.recognition.rules import Rule
+from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import Filter
 
+PRESET_FILTER = f"Presets ({' '.join('*' + suffix for suffix in PRESET_SUFFIXES)})"
+"""What a dialog that asks for a preset shows."""
 FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
     Filter.QUANTISE: ("quantise", "decimation"),
     Filter.PRE_EMPHASIS: ("pre_emphasis",),
@@ -221,7 +224,7 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, settings=settings), f"{step.replace('_', ' ')} {'on' if on else 'off'}")
 
     def reset_filter(self, step: Filter) -> None:
-        """Return a filter back what the preset's file says."""
+        """Reset a filter to what the preset's file says."""
         saved = self._saved.settings
         changes: dict[str, Any] = {name: getattr(saved, name) for name in FILTER_PARAMETERS[step]}
         filters = self.preset.settings.filters
@@ -230,7 +233,7 @@ class PresetModel(QObject):
         self.edit(replace(self.preset, settings=settings), f"reset of {step.replace('_', ' ')}")
 
     def reset_settings(self, names: tuple[str, ...]) -> None:
-        """Return some fields of the settings back what the preset's file says."""
+        """Reset some fields of the settings to what the preset's file says."""
         changes: dict[str, Any] = {name: getattr(self._saved.settings, name) for name in names}
         settings = replace(self.preset.settings, **changes)
         self.edit(replace(self.preset, settings=settings), f"reset of {names[0].replace('_', ' ')}")
@@ -260,7 +263,8 @@ class PresetModel(QObject):
 
     def saved_value(self, name: str) -> float | None:
         """Return a control's value as the preset's file has it; None where the file's rules are others."""
-        if self.preset.recogniser == "rules" and _shape(self._saved.rules) != _shape(self.preset.rules):
+        has_limits = Tuning.RULES in spec_of(self.preset.recogniser).tuned_by
+        if has_limits and _shape(self._saved.rules) != _shape(self.preset.rules):
             return None
         return self.controls[name].read(self._saved)
 
@@ -294,7 +298,7 @@ class PresetModel(QObject):
         return recogniser
 
     def _make(self, preset: Preset) -> tuple[object, Recogniser]:
-        recogniser = recogniser_of(preset.recogniser, preset.tuning)
+        recogniser = recogniser_of(preset.recogniser, preset.config)
         recogniser.used_thresholds  # noqa: B018 - one of another package is made by being asked
         return _recogniser_key(preset), recogniser
 
@@ -327,7 +331,7 @@ def _joined(source: Preset, preset: Preset, first: Preset) -> Preset:
 
 
 def _recogniser_key(preset: Preset) -> object:
-    return preset.recogniser, preset.tuning
+    return preset.recogniser, preset.config
 
 
 def _shape(rules: tuple[Rule, ...]) -> object:

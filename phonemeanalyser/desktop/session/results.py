@@ -26,7 +26,7 @@ class AnalysisResults(QObject):
     -------
     cleared : everything was forgotten.
     rewritten : the columns of the history from this one on are others now.
-    failed : a sentence for the user.
+    error : a sentence for the user.
     """
 
     cleared = Signal()

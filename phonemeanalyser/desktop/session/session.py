@@ -17,7 +17,6 @@ from phonemeengine.audio.tone.reader import ToneReader
 from phonemeengine.audio.tone.settings import Tone
 from phonemeengine.errors import EngineError
 from phonemeengine.live.player import Player
-from phonemeengine.recognition.trace import Trace
 from phonemeengine.settings import FRAME_PERIOD, Channel
 
 QUIETEST_DB = -60.0
@@ -35,7 +34,7 @@ class SoundSource(StrEnum):
 class Session(QObject):
     """Follows one source at a time and gathers its analysis.
 
-    `tick` moves it on, and whoever draws looks at it afterwards. Only the source in use holds its device.
+    `poll` moves it on, and whoever draws looks at it afterwards. Only the source in use holds its device.
 
     Signals
     -------
@@ -45,7 +44,7 @@ class Session(QObject):
     rewritten : the columns of the history from this one on are others now.
     heard : a list of the blocks that were heard since the last tick; see `phonemeengine.analyser.Analysis`.
     sought : the file stands elsewhere.
-    failed : a sentence for the user.
+    error : a sentence for the user.
     """
 
     opened = Signal()
@@ -62,8 +61,8 @@ class Session(QObject):
     ) -> None:  # fmt: skip
         super().__init__()
         self.preset = preset
-        self.findings = AnalysisResults(preset)
-        self.history, self.averages = self.findings.history, self.findings.averages
+        self.results = AnalysisResults(preset)
+        self.history, self.averages = self.results.history, self.results.averages
         self.microphone = microphone or Microphone()
         self.writer = PhonemeWriter()
         self.source = SoundSource.FILE
@@ -79,9 +78,9 @@ class Session(QObject):
         preset.changed.connect(self._use_preset)
         self.microphone.error.connect(self.error)
         self.writer.error.connect(self.error)
-        self.findings.error.connect(self.error)
-        self.findings.cleared.connect(self.cleared)
-        self.findings.rewritten.connect(self.rewritten)
+        self.results.error.connect(self.error)
+        self.results.cleared.connect(self.cleared)
+        self.results.rewritten.connect(self.rewritten)
 
     # -- what it is ---------------------------------------------------------------------------------------
 
@@ -99,7 +98,7 @@ class Session(QObject):
     def position(self) -> float:
         """Seconds from the beginning to what is heard."""
         if self.source is SoundSource.MICROPHONE:
-            return self.microphone.seconds
+            return self.microphone.listener.seconds
         if self.source is SoundSource.TONE:
             return self._player.position if self._player else 0.0
         return min(self._player.position, self.duration) if self._player else 0.0
@@ -149,7 +148,7 @@ class Session(QObject):
     @property
     def n_dropped(self) -> int:
         """Frames that were analysed but never shown, since the source is in use."""
-        return self._player.n_dropped if self._player else self.microphone.n_dropped
+        return self._player.n_dropped if self._player else self.microphone.listener.n_dropped
 
     @property
     def channel(self) -> Channel:
@@ -294,7 +293,7 @@ class Session(QObject):
         if self._player is not None and self.source is SoundSource.FILE:
             self._player.seek(seconds)
             if not self.playing and self._file is not None:
-                self.findings.show_before(self._file.path, self.channel, self.position)
+                self.results.show_before(self._file.path, self.channel, self.position)
             self.sought.emit()
             self.transport_changed.emit()
 
@@ -347,13 +346,13 @@ class Session(QObject):
     def poll(self) -> bool:
         """Gather what has been heard since the last tick; say whether there was anything."""
         try:
-            blocks = (self._player or self.microphone).take_analyses()
+            blocks = (self._player or self.microphone.listener).take_analyses()
         except EngineError as error:
             self.stop()
             self.error.emit(str(error))
             return False
         for analysis in blocks:
-            self.findings.add(analysis)
+            self.results.add(analysis)
         if blocks:
             self.heard.emit(blocks)
         if self._player is not None and self.playing and self._player.finished:
@@ -365,7 +364,7 @@ class Session(QObject):
         if self._player is None or self._file is None:
             return
         n_frames = round(min(seconds, self.duration) / FRAME_PERIOD) + (seconds >= self.duration)
-        self.findings.add_file_start(self._file.path, self.channel, n_frames)
+        self.results.add_file_start(self._file.path, self.channel, n_frames)
         self._player.seek(seconds)
         self.sought.emit()
 
@@ -373,17 +372,13 @@ class Session(QObject):
         """Return what is known of the file before it is heard, each block with the seconds until then."""
         return self._player.upcoming() if self._player is not None and self.source is SoundSource.FILE else []
 
-    def explain(self) -> Trace | None:
-        """Return why the newest frame was recognised as it was."""
-        return self.findings.explain()
-
     def _forget(self, cause: str) -> None:
         self.averages.begin(cause, self.name)
-        self.findings.clear()
+        self.results.clear()
 
     def _use_preset(self) -> None:
         self.microphone.set_preset(self.preset.in_force)
         if self._player is not None:
             self._player.set_preset(self.preset.in_force)
             if not self.playing and self.source is SoundSource.FILE and self._file is not None:
-                self.findings.analyse_again(self._file.path, self.channel)
+                self.results.analyse_again(self._file.path, self.channel)

@@ -37,8 +37,8 @@ class UnsavedChanges(QObject):
         self._timer.timeout.connect(self.keep)
         preset.file_changed.connect(self._timer.start)
 
-    def take_up(self) -> bool:
-        """Take the changes up that were left; says whether there were any. Undo takes them back.
+    def restore(self) -> bool:
+        """Restore the changes that were left; says whether there were any. Undo takes them back.
 
         Raises
         ------

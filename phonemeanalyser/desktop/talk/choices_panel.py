@@ -127,11 +127,11 @@ class ChoicesPanel(QWidget):
         self.face.setToolTip(talking.face.name)
         self.shipped.setEnabled(not talking.face.is_shipped)
         self._list_tables()
-        self.detail.setCurrentIndex(self.detail.findData(talking.detail))
+        self.detail.setCurrentIndex(self.detail.findData(talking.idle.detail))
         self.attack.setValue(round(100 * talking.attack_factor))
         self.release.setValue(round(100 * talking.release_factor))
-        self.blinks.setChecked(talking.blinks)
-        self.motion.setChecked(talking.head_motion)
+        self.blinks.setChecked(talking.idle.blinks)
+        self.motion.setChecked(talking.idle.head)
         self.random.setChecked(talking.random)
         del blockers
 

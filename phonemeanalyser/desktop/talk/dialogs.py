@@ -8,11 +8,11 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeengine.mouth.files.io import FACES, FIGURES
+from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
 
-MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*FIGURES, *FACES))})"
+MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))})"
 TABLES = "Mouth tables (*.toml)"
 
 
@@ -28,7 +28,7 @@ class TalkDialogs(QObject):
     @staticmethod
     def opens(path: Path) -> bool:
         """Return whether a file is a mesh or movestates, by the ending of its name."""
-        return path.suffix.lower() in (*FIGURES, *FACES)
+        return path.suffix.lower() in (*MESH_SUFFIXES, *TARGET_SUFFIXES)
 
     def ask_mesh(self) -> None:
         """Let the user choose a mesh, with its movestates if they are in a file of their own."""
@@ -41,13 +41,13 @@ class TalkDialogs(QObject):
 
     def open(self, paths: list[Path]) -> None:
         """Show a mesh, or other movestates of the mesh that is there, or both."""
-        meshes = [path for path in paths if path.suffix.lower() not in FACES]
-        faces = [path for path in paths if path.suffix.lower() in FACES]
+        meshes = [path for path in paths if path.suffix.lower() not in TARGET_SUFFIXES]
+        targets = [path for path in paths if path.suffix.lower() in TARGET_SUFFIXES]
         face = self._talking.face
         if meshes:
-            face.load(FaceFiles(meshes[0], faces[0] if faces else None))
-        elif faces:
-            face.load(FaceFiles(face.files.mesh, faces[0]))
+            face.load(FaceFiles(meshes[0], targets[0] if targets else None))
+        elif targets:
+            face.load(FaceFiles(face.files.mesh, targets[0]))
 
     def ask_table(self) -> None:
         """Let the user choose a mouth table of his own."""
@@ -64,11 +64,11 @@ class TalkDialogs(QObject):
         keep("talk/mesh", str(files.mesh or ""))
         keep("talk/movestates", str(files.movestates or ""))
         keep("talk/table", talking.table_name)
-        keep("talk/detail", talking.detail.value)
+        keep("talk/detail", talking.idle.detail.value)
         keep("talk/mode", talking.mode.value)
         keep("talk/attack_percent", round(100 * talking.attack_factor))
         keep("talk/release_percent", round(100 * talking.release_factor))
-        for name, on in (("blinks", talking.blinks), ("head", talking.head_motion), ("random", talking.random)):
+        for name, on in (("blinks", talking.idle.blinks), ("head", talking.idle.head), ("random", talking.random)):
             keep(f"talk/{name}", int(on))
         keep("talk/osc_address", osc.address)
         keep("talk/osc_table", osc.table)
@@ -81,8 +81,8 @@ class TalkDialogs(QObject):
         if any(files) and all(path is None or path.is_file() for path in files):
             talking.face.files = FaceFiles(files[0], files[1])
         talking.set_table(self._kept("talk/table", talking.table_name))
-        detail = self._kept("talk/detail", talking.detail.value)
-        talking.set_detail(next((d for d in Detail if d.value == detail), talking.detail))
+        detail = self._kept("talk/detail", talking.idle.detail.value)
+        talking.set_detail(next((d for d in Detail if d.value == detail), talking.idle.detail))
         mode = self._kept("talk/mode", talking.mode.value)
         talking.set_mode(next((m for m in Mode if m.value == mode), talking.mode))
         talking.set_blinks(self._kept("talk/blinks", "1") == "1")

@@ -40,12 +40,12 @@ class FaceModel(QObject):
     Signals
     -------
     changed : another face is there.
-    failed : a sentence for the user; the face stays as it was.
+    error : a sentence for the user; the face stays as it was.
 
     Attributes
     ----------
     files : where the face that is there, or is being loaded, comes from.
-    figure, states : None until the first face is loaded.
+    morph_mesh, states : None until the first face is loaded.
     tables : the tables of the program that move anything in this face: what people call them, by name.
     """
 
@@ -55,7 +55,7 @@ class FaceModel(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.files = FaceFiles()
-        self.figure: MorphMesh | None = None
+        self.morph_mesh: MorphMesh | None = None
         self.states: MovestateSet | None = None
         self.tables: dict[str, str] = {}
         self._work = TaskQueue(self._fail)
@@ -89,13 +89,13 @@ class FaceModel(QObject):
         """Load a face instead of the one that is there."""
         self._asked = True
         self.files = files
-        self._work.replace(lambda _progress: _loaded(files), lambda figure: self._take(files, figure))
+        self._work.replace(lambda _progress: _loaded(files), lambda morph_mesh: self._take(files, morph_mesh))
 
     def moved_by(self, table: MouthTable) -> tuple[str, ...]:
         """Name the movestates of this face that a table moves."""
         return tuple(mine for _, mine in self._pairs(table))
 
-    def use(self, table: MouthTable) -> None:
+    def set_table(self, table: MouthTable) -> None:
         """Move with the weights of another table."""
         if self.states is not None:
             self._columns = self._pairs(table)
@@ -135,9 +135,9 @@ class FaceModel(QObject):
             if name in moved and _plain(name) in mine
         ]
 
-    def _take(self, files: FaceFiles, figure: MorphMesh) -> None:
+    def _take(self, files: FaceFiles, morph_mesh: MorphMesh) -> None:
         self._shown = files
-        self.figure, self.states = figure, MovestateSet(figure.mesh, figure.states)
+        self.morph_mesh, self.states = morph_mesh, MovestateSet(morph_mesh.mesh, morph_mesh.states)
         self._lids = tuple(name for name in EYELIDS if name in self.states)
         for name in self.states.names:  # brows and eyes are the table's here: only blinks have a life of their own
             self.states.set_interactable(name, name not in self._lids)
@@ -151,12 +151,14 @@ class FaceModel(QObject):
 
 
 def _loaded(files: FaceFiles) -> MorphMesh:
-    figure = load_morph_mesh(files.mesh) if files.mesh else load_head()
+    morph_mesh = load_morph_mesh(files.mesh) if files.mesh else load_head()
     if files.movestates is None:
-        if not figure.states:
-            raise MeshError(f"{figure.mesh.name}: this mesh has no movestates; choose its .3dm file together with it")
-        return figure
-    return MorphMesh(figure.mesh, matched(load_morph_targets(files.movestates), figure.mesh).states)
+        if not morph_mesh.states:
+            raise MeshError(
+                f"{morph_mesh.mesh.name}: this mesh has no movestates; choose its .3dm file together with it"
+            )
+        return morph_mesh
+    return MorphMesh(morph_mesh.mesh, matched(load_morph_targets(files.movestates), morph_mesh.mesh).states)
 
 
 def _plain(name: str) -> str:

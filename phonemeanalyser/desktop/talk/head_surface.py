@@ -33,9 +33,9 @@ MOST_QUICK_PIXELS, MOST_PIXELS = 300_000, 2_100_000
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """What is drawn: a figure's vertices, how the head is turned, and how it is looked at."""
+    """What is drawn: a mesh's vertices, how the head is turned, and how it is looked at."""
 
-    figure: MorphMesh
+    morph_mesh: MorphMesh
     positions: Float32Array
     pose: HeadPose
     camera: Camera
@@ -86,12 +86,12 @@ class GlSurface(QOpenGLWidget):
         self.n_drawn = 0
         self.due = 0.0
         self._scene = scene
-        self._figure: MorphMesh | None = None
+        self._morph_mesh: MorphMesh | None = None
         self._renderer: Any = None
 
     def initializeGL(self) -> None:
         """Begin in a context that is new."""
-        self._figure, self._renderer = None, None
+        self._morph_mesh, self._renderer = None, None
         self.context().aboutToBeDestroyed.connect(self._leave)
 
     def paintGL(self) -> None:
@@ -102,7 +102,7 @@ class GlSurface(QOpenGLWidget):
         scale = self.devicePixelRatio()
         size = (max(1, round(self.width() * scale)), max(1, round(self.height() * scale)))
         try:
-            self._renderer_of(scene.figure).draw(
+            self._renderer_of(scene.morph_mesh).draw(
                 scene.camera, scene.positions, scene.pose, size=size, background=scene.background,
                 wireframe=scene.wireframe, light=scene.light,
             )  # fmt: skip
@@ -124,13 +124,13 @@ class GlSurface(QOpenGLWidget):
     def _leave(self) -> None:
         if self._renderer is not None:
             self._renderer.release()
-        self._renderer = self._figure = None
+        self._renderer = self._morph_mesh = None
 
-    def _renderer_of(self, figure: MorphMesh) -> Any:
-        if self._renderer is None or figure is not self._figure:
+    def _renderer_of(self, morph_mesh: MorphMesh) -> Any:
+        if self._renderer is None or morph_mesh is not self._morph_mesh:
             self._leave()
             context = rendering().contexts.window_context()
-            self._renderer, self._figure = rendering().renderer.HeadRenderer(context, figure), figure
+            self._renderer, self._morph_mesh = rendering().renderer.HeadRenderer(context, morph_mesh), morph_mesh
         return self._renderer
 
 
@@ -159,7 +159,7 @@ class PictureSurface(QWidget):
         self._rest.setSingleShot(True)
         self._rest.timeout.connect(self._draw_finely)
         self._scene = scene
-        self._figure: MorphMesh | None = None
+        self._morph_mesh: MorphMesh | None = None
         self._offscreen: Any = None
         self._kept = b""
         self._image: QImage | None = None
@@ -201,12 +201,12 @@ class PictureSurface(QWidget):
         self._rest.stop()
         if self._offscreen is not None:
             self._offscreen.release()
-        self._offscreen = self._figure = None
+        self._offscreen = self._morph_mesh = None
 
     def _image_of(self, scene: Scene, *, fine: bool) -> QImage | None:
         width, height = self._size(MOST_PIXELS if fine else MOST_QUICK_PIXELS)
         try:
-            offscreen = self._offscreen_of(scene.figure)
+            offscreen = self._offscreen_of(scene.morph_mesh)
             offscreen.resize((width, height))
             picture = offscreen.picture(
                 scene.camera, scene.positions, scene.pose, background=scene.background,
@@ -225,8 +225,8 @@ class PictureSurface(QWidget):
         less = min(1.0, (most / (width * height)) ** 0.5)
         return max(1, round(width * less)), max(1, round(height * less))
 
-    def _offscreen_of(self, figure: MorphMesh) -> Any:
-        if self._offscreen is None or figure is not self._figure:
+    def _offscreen_of(self, morph_mesh: MorphMesh) -> Any:
+        if self._offscreen is None or morph_mesh is not self._morph_mesh:
             self.release_gl()
-            self._offscreen, self._figure = rendering().offscreen.OffscreenRenderer(figure), figure
+            self._offscreen, self._morph_mesh = rendering().offscreen.OffscreenRenderer(morph_mesh), morph_mesh
         return self._offscreen

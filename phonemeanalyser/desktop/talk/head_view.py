@@ -56,7 +56,7 @@ class HeadView(QWidget):
         self._talking = talking
         background = QColor(theme.base)
         self._background = (background.redF(), background.greenF(), background.blueF())
-        self._figure: MorphMesh | None = None
+        self._morph_mesh: MorphMesh | None = None
         self._shown = -1
         self._from: QPointF | None = None
         self._message = QLabel("loading the head …")
@@ -65,9 +65,9 @@ class HeadView(QWidget):
 
     def refresh(self) -> None:
         """Show the face as it is now; the first time makes what it is drawn on."""
-        if self._talking.face.figure is None or self.trouble:
+        if self._talking.face.morph_mesh is None or self.trouble:
             return
-        if self._figure is None:
+        if self._morph_mesh is None:
             self._take_face()
         if self.surface is None:
             self._begin(GlSurface(self._scene) if has_graphics_card() else PictureSurface(self._scene))
@@ -81,7 +81,7 @@ class HeadView(QWidget):
 
     def copy_view_from(self, other: "HeadView") -> None:
         """Look at the head as another view does."""
-        self._figure, self.camera = other._figure, other.camera
+        self._morph_mesh, self.camera = other._morph_mesh, other.camera
         self.look(wireframe=other.wireframe, light=other.light)
 
     def look(
@@ -97,8 +97,8 @@ class HeadView(QWidget):
 
     def go_home(self) -> None:
         """Look at the whole head from the front, in the usual light."""
-        if self._figure is not None:
-            self.look(camera=Camera.facing(self._figure.mesh), light=LIGHT)
+        if self._morph_mesh is not None:
+            self.look(camera=Camera.facing(self._morph_mesh.mesh), light=LIGHT)
 
     def release_gl(self) -> None:
         """Return everything back to the graphics driver."""
@@ -221,16 +221,16 @@ class HeadView(QWidget):
         self._stack.setCurrentWidget(self._message)
 
     def _take_face(self) -> None:
-        figure = self._talking.face.figure
-        if figure is not None and figure is not self._figure:
-            self._figure, self.trouble = figure, ""  # another one may be drawn
-            self.look(camera=Camera.facing(figure.mesh))
+        morph_mesh = self._talking.face.morph_mesh
+        if morph_mesh is not None and morph_mesh is not self._morph_mesh:
+            self._morph_mesh, self.trouble = morph_mesh, ""  # another one may be drawn
+            self.look(camera=Camera.facing(morph_mesh.mesh))
 
     def _scene(self) -> Scene | None:
-        figure = self._talking.face.figure
-        if figure is None or self.camera is None:
+        morph_mesh = self._talking.face.morph_mesh
+        if morph_mesh is None or self.camera is None:
             return None
         return Scene(
-            figure, self._talking.face.positions(), self._talking.pose, self.camera, self.light,
+            morph_mesh, self._talking.face.positions(), self._talking.pose, self.camera, self.light,
             self._background, self.wireframe,
         )  # fmt: skip

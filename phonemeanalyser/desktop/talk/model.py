@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,24 +10,20 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.talk.face_model import FaceModel
-from phonemeanalyser.desktop.talk.mouth import Frames, TalkMouth
 from phonemeanalyser.desktop.talk.osc_model import OscModel
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import Analysis
-from phonemeengine.mouth.blinks import Blinker
-from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.performer import IdleMotion, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
-QUIET = 0.3
-"""Seconds without a frame after which the mouth of somebody who is listened to closes."""
-FORESIGHT = MOST_ANTICIPATION + 2 * FRAME_PERIOD
-"""Seconds; what of a file is known even earlier is not told yet: the user may stop it."""
+HALF_FRAME = (HOP - HOP // 2) / SAMPLE_RATE
+"""Seconds: a block of a file is due in the middle of its last frame."""
 FOLLOWED = 60
 """Frames after which a mouth is where it would be had it followed the sound from its beginning."""
 LEAST_WEIGHT, LEAST_ANGLE = 0.002, 0.04
@@ -39,8 +36,8 @@ class TalkModel(QObject):
     Signals
     -------
     changed : another face, table, detail, speed, mode or switch.
-    asked_changed : other mouth shapes are asked for by key or slider.
-    failed : a sentence for the user.
+    visemes_changed : other mouth shapes are asked for by key or slider.
+    error : a sentence for the user.
 
     Attributes
     ----------
@@ -49,39 +46,44 @@ class TalkModel(QObject):
     table_name : one of the program's tables, or the path of the user's own.
     mode : what becomes of everything else when a slider asks for a shape.
     attack_factor, release_factor : by how much all attacks and releases of the table are longer.
-    asked : the shapes that are asked for by key or slider.
+    random : whether the mouth varies as mouths do.
+    performer : says what is heard, with this face.
+    idle : what the face does besides speaking, and in which detail its mouth follows.
     watched : whether anybody looks.
     revision : another number whenever the face looks different.
     pose : how the head is turned.
     """
 
     changed = Signal()
-    asked_changed = Signal()
+    visemes_changed = Signal()
     error = Signal(str)
 
     def __init__(self, session: Session, clock: Callable[[], float] = time.monotonic) -> None:
         super().__init__()
         self.session = session
-        self.face, self.osc = FaceModel(), OscModel()
+        self._clock, self._began = clock, clock()
+        self.face, self.osc = FaceModel(), OscModel(self._now)
         self.watched = False
         self.revision = 0
         self.pose = HeadPose()
-        self.blinks = self.head_motion = self.random = True
+        self.random = True
         self.attack_factor = self.release_factor = 1.0
-        self.detail, self.mode = Detail.PHONEMES, Mode.INTERACT
+        self.mode = Mode.INTERACT
         self.table_name = USUAL_TABLE
         self.table = self._written = load_table(USUAL_TABLE)
-        self.asked = VisemeOverride(self.table)
-        self._clock = clock
-        self._began = clock()
-        self._mouth = TalkMouth(self.table)
-        self._blinker = Blinker()
+        self.idle = IdleMotion()
+        self.performer = Performer(self.table, self.idle)
+        self._performers = self.performer, self.osc.performer
         self._heard: list[Analysis] = []
-        self._heard_at = self._began
         self._last: Analysis | None = None
         self._seen = np.zeros(0, np.float32)
         self._work = TaskQueue(self.error.emit)
         self._connect()
+
+    @property
+    def visemes(self) -> VisemeOverride:
+        """The shapes that are asked for by key or slider."""
+        return self.performer.visemes
 
     @property
     def percentages(self) -> dict[str, float]:
@@ -100,7 +102,7 @@ class TalkModel(QObject):
 
     def set_detail(self, detail: Detail) -> None:
         """Follow more of the speech, or less."""
-        self.detail = detail
+        self.idle = replace(self.idle, detail=detail)
         self._use(self.table)
 
     def set_speed(self, attack: float, release: float) -> None:
@@ -120,13 +122,13 @@ class TalkModel(QObject):
 
     def set_blinks(self, on: bool) -> None:
         """Have the eyes blink, or not."""
-        self.blinks = on
-        self.changed.emit()
+        self.idle = replace(self.idle, blinks=on)
+        self._use(self.table)
 
     def set_head_motion(self, on: bool) -> None:
         """Have the head move with the voice, or not."""
-        self.head_motion = on
-        self.changed.emit()
+        self.idle = replace(self.idle, head=on)
+        self._use(self.table)
 
     # -- what is asked for --------------------------------------------------------------------------------
 
@@ -136,23 +138,23 @@ class TalkModel(QObject):
 
     def hold(self, shape: str) -> None:
         """Hold a shape, whatever is said, until `release`: everything else goes to 0 but blinks."""
-        self.asked.hold(shape)
-        self.asked_changed.emit()
+        self.visemes.hold(shape)
+        self.visemes_changed.emit()
 
     def release(self) -> None:
         """Let go of the shape that is held."""
-        self.asked.release()
-        self.asked_changed.emit()
+        self.visemes.release()
+        self.visemes_changed.emit()
 
-    def ask(self, shape: str, share: float) -> None:
+    def set_viseme(self, shape: str, share: float) -> None:
         """Ask for a shape, 0..1; `mode` says what becomes of everything else."""
-        self.asked.ask(shape, min(max(share, 0.0), 1.0), self.mode)
-        self.asked_changed.emit()
+        self.visemes.set(shape, min(max(share, 0.0), 1.0), self.mode)
+        self.visemes_changed.emit()
 
-    def ask_nothing(self) -> None:
+    def clear_visemes(self) -> None:
         """Leave the face to speech and blinks."""
-        self.asked.ask_nothing()
-        self.asked_changed.emit()
+        self.visemes.clear()
+        self.visemes_changed.emit()
 
     def watch(self, on: bool) -> None:
         """Take note of whether anybody looks."""
@@ -167,12 +169,12 @@ class TalkModel(QObject):
     def tick(self) -> None:
         """Follow what is heard, and move the face there if anybody looks; call it after the session's own tick."""
         heard, self._heard = self._heard, []
-        if not self.watched:
+        if not (self.watched or self.osc.on):
             self._last = None
             return
-        now = self._clock() - self._began
+        now = self._now()
         self._listen(heard, now)
-        if self.face.states is not None:
+        if self.watched and self.face.states is not None:
             self._move(now)
 
     def close(self) -> None:
@@ -181,24 +183,26 @@ class TalkModel(QObject):
         self.face.close()
         self._work.close()
 
+    def _now(self) -> float:
+        """Return the time that performers and the network share, seconds."""
+        return self._clock() - self._began
+
     def _listen(self, heard: list[Analysis], now: float) -> None:
-        """Tell the mouth the blocks that it does not know yet."""
+        """Have the performers hear the blocks that they do not know yet."""
         end = now - FRAME_PERIOD * sum(map(len, heard))
         known = [(end := end + FRAME_PERIOD * len(block), block) for block in heard]
         if self.session.playing:
-            near = [entry for entry in self.session.upcoming() if entry[0] <= FORESIGHT]
-            known += [(now + seconds, block) for seconds, block in near]
+            known += [(now + seconds + HALF_FRAME, block) for seconds, block in self.session.upcoming()]
         places = [k for k, (_, block) in enumerate(known) if block is self._last]
-        for at, block in known[places[-1] + 1 if places else 0 :]:
-            self._mouth.hear(Frames.of(block), at)
-            self._last, self._heard_at = block, now
-        if self.session.source is not SoundSource.FILE and now - self._heard_at > QUIET:
-            self._mouth.hush(now)
+        new = known[places[-1] + 1 if places else 0 :]
+        if new:
+            self._last = new[-1][1]
+            frames = [frame for end, block in new for frame in timed_frames(block, end)]
+            for performer in self._performers:
+                performer.hear(frames, now, live=self.session.source is not SoundSource.FILE)
 
     def _move(self, now: float) -> None:
-        weights = self.asked.mixed(self._mouth.weights(now), now)
-        closure = self.asked.blinks * self._blinker.closure(now) if self.blinks else 0.0
-        pose = self._mouth.pose(now) if self.head_motion else HeadPose()
+        _, weights, closure, pose = self.performer.at(now)
         look = np.array([*weights, closure, pose.yaw, pose.pitch, pose.roll], np.float32)
         if len(look) == len(self._seen):
             change = np.abs(look - self._seen)
@@ -212,12 +216,13 @@ class TalkModel(QObject):
     def _connect(self) -> None:
         session = self.session
         session.heard.connect(self._take_blocks)
-        session.opened.connect(self._hush)
+        session.opened.connect(self._close_mouth)
         session.sought.connect(self._seek)
         session.rewritten.connect(self._seek)
         session.transport_changed.connect(self._hold)
         self.face.changed.connect(self._take_face)
-        self.asked_changed.connect(self._tell_network)
+        self.visemes_changed.connect(self._share_visemes)
+        self.osc.changed.connect(self._share_visemes)
         for part in (self.face, self.osc):
             part.error.connect(self.error)
 
@@ -225,35 +230,45 @@ class TalkModel(QObject):
         """Take what was heard; once the sound has been stopped, what is still told of it says nothing any more."""
         if self.session.playing or self.session.position or self.session.source is not SoundSource.FILE:
             self._heard += blocks
-            self.osc.add_analyses(blocks)
 
-    def _tell_network(self) -> None:
-        self.osc.ask(self.asked.phonemes, self.asked.speech)
+    def _share_visemes(self) -> None:
+        self.osc.performer.set_phonemes(self.visemes.phonemes, self.visemes.speech)
 
-    def _hush(self) -> None:
+    def _close_mouth(self) -> None:
         self._heard.clear()
         self._last = None
-        self._mouth.hush(self._clock() - self._began)
+        for performer in self._performers:
+            performer.close_mouth(self._now())
 
     def _hold(self) -> None:
         """In a pause, keep the shape of what was heard last."""
         session, newest = self.session, self.session.history.newest
         if session.source is SoundSource.FILE and not session.playing and session.position and newest is not None:
             self._last = None
-            self._mouth.hold(self._clock() - self._began, int(newest.phonemes[-1]))
+            for performer in self._performers:
+                performer.hold(self._now(), Phoneme(int(newest.phonemes[-1])))
 
     def _seek(self, _column: int = 0) -> None:
         """While nothing plays, stand as somebody does who has just said what comes before that place."""
-        session, now = self.session, self._clock() - self._began
+        session, now = self.session, self._now()
         if session.playing:
-            self._mouth.forget_coming()
+            for performer in self._performers:
+                performer.forget_coming(now)
         elif session.position == 0 or session.history.n == 0:
-            self._hush()
+            self._close_mouth()
         else:
-            first, last = session.history.newest_run(FOLLOWED)
-            at = session.history.indices(session.history.n - (last - first), session.history.n)
-            codes, loud = session.history.phonemes[at].tolist(), session.history.intensities[at].tolist()
-            self._mouth.stand(Frames(codes, loud, [0.0] * len(codes)), now)
+            frames = self._newest_frames(now)
+            for performer in self._performers:
+                performer.jump_to(frames, now)
+
+    def _newest_frames(self, now: float) -> list[TimedFrame]:
+        """Return what the history holds last, as if it had just been heard."""
+        history = self.session.history
+        first, last = history.newest_run(FOLLOWED)
+        at = history.indices(history.n - (last - first), history.n)
+        rows = zip(history.phonemes[at].tolist(), history.intensities[at].tolist(), strict=True)
+        start = now - len(at) * FRAME_PERIOD
+        return [TimedFrame(start + k * FRAME_PERIOD, Phoneme(code), loud) for k, (code, loud) in enumerate(rows)]
 
     def _take_face(self) -> None:
         if not self.face.moved_by(self._written) and self.face.tables:
@@ -275,17 +290,16 @@ class TalkModel(QObject):
             self.changed.emit()
             return
         self.table_name, self._written = name, table
-        self.asked = VisemeOverride(table)
         self._use_written()
-        self.asked_changed.emit()
+        self.visemes_changed.emit()
 
     def _use_written(self) -> None:
-        self._use(self._written.moved_as(self.attack_factor, self.release_factor, random=self.random))
+        self._use(self._written.with_motion(self.attack_factor, self.release_factor, random=self.random))
 
     def _use(self, table: MouthTable) -> None:
         self.table = table
-        self._mouth.use(table, self.detail)
-        self.face.use(table)
-        self.osc.set_head_table(table, self.detail)
+        self.performer.configure(table, self.idle)
+        self.face.set_table(table)
+        self.osc.follow(table, self.idle.detail)
         self._seen = np.zeros(0, np.float32)
         self.changed.emit()

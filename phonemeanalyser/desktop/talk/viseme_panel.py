@@ -87,11 +87,11 @@ class VisemePanel(QWidget):
         self.leave.setText("Leave It to the Speech")
         self.leave.setToolTip("Set all sliders back to 0")
         self.leave.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.leave.clicked.connect(lambda _checked: talking.ask_nothing())
+        self.leave.clicked.connect(lambda _checked: talking.clear_visemes())
         self._lay_out()
         talking.changed.connect(self._take_table)
         self.mode.activated.connect(lambda k: talking.set_mode(Mode(self.mode.itemData(k))))
-        talking.asked_changed.connect(self._show_asked)
+        talking.visemes_changed.connect(self._show_shares)
         self._take_table()
 
     def _lay_out(self) -> None:
@@ -126,7 +126,7 @@ class VisemePanel(QWidget):
             self._body = body
             self._fill(QGridLayout(body), table)
         self._table = table
-        self._show_asked()
+        self._show_shares()
 
     def _fill(self, grid: QGridLayout, table: MouthTable) -> None:
         grid.setContentsMargins(0, 0, 0, 0)
@@ -151,22 +151,22 @@ class VisemePanel(QWidget):
         slider.setMinimumWidth(44)
         slider.setAccessibleName(f"share of the mouth shape {shape}")
         slider.setToolTip(f"How far the mouth takes the shape {shape}; with all at 0 it is left to the speech")
-        slider.valueChanged.connect(lambda value: talking.ask(shape, value / 100))
+        slider.valueChanged.connect(lambda value: talking.set_viseme(shape, value / 100))
         percent = self._percents[shape] = QLabel()
         percent.setFixedWidth(PERCENT_WIDTH)
         percent.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         return button, slider, percent
 
-    def _show_asked(self) -> None:
-        asked = self._talking.asked
-        if asked.shares.keys() != self.sliders.keys():
+    def _show_shares(self) -> None:
+        visemes = self._talking.visemes
+        if visemes.shares.keys() != self.sliders.keys():
             return  # the table is about to be listed
-        for shape, share in asked.shares.items():
+        for shape, share in visemes.shares.items():
             with QSignalBlocker(self.sliders[shape]):
                 self.sliders[shape].setValue(round(100 * share))
-            self.buttons[shape].setDown(shape == asked.held)
+            self.buttons[shape].setDown(shape == visemes.held)
             self._percents[shape].setText(f"{100 * share:.0f} %" if share else "")
-        self.leave.setEnabled(any(asked.shares.values()))
+        self.leave.setEnabled(any(visemes.shares.values()))
 
 
 def keys_of(table: MouthTable) -> Mapping[str, str]:

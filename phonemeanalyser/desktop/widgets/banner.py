@@ -1,5 +1,6 @@
 """A line that says what went wrong or well and what to do, without a dialog."""
 
+import logging
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt, QTimer, Signal
@@ -9,6 +10,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 from phonemeanalyser.desktop.theme import Theme
 
 SHOWN_MS = 15_000
+
+_log = logging.getLogger(__name__)
 
 
 class Banner(QWidget):
@@ -56,6 +59,7 @@ class Banner(QWidget):
     def show_error(self, sentence: str) -> None:
         """Show what went wrong; an empty sentence takes that away, but not an offer."""
         if sentence:
+            _log.warning("%s", sentence)
             self._show(sentence, self._theme.bad, SHOWN_MS)
         else:
             self._go_back()

@@ -106,7 +106,7 @@ class Plot(QWidget):
         self._follow_mouse()
 
     def refresh_read_out(self) -> None:
-        """Return what lies under the mouse now: it may stand still while the picture moves."""
+        """Show what lies under the mouse now: it may stand still while the picture moves."""
         point = None if self._mouse is None else self.item.vb.mapSceneToView(self._mouse)
         self._cursor.setVisible(point is not None)
         if point is not None:

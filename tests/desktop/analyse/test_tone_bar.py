@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.analyse.tone_bar import OF_KIND, SLIDER_STEPS, ToneBar
 from phonemeanalyser.desktop.theme import DARK
-from phonemeengine.audio.tone.settings import VOWELS, Formant, Tone, ToneKind
+from phonemeengine.audio.tone.settings import VOWEL_FORMANTS, Formant, Tone, ToneKind
 from tests.desktop.hands import type_number
 
 Shown = Callable[[Tone], ToneBar]
@@ -115,23 +115,23 @@ def test_a_typed_frequency_moves_the_slider_and_stays_as_typed(shown: Shown, tol
     assert bar.slider.value() == 930
 
 
-@pytest.mark.parametrize("name", [v for v in VOWELS if v != "a"])
+@pytest.mark.parametrize("name", [v for v in VOWEL_FORMANTS if v != "a"])
 def test_a_vowel_brings_its_formants(shown: Shown, told: list[Tone], name: str):
     bar = shown(Tone(ToneKind.VOWEL))
     choose(bar.vowel, name)
-    assert told[-1].formants == VOWELS[name]
-    assert [bar.numbers[f].value() for f in ("F1", "F2", "F3")] == [f.frequency for f in VOWELS[name][:3]]
+    assert told[-1].formants == VOWEL_FORMANTS[name]
+    assert [bar.numbers[f].value() for f in ("F1", "F2", "F3")] == [f.frequency for f in VOWEL_FORMANTS[name][:3]]
 
 
 def test_another_formant_makes_the_vowel_an_own_one(shown: Shown, told: list[Tone]):
     bar = shown(Tone(ToneKind.VOWEL))
     type_number(bar.numbers["F2"], "1500")
     assert bar.vowel.currentText() == "own"
-    assert told[-1].formants == (VOWELS["a"][0], Formant(1500, 70), *VOWELS["a"][2:])
+    assert told[-1].formants == (VOWEL_FORMANTS["a"][0], Formant(1500, 70), *VOWEL_FORMANTS["a"][2:])
 
 
 def test_choosing_own_leads_to_the_first_formant_and_changes_no_sound(shown: Shown, told: list[Tone]):
-    bar = shown(Tone(ToneKind.VOWEL, formants=VOWELS["u"]))
+    bar = shown(Tone(ToneKind.VOWEL, formants=VOWEL_FORMANTS["u"]))
     bar.vowel.setFocus()
     QTest.keyClick(bar.vowel, Qt.Key.Key_Down)
     assert bar.vowel.currentText() == "own"

@@ -27,14 +27,13 @@ def window(desktop, qtbot, sound):
 
 
 def said(window) -> str:
-    return window.banner.label.text() if window._banner_bar.isVisible() else ""
+    return window.banner.label.text() if window.banner.isVisible() else ""
 
 
 def save(window, qtbot) -> None:
     """Press the key, and wait until all is written."""
     press(window, Qt.Key.Key_E, CONTROL)
-    qtbot.waitUntil(lambda: not window._session.writer.busy)
-    QTest.qWait(40)
+    qtbot.waitUntil(lambda: "are looked for" not in said(window))
 
 
 @pytest.fixture
@@ -144,7 +143,7 @@ def test_at_another_source_it_says_what_to_do(desktop, window, qtbot):
 def test_a_folder_that_is_gone_is_said(window, qtbot, tmp_path, answer):
     answer(tmp_path / "gone" / "mine.TextGrid")
     save(window, qtbot)
-    assert said(window).startswith("mine.TextGrid: it cannot be written (No such file or directory)")
+    assert said(window).startswith("mine.TextGrid: cannot be written (No such file or directory)")
 
 
 def test_a_sound_that_was_cut_off_meanwhile_leaves_the_old_labels(window, qtbot, sound, tmp_path, answer):
@@ -160,13 +159,13 @@ def test_a_sound_that_was_cut_off_meanwhile_leaves_the_old_labels(window, qtbot,
 def held(monkeypatch):
     """Holds the analysis until the test lets it go on."""
     go_on = threading.Event()
-    analyse_blocks = phoneme_writer.analyse_blocks
+    analyse_file = phoneme_writer.analyse_file
 
     def slowly(*arguments):
         assert go_on.wait(60)
-        yield from analyse_blocks(*arguments)
+        yield from analyse_file(*arguments)
 
-    monkeypatch.setattr(phoneme_writer, "analyse_blocks", slowly)
+    monkeypatch.setattr(phoneme_writer, "analyse_file", slowly)
     yield go_on
     go_on.set()
 

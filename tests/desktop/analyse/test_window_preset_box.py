@@ -88,7 +88,7 @@ def test_an_own_preset_is_saved_into_the_folder_of_own_presets_and_then_listed(
         return name, "Preset (*.toml)"
 
     monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", accept)
-    type_number(window.thresholds.rows["sz_s1"].number, "3.5")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     assert window.preset_box.text() == "Thesis*"
     press(window, Qt.Key.Key_S, CONTROL | SHIFT)
     assert Path(suggested[0]) == tmp_path / "mine" / "thesis-mine.toml"
@@ -106,7 +106,7 @@ def old(desktop, window, tmp_path) -> Path:
     path.write_bytes((files.FACTORY / "thesis.phonemedata").read_bytes())
     window.dialogs.load_preset(path)
     desktop.preset.set_setting("hysteresis", 0.5)
-    type_number(window.thresholds.rows["sz_s1"].number, "3.5")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     return path
 
 
@@ -115,7 +115,7 @@ def test_numbers_alone_are_saved_without_a_question(desktop, window, tmp_path, m
     path.write_bytes((files.FACTORY / "thesis.phonemedata").read_bytes())
     window.dialogs.load_preset(path)
     monkeypatch.setattr(QMessageBox, "exec", lambda _box: pytest.fail("asked"))
-    type_number(window.thresholds.rows["sz_s1"].number, "3.5")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     press(window, Qt.Key.Key_S, CONTROL)
     assert load_preset(path).thresholds.sz_s1 == 3.5
     assert not window.isWindowModified()

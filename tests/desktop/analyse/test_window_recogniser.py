@@ -1,6 +1,5 @@
 """Choosing a recogniser in the window: the example of a plug-in at work, and what happens when one fails."""
 
-import os
 import subprocess
 import sys
 from dataclasses import fields
@@ -17,16 +16,16 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
-from phonemeengine.recognition.recogniser import RECOGNISERS
+from phonemeengine.recognition.spec import BUILT_IN
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
 from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number
-from tests.fakes.plug_ins import Shelf
+from tests.fakes.plug_ins import Shelf, environment_with
 from tests.tables import rows_of
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 FAILS_LATER = """
 class Own(Plain):
-    def recognise(self, features):
+    def recognise(self, windows, features):
         raise ValueError("no more")
 """
 MADE_ONCE = """
@@ -82,7 +81,7 @@ def sentences(session: Session) -> list[str]:
 
 def test_the_window_offers_what_is_installed_and_shows_what_the_preset_uses(loudness, desktop, qtbot):
     names = shown(desktop, qtbot).recogniser.names
-    assert [names.itemText(k) for k in range(names.count())] == [*RECOGNISERS, "loudness"]
+    assert [names.itemText(k) for k in range(names.count())] == [*BUILT_IN, "brightness", "loudness"]
     assert names.currentText() == "thesis"
     assert "install" in names.toolTip()
 
@@ -99,7 +98,7 @@ def test_choosing_a_recogniser_acts_at_once_and_undo_takes_it_back(loudness, des
     assert desktop.preset.undo_stack.undoText() == "recogniser loudness"
     assert window.isWindowModified()
     press(window, Qt.Key.Key_Z, CONTROL)
-    walked_by = [*RECOGNISERS][-1]  # the keys chose one after the other
+    walked_by = "brightness"  # the keys chose one after the other
     assert window.recogniser.names.currentText() == desktop.preset.preset.recogniser == walked_by
     press(window, Qt.Key.Key_Z, CONTROL | SHIFT)
     assert window.recogniser.names.currentText() == desktop.preset.preset.recogniser == "loudness"
@@ -108,15 +107,15 @@ def test_choosing_a_recogniser_acts_at_once_and_undo_takes_it_back(loudness, des
 def test_the_decision_of_a_plug_in_is_shown(loudness, desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
     choose(window, "loudness")
-    window.drawing.refresh_all()
-    assert window.phoneme.phoneme is Phoneme.A
-    assert [c.rule for c in window.phoneme.trace.comparisons] == ["opens", "stays"]
-    assert not window.phoneme.grab().isNull()
+    window.redraw.refresh_all()
+    assert window.analysis.phoneme.phoneme is Phoneme.A
+    assert [c.rule for c in window.analysis.phoneme.trace.comparisons] == ["opens", "stays"]
+    assert not window.analysis.phoneme.grab().isNull()
 
 
 def test_the_dock_shows_what_the_recogniser_in_use_is_tuned_by(loudness, desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
-    view = window.thresholds
+    view = window.analysis.thresholds
     expected = {
         "loudness": {"silence_energy", "minimum_hold", *FILTER_FIELDS},
         "learned": {"minimum_hold", "hysteresis", *(f"sensitivity_{p.label}" for p in Phoneme)},
@@ -124,7 +123,7 @@ def test_the_dock_shows_what_the_recogniser_in_use_is_tuned_by(loudness, desktop
     }
     for name, controls in expected.items():
         choose(window, name)
-        window.drawing.refresh_all()
+        window.redraw.refresh_all()
         assert view.rows.keys() == controls
         assert all(row.slider.isEnabled() for row in view.rows.values())
     assert view.rows["silence_energy"].slider.live is not None
@@ -134,14 +133,14 @@ def test_a_sensitivity_is_dragged_while_its_live_value_shows(desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
     choose(window, "learned")
     desktop.session.analyse_until(3.7)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     history = desktop.session.history
     named = Phoneme(int(history.newest.recognised[-1]))
     for phoneme in Phoneme:
-        slider = window.thresholds.rows[f"sensitivity_{phoneme.label}"].slider
+        slider = window.analysis.thresholds.rows[f"sensitivity_{phoneme.label}"].slider
         assert (slider.live < slider.value) == (phoneme is named)
-    slider = window.thresholds.rows["sensitivity_m"].slider
-    window.thresholds.ensureWidgetVisible(slider)
+    slider = window.analysis.thresholds.rows["sensitivity_m"].slider
+    window.analysis.thresholds.ensureWidgetVisible(slider)
     drag(slider, slider.width() / 2, slider.width() - 6)
     assert desktop.preset.preset.sensitivities == {Phoneme.M: 5.0}
     shown_then = history.phonemes[history.indices(0, history.n)]
@@ -162,10 +161,10 @@ def test_choosing_a_recogniser_takes_its_factory_preset(desktop, qtbot):
 
 def test_thresholds_of_one_s_own_come_back_with_their_recogniser(desktop, qtbot, tmp_path):
     window = shown(desktop, qtbot, None)
-    type_number(window.thresholds.rows["sz_s1"].number, "7.25")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "7.25")
     desktop.preset.set_filter(Filter.WINDOW_FUNCTION, True)
     choose(window, "learned")
-    type_number(window.thresholds.rows["sensitivity_a"].number, "-1.5")
+    type_number(window.analysis.thresholds.rows["sensitivity_a"].number, "-1.5")
     choose(window, "thesis")
     assert desktop.preset.preset.thresholds.sz_s1 == 7.25
     assert desktop.preset.preset.settings.has(Filter.WINDOW_FUNCTION)
@@ -203,19 +202,19 @@ def test_the_course_shows_no_limit_that_the_recogniser_does_not_use(shelf, deskt
     shelf.offer("")
     desktop.window.recogniser.names.addItem("own")
     window = followed(desktop, qtbot)
-    assert len(window.analysis.time_view._limits) == 1
+    assert len(window.analysis.scroll_view._limits) == 1
     choose(window, "own")
-    assert window.analysis.time_view._limits == []
+    assert window.analysis.scroll_view._limits == []
 
 
 def test_analyse_uses_an_installed_recogniser(loudness: Path, tmp_path: Path):
     save_preset(Preset(recogniser="loudness"), tmp_path / "loud.toml")
     command = [sys.executable, "-m", "phonemeanalyser", "analyse", str(DEMO), "--preset", str(tmp_path / "loud.toml")]
-    environment = {**os.environ, "PYTHONPATH": str(loudness)}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=240, check=True)
+    done = subprocess.run(
+        command, env=environment_with(loudness), capture_output=True, text=True, timeout=240, check=True
+    )
     assert {row["phoneme"] for row in rows_of(done.stdout)} == {"a", "silence"}
-    environment.pop("PYTHONPATH")
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=240, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=240, check=False)
     assert done.returncode != 0
     (line,) = done.stderr.splitlines()
     assert "loud.toml: there is no recogniser named 'loudness'" in line
@@ -289,7 +288,7 @@ def test_a_recogniser_that_cannot_say_why_is_told_once(
     model.set_recogniser("own")
     session.open(sound)
     session.analyse_until(0.5)
-    assert [session.explain() for _ in range(5)] == [None] * 5
+    assert [session.results.explain() for _ in range(5)] == [None] * 5
     assert len(sentences) == 1
     assert "cannot say why (ZeroDivisionError" in sentences[0]
     assert session.history.n == round(0.5 / FRAME_PERIOD)
@@ -302,12 +301,12 @@ def test_one_recogniser_explains_until_the_preset_changes(
     session.open(sound)
     session.analyse_until(0.3)
     before = model.recogniser
-    session.explain()
+    session.results.explain()
     model.set_setting("intensity_low", -40.0)
     assert model.recogniser is before
     model.tune("silence_energy", 0.5)
     assert model.recogniser is not before
-    trace = session.explain()
+    trace = session.results.explain()
     assert trace is not None
     assert [c.limit for c in trace.comparisons] == [0.5, 0.25]
 
@@ -317,10 +316,10 @@ def test_a_threshold_that_a_recogniser_does_not_take_is_refused_and_the_old_one_
     desktop.window.recogniser.names.addItem("own")
     window = shown(desktop, qtbot)
     choose(window, "own")
-    number = window.thresholds.rows["sz_s1"].number
+    number = window.analysis.thresholds.rows["sz_s1"].number
     type_number(number, "50")
     type_number(number, "200")
     assert "cannot be made (ValueError: sz_s1 goes up to 100)" in told(window)
     assert number.value() == desktop.preset.preset.thresholds.sz_s1 == 50
-    click(window.thresholds.rows["sz_s1"].reset)
+    click(window.analysis.thresholds.rows["sz_s1"].reset)
     assert desktop.preset.preset.thresholds.sz_s1 == desktop.preset.saved_value("sz_s1")

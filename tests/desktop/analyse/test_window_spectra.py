@@ -142,7 +142,7 @@ def test_the_waveform_cursor_reads_out_time_and_amplitude(window, qtbot):
 def test_other_settings_change_the_axis(desktop, window):
     desktop.preset.set_setting("quantise", 1)
     desktop.session.analyse_until(0.5)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     x, _ = curve(window.analysis.spectrum)
     assert len(x) == 1024
     assert window.analysis.spectrum.item.viewRange()[0][1] == pytest.approx(22050, abs=30)
@@ -166,7 +166,7 @@ def test_under_a_still_mouse_the_read_out_follows_the_picture(window, qtbot):
 # -- the menu of the plots ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["spectrum", "averaged", "waveform", "time_view"])
+@pytest.mark.parametrize("name", ["spectrum", "averaged", "waveform", "scroll_view"])
 def test_a_right_click_opens_the_menu(window, monkeypatch, name):
     view = getattr(window.analysis, name)
     opened = []
@@ -206,7 +206,7 @@ def test_curves_stand_beside_the_mean_in_its_table(desktop, window, monkeypatch,
     choose_save(window, monkeypatch, tmp_path / "tone")
     desktop.preset.set_setting("quantise", 1)
     desktop.session.analyse_until(0.3)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     rows = copied(window.analysis.averaged.menu, QPoint(9, 9))
     assert rows[0][3:] == ["1 tone, amplitude (linear)"]
     assert len(rows) == 1 + 1024
@@ -229,7 +229,7 @@ def test_the_picture_is_copied_and_saved(window, monkeypatch, tmp_path):
         return str(tmp_path / "mine"), ""
 
     monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", answer)
-    for name in ("spectrum", "averaged", "waveform", "time_view"):
+    for name in ("spectrum", "averaged", "waveform", "scroll_view"):
         menu = getattr(window.analysis, name).menu
         choose(menu, "Copy Picture")
         copy = QApplication.clipboard().image()
@@ -240,7 +240,7 @@ def test_the_picture_is_copied_and_saved(window, monkeypatch, tmp_path):
         "mine (2).png", "mine (3).png", "mine (4).png", "mine.png",
     ]  # fmt: skip
     saved = QImage(str(tmp_path / "mine (4).png"))
-    assert saved.size() == window.analysis.time_view.menu.parent().size()
+    assert saved.size() == window.analysis.scroll_view.menu.parent().size()
     assert not window.banner.isVisible()
 
 
@@ -294,7 +294,7 @@ def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, monke
     saved = load_averaged_spectrum(tmp_path / "tone.csv")
     assert saved.n_frames == 80
     assert "quantise 4 plain" in saved.front_end
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     assert entries(window) == ["tone Δ 0.0 dB"]
     assert np.allclose(curve(window.analysis.averaged, 0)[1], curve(window.analysis.averaged, 1)[1])
 
@@ -305,7 +305,7 @@ def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qt
     desktop.session.analyse_until(0.8)
     choose_save(window, monkeypatch, tmp_path / "hiss.csv")
     choose_load(window, monkeypatch, tmp_path / "tone.csv", tmp_path / "hiss.csv")
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     names = [text.split(" Δ ")[0] for text in entries(window)]
     distances = [float(text.split(" Δ ")[1].removesuffix(" dB")) for text in entries(window)]
     assert names == ["tone", "hiss", "tone", "hiss"]
@@ -316,7 +316,7 @@ def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qt
     assert len(set(pens)) == 4
     crosses = [b for b in window.analysis.averaged.findChildren(QToolButton) if b.toolTip() == "Remove tone"]
     click(crosses[-1])
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     assert len(window.analysis.averaged.item.curves) == 4
     assert len(desktop.session.averages.curves) == 3
 

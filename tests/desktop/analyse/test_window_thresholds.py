@@ -37,15 +37,15 @@ def x_of(slider, share: float) -> float:
 def test_all_21_thresholds_have_a_slider_a_number_and_a_reset(window):
     names = [name for line in LAYOUT for name in line]
     assert sorted(names) == sorted(NAMES)
-    assert list(window.thresholds.rows)[:21] == names
+    assert list(window.analysis.thresholds.rows)[:21] == names
     assert len(names) == 21
 
 
 def test_a_drag_moves_one_threshold_and_its_number_and_undo_takes_the_whole_drag_back(desktop, window):
     for name in NAMES:
         before = desktop.preset.preset.phoneme_data
-        slider, number = window.thresholds.rows[name].slider, window.thresholds.rows[name].number
-        window.thresholds.ensureWidgetVisible(slider)
+        slider, number = window.analysis.thresholds.rows[name].slider, window.analysis.thresholds.rows[name].number
+        window.analysis.thresholds.ensureWidgetVisible(slider)
         drag(slider, x_of(slider, 0.2), x_of(slider, 0.7))
         after = desktop.preset.preset.phoneme_data
         changed = {n for n in NAMES if getattr(before, n) != getattr(after, n)}
@@ -57,7 +57,7 @@ def test_a_drag_moves_one_threshold_and_its_number_and_undo_takes_the_whole_drag
         assert highest == pytest.approx(float(f"{highest:.2g}"), rel=0.001 + rounding), name
         assert value_of(desktop, name) == pytest.approx(slider.value, rel=1e-6)
         assert number.value() == pytest.approx(slider.value, abs=0.5 * 10 ** -number.decimals())
-        assert window.thresholds.rows[name].reset.isVisible()
+        assert window.analysis.thresholds.rows[name].reset.isVisible()
         press(window, Qt.Key.Key_Z, CONTROL)
         assert desktop.preset.preset.phoneme_data == before
         press(window, Qt.Key.Key_Z, CONTROL | SHIFT)
@@ -66,7 +66,7 @@ def test_a_drag_moves_one_threshold_and_its_number_and_undo_takes_the_whole_drag
 
 
 def test_two_drags_are_two_undos(desktop, window):
-    slider = window.thresholds.rows["sz_s1"].slider
+    slider = window.analysis.thresholds.rows["sz_s1"].slider
     first = value_of(desktop, "sz_s1")
     drag(slider, x_of(slider, 0.2), x_of(slider, 0.5))
     second = value_of(desktop, "sz_s1")
@@ -80,7 +80,7 @@ def test_two_drags_are_two_undos(desktop, window):
 
 def test_a_slider_goes_from_nothing_to_its_end_and_no_further(desktop, window):
     for name in NAMES:
-        slider = window.thresholds.rows[name].slider
+        slider = window.analysis.thresholds.rows[name].slider
         drag(slider, x_of(slider, 0.5), -100)
         assert value_of(desktop, name) == 0
         drag(slider, x_of(slider, 0.5), slider.width() + 500)
@@ -92,37 +92,37 @@ def test_a_slider_goes_from_nothing_to_its_end_and_no_further(desktop, window):
 def test_a_typed_number_is_taken_as_it_is(desktop, window):
     for name in NAMES:
         text = {"time_smooth": "0.125", "frequency_smooth": "0.125", "denoise_threshold": "0.0125"}.get(name, "0.5")
-        type_number(window.thresholds.rows[name].number, text)
+        type_number(window.analysis.thresholds.rows[name].number, text)
         assert value_of(desktop, name) == pytest.approx(float(text), rel=1e-12)
-        assert window.thresholds.rows[name].slider.value == pytest.approx(float(text), rel=1e-12)
+        assert window.analysis.thresholds.rows[name].slider.value == pytest.approx(float(text), rel=1e-12)
 
 
 def test_a_number_may_lie_beyond_the_slider(desktop, window):
-    type_number(window.thresholds.rows["u_o1"].number, "500")
+    type_number(window.analysis.thresholds.rows["u_o1"].number, "500")
     assert value_of(desktop, "u_o1") == 500
 
 
 def test_typing_a_filter_threshold_shows_in_the_filter_column_too(desktop, window):
-    type_number(window.thresholds.rows["high_pass_end"].number, "250")
+    type_number(window.analysis.thresholds.rows["high_pass_end"].number, "250")
     assert desktop.preset.preset.settings.high_pass_end == pytest.approx(250, abs=1e-9)
     assert window.filters.fields["high_pass_end"].value() == 250
     type_number(window.filters.fields["time_smooth"], "0.25")
-    assert window.thresholds.rows["time_smooth"].number.value() == 0.25
+    assert window.analysis.thresholds.rows["time_smooth"].number.value() == 0.25
 
 
 def test_an_impossible_filter_threshold_is_refused_or_held_at_the_limit(desktop, window):
     for name in ("time_smooth", "frequency_smooth", "denoise_threshold"):
-        type_number(window.thresholds.rows[name].number, "7")
+        type_number(window.analysis.thresholds.rows[name].number, "7")
         assert 0 <= value_of(desktop, name) <= 1
-        assert window.thresholds.rows[name].number.value() == pytest.approx(value_of(desktop, name))
+        assert window.analysis.thresholds.rows[name].number.value() == pytest.approx(value_of(desktop, name))
     for name in ("high_pass_start", "high_pass_end"):
-        type_number(window.thresholds.rows[name].number, "99999")
+        type_number(window.analysis.thresholds.rows[name].number, "99999")
         assert 0 <= value_of(desktop, name) <= 22050
-        assert window.thresholds.rows[name].number.value() == pytest.approx(value_of(desktop, name))
+        assert window.analysis.thresholds.rows[name].number.value() == pytest.approx(value_of(desktop, name))
 
 
 def test_arrow_keys_move_a_hundredth_and_with_shift_a_thousandth(desktop, window):
-    slider = window.thresholds.rows["sz_s1"].slider
+    slider = window.analysis.thresholds.rows["sz_s1"].slider
     click(slider, x_of(slider, 0.5))
     share = (value_of(desktop, "sz_s1") / 66) ** (1 / CURVATURE)
     for key, modifier, step in (
@@ -140,11 +140,11 @@ def test_arrow_keys_move_a_hundredth_and_with_shift_a_thousandth(desktop, window
 def test_the_reset_gives_back_the_file_s_value_and_goes_away(desktop, window):
     for name, text in (("sz_s1", "77"), ("high_pass_end", "770"), ("denoise_threshold", "0.77")):
         before = value_of(desktop, name)
-        type_number(window.thresholds.rows[name].number, text)
-        assert window.thresholds.rows[name].reset.isVisible()
-        click(window.thresholds.rows[name].reset)
+        type_number(window.analysis.thresholds.rows[name].number, text)
+        assert window.analysis.thresholds.rows[name].reset.isVisible()
+        click(window.analysis.thresholds.rows[name].reset)
         assert value_of(desktop, name) == before
-        assert not window.thresholds.rows[name].reset.isVisible()
+        assert not window.analysis.thresholds.rows[name].reset.isVisible()
     assert not desktop.preset.has_unsaved_changes
 
 
@@ -152,7 +152,7 @@ def test_the_marks_are_the_live_values(desktop, qtbot):
     window = followed(desktop, qtbot, seconds=1.0)
     newest = desktop.session.history.newest
     for condition in CONDITIONS:
-        live = window.thresholds.rows[condition.threshold].slider.live
+        live = window.analysis.thresholds.rows[condition.threshold].slider.live
         assert live == pytest.approx(float(newest.features[condition.variable][-1]))
 
 
@@ -163,14 +163,14 @@ def test_the_marks_move_with_the_sound(desktop, qtbot):
     click(window.transport.play)
 
     def moved() -> bool:
-        seen.add(window.thresholds.rows["szsch_szsch1"].slider.live)
+        seen.add(window.analysis.thresholds.rows["szsch_szsch1"].slider.live)
         return len(seen) > 5
 
     qtbot.waitUntil(moved)
 
 
 def test_a_mark_lies_at_its_value_however_wide_the_slider_becomes_meanwhile(window, qtbot):
-    slider = window.thresholds.rows["sz_s1"].slider
+    slider = window.analysis.thresholds.rows["sz_s1"].slider
     slider.set_live(slider.value)
     for width in (slider.width() + 40, slider.width() - 20):
         slider.resize(width, slider.height())
@@ -183,7 +183,7 @@ def test_a_mark_lies_at_its_value_however_wide_the_slider_becomes_meanwhile(wind
 
 
 def test_a_mark_is_green_where_the_comparison_holds_and_red_where_it_fails(window):
-    slider = window.thresholds.rows["sz_s1"].slider
+    slider = window.analysis.thresholds.rows["sz_s1"].slider
     slider.set_value(20)
     for live, colour in ((40.0, window.theme.good), (5.0, window.theme.bad)):
         slider.set_live(live)
@@ -200,7 +200,7 @@ def test_an_edit_while_it_plays_acts_on_later_blocks(desktop, qtbot):
     heard = history.phonemes[: history.n].copy()
     assert np.any(heard != Phoneme.SILENCE)
     for name in ("silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1"):
-        type_number(window.thresholds.rows[name].number, "99999")
+        type_number(window.analysis.thresholds.rows[name].number, "99999")
     edited = history.n
     qtbot.waitUntil(lambda: history.n > edited + 70)
     assert np.array_equal(history.phonemes[: len(heard)], heard)
@@ -211,7 +211,7 @@ def test_an_edit_while_it_plays_acts_on_later_blocks(desktop, qtbot):
 
 def test_the_trace_follows_an_edit_at_once_even_while_it_stands_still(desktop, qtbot):
     window = followed(desktop, qtbot, seconds=0.8)
-    assert window.phoneme.trace.phoneme is not Phoneme.SILENCE
+    assert window.analysis.phoneme.trace.phoneme is not Phoneme.SILENCE
     for name in ("silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1"):
-        type_number(window.thresholds.rows[name].number, "99999")
-    qtbot.waitUntil(lambda: window.phoneme.trace.phoneme is Phoneme.SILENCE)
+        type_number(window.analysis.thresholds.rows[name].number, "99999")
+    qtbot.waitUntil(lambda: window.analysis.phoneme.trace.phoneme is Phoneme.SILENCE)

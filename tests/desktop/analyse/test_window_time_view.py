@@ -42,7 +42,7 @@ def window(desktop, qtbot, tmp_path):
     """A window that has heard two seconds of a tone of a tenth of the full scale, without normalising."""
     desktop.preset.set_filter("normalise", on=False)
     window = followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, 2.5, 0.1)), 2.0)
-    window.analysis.time_view.colours.setCurrentText(GREY)
+    window.analysis.scroll_view.colours.setCurrentText(GREY)
     return window
 
 
@@ -63,11 +63,11 @@ def test_a_tone_is_a_bright_line_at_its_frequency_for_as_long_as_it_was_heard(wi
 
 
 def test_the_range_acts_where_brightness_is_linear_too(close):
-    click(close.analysis.time_view.decibels)
+    click(close.analysis.scroll_view.decibels)
     lightness = []
     for low, high in ((-60, 0), (-60, -6), (-60, -14), (-26, -14), (-20, 0)):
-        type_number(close.analysis.time_view.low, str(low))
-        type_number(close.analysis.time_view.high, str(high))
+        type_number(close.analysis.scroll_view.low, str(low))
+        type_number(close.analysis.scroll_view.high, str(high))
         eyes = TimeEyes(close)
         lightness.append(eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness())
     assert lightness == pytest.approx([25, 51, 127, 85, 0], abs=6)
@@ -76,7 +76,7 @@ def test_the_range_acts_where_brightness_is_linear_too(close):
 @pytest.mark.parametrize(("in_decibels", "lightness"), [(True, 255 * 40 / 60), (False, 25.5)])
 def test_brightness_is_the_level_in_db_or_linear(close, in_decibels, lightness):
     if not in_decibels:
-        click(close.analysis.time_view.decibels)
+        click(close.analysis.scroll_view.decibels)
     eyes = TimeEyes(close)
     assert eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness() == pytest.approx(lightness, abs=4)
 
@@ -84,23 +84,23 @@ def test_brightness_is_the_level_in_db_or_linear(close, in_decibels, lightness):
 def test_the_range_darkens_and_brightens(close):
     lightness = []
     for low, high in ((-60, 0), (-40, 0), (-60, -20), (-25, -15)):
-        close.analysis.time_view.low.setValue(low)
-        close.analysis.time_view.high.setValue(high)
+        close.analysis.scroll_view.low.setValue(low)
+        close.analysis.scroll_view.high.setValue(high)
         eyes = TimeEyes(close)
         lightness.append(eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness())
     assert lightness == pytest.approx([170, 127, 255, 127], abs=6)
 
 
 def test_a_typed_range_counts(close):
-    type_number(close.analysis.time_view.low, "-40")
+    type_number(close.analysis.scroll_view.low, "-40")
     eyes = TimeEyes(close)
     assert eyes.colour(eyes.sonagram, -1.0, ON_BIN).lightness() == pytest.approx(127, abs=4)
 
 
 def test_a_colour_map_colours_sonagram_and_colour_bar(close):
-    bar = close.analysis.time_view.findChild(ColourBar)
+    bar = close.analysis.scroll_view.findChild(ColourBar)
     for name in COLOUR_MAPS:
-        close.analysis.time_view.colours.setCurrentText(name)
+        close.analysis.scroll_view.colours.setCurrentText(name)
         colours, eyes, image = colours_of(name), TimeEyes(close), bar.grab().toImage()
         pixels = {
             170: eyes.colour(eyes.sonagram, -1.0, ON_BIN),
@@ -113,26 +113,26 @@ def test_a_colour_map_colours_sonagram_and_colour_bar(close):
 
 
 def test_the_colour_bar_names_the_range(window):
-    bar = window.analysis.time_view.findChild(ColourBar)
+    bar = window.analysis.scroll_view.findChild(ColourBar)
     assert bar._labels == ("0 dB", "-30 dB", "-60 dB")
-    window.analysis.time_view.low.setValue(-80)
+    window.analysis.scroll_view.low.setValue(-80)
     assert bar._labels == ("0 dB", "-40 dB", "-80 dB")
-    click(window.analysis.time_view.decibels)
+    click(window.analysis.scroll_view.decibels)
     assert bar._labels == ("1", "0.5", "0.0001")
 
 
 def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbot):
     window = shown(desktop, qtbot, None)
-    window.analysis.time_view.colours.setCurrentText(GREY)
+    window.analysis.scroll_view.colours.setCurrentText(GREY)
     sound = np.concatenate((tone(ON_BIN, 62.0), tone(3 * ON_BIN, 2.0)))
     for analysis in analyse_blocks(np.array_split(sound, 30), desktop.preset.preset):
-        desktop.session.findings.add(analysis)
-        window.analysis.time_view.refresh()
+        desktop.session.results.add(analysis)
+        window.analysis.scroll_view.refresh()
     assert desktop.session.history.n > CAPACITY + 300
     eyes = TimeEyes(window)
     assert [round(eyes.brightest(s) / ON_BIN) for s in (-0.2, -1.8, -2.2, -5.5)] == [3, 3, 1, 1]
     ring = eyes.image
-    window.analysis.time_view.sonagram.recolour()
+    window.analysis.scroll_view.sonagram.recolour()
     assert TimeEyes(window).image == ring
 
 
@@ -150,7 +150,7 @@ def test_the_whole_minute_can_be_seen_and_no_more(desktop, qtbot):
 def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
-    label = window.analysis.time_view._cursor_label
+    label = window.analysis.scroll_view._cursor_label
     qtbot.waitUntil(label.isVisible)
     seconds, phoneme, hertz, amplitude, level = re.fullmatch(
         r"([\d.]+) s   (\w+)   (\d+) Hz   ([\d.]+)   (-[\d.]+|−∞) dB", label.text()
@@ -166,10 +166,10 @@ def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, 
 
 
 def test_over_the_course_the_cursor_reads_out_the_variable(window, qtbot):
-    window.analysis.time_view.variable.setCurrentText("volume")
+    window.analysis.scroll_view.variable.setCurrentText("volume")
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.course, -1.0, 0.05)
-    label = window.analysis.time_view._cursor_label
+    label = window.analysis.scroll_view._cursor_label
     qtbot.waitUntil(label.isVisible)
     assert re.fullmatch(r"[\d.]+ s   \w+   volume 0\.1", label.text())
 
@@ -177,7 +177,7 @@ def test_over_the_course_the_cursor_reads_out_the_variable(window, qtbot):
 def test_left_of_what_was_heard_there_is_nothing_to_read(window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
-    label = window.analysis.time_view._cursor_label
+    label = window.analysis.scroll_view._cursor_label
     qtbot.waitUntil(label.isVisible)
     hover(eyes.graphics, eyes.sonagram, -4.0, ON_BIN)
     qtbot.waitUntil(lambda: not label.isVisible())
@@ -188,7 +188,7 @@ def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
     desktop.session.analyse_until(1.0)
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -0.5, ON_BIN)
-    label = window.analysis.time_view._cursor_label
+    label = window.analysis.scroll_view._cursor_label
     qtbot.waitUntil(label.isVisible)
     assert float(label.text().split(" s")[0]) == pytest.approx(1.5, abs=0.025)
 
@@ -196,15 +196,15 @@ def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
 def test_under_a_still_mouse_the_read_out_follows_the_moving_picture(desktop, window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, ON_BIN)
-    label = window.analysis.time_view._cursor_label
+    label = window.analysis.scroll_view._cursor_label
     qtbot.waitUntil(label.isVisible, timeout=30_000)
     assert float(label.text().split(" s")[0]) == pytest.approx(1.0, abs=0.025)
-    findings, session = desktop.session.findings, desktop.session
-    findings.add_file_start(session.path, session.channel, 96)
-    window.drawing.refresh_all()
+    results, session = desktop.session.results, desktop.session
+    results.add_file_start(session.path, session.channel, 96)
+    window.redraw.refresh_all()
     assert label.text() == ""  # it lies in the gap before what begins anew
-    findings.add_file_start(session.path, session.channel, 30)
-    window.drawing.refresh_all()
+    results.add_file_start(session.path, session.channel, 30)
+    window.redraw.refresh_all()
     assert float(label.text().split(" s")[0]) == pytest.approx(0.36, abs=0.025)
 
 
@@ -214,7 +214,7 @@ def test_under_a_still_mouse_the_read_out_follows_the_moving_picture(desktop, wi
 @pytest.mark.parametrize(("step", "highest"), [(4, 5512.5), (2, 11_025), (1, 22_050)])
 def test_the_zoom_ends_where_the_analysis_ends(desktop, window, step, highest):
     desktop.preset.set_setting("quantise", step)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     sonagram = TimeEyes(window).sonagram
     sonagram.setYRange(-500, 30_000, padding=0)
     assert sonagram.viewRange()[1] == pytest.approx([0, highest])
@@ -235,7 +235,7 @@ def test_the_sonagram_s_values_are_a_table_of_what_is_seen(desktop, window):
     eyes = TimeEyes(window)
     eyes.sonagram.setYRange(950, 1030, padding=0)
     eyes.sonagram.setXRange(-1, -0.5, padding=0)
-    rows = copied(window.analysis.time_view.menu, place(eyes.graphics, eyes.sonagram, -0.7, ON_BIN))
+    rows = copied(window.analysis.scroll_view.menu, place(eyes.graphics, eyes.sonagram, -0.7, ON_BIN))
     assert rows[0][:3] == ["time in the sound (s)", "phoneme", "intensity (0..1)"]
     assert f"amplitude at {ON_BIN:.1f} Hz" in rows[0]
     assert [float(row[0]) for row in rows[1:]] == pytest.approx(np.arange(100, 150) / 100)
@@ -244,9 +244,9 @@ def test_the_sonagram_s_values_are_a_table_of_what_is_seen(desktop, window):
 
 
 def test_the_course_s_values_are_a_table_with_its_unit(window):
-    window.analysis.time_view.variable.setCurrentText("zero_crossings")
+    window.analysis.scroll_view.variable.setCurrentText("zero_crossings")
     eyes = TimeEyes(window)
-    rows = copied(window.analysis.time_view.menu, place(eyes.graphics, eyes.course, -0.7, 10))
+    rows = copied(window.analysis.scroll_view.menu, place(eyes.graphics, eyes.course, -0.7, 10))
     assert rows[0] == ["time in the sound (s)", "phoneme", "intensity (0..1)", "zero_crossings (per window)"]
     assert len(rows) == 1 + 200
     assert float(rows[100][3]) == pytest.approx(2 * ON_BIN * 2048 / 44_100, abs=1)
@@ -268,9 +268,9 @@ def test_the_lane_s_colours_are_the_phonemes(desktop, qtbot):
 
 def test_the_box_offers_every_variable_and_its_extremes_since_clear(desktop, qtbot):
     window = followed(desktop, qtbot)
-    box = window.analysis.time_view.variable
+    box = window.analysis.scroll_view.variable
     assert [box.itemText(k) for k in range(box.count())] == list(BUILT_IN_NAMES)
-    label = next(w for w in window.analysis.time_view.findChildren(QLabel) if w.toolTip().startswith("Largest"))
+    label = next(w for w in window.analysis.scroll_view.findChildren(QLabel) if w.toolTip().startswith("Largest"))
     history = desktop.session.history
     for name in BUILT_IN_NAMES:
         box.setCurrentText(name)
@@ -285,7 +285,7 @@ def test_the_course_is_the_variable_over_time(desktop, qtbot):
     window = followed(desktop, qtbot, seconds=2.0)
     history = desktop.session.history
     for name in ("volume", "m_szsch1", "f0"):
-        window.analysis.time_view.variable.setCurrentText(name)
+        window.analysis.scroll_view.variable.setCurrentText(name)
         course = next(i for i in TimeEyes(window).course.items if isinstance(i, pg.PlotCurveItem))
         x, y = course.getData()
         assert np.array_equal(y, history.features(history.indices(0, history.n))[name])
@@ -296,7 +296,7 @@ def test_the_course_is_the_variable_over_time(desktop, qtbot):
 
 def test_in_a_pause_the_course_is_drawn_anew_where_one_pans_and_when_the_preset_changes(desktop, qtbot, tmp_path):
     window = followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, 20, 0.5)), 20.0)
-    window.drawing.timer.stop()
+    window.redraw.timer.stop()
     history, sonagram = desktop.session.history, TimeEyes(window).sonagram
     course = next(i for i in TimeEyes(window).course.items if isinstance(i, pg.PlotCurveItem))
     sonagram.setXRange(-18, -12, padding=0)
@@ -309,14 +309,14 @@ def test_in_a_pause_the_course_is_drawn_anew_where_one_pans_and_when_the_preset_
     assert len(y) > 1790
     assert np.array_equal(y, history.features(history.indices(history.n - len(y), history.n))["energy"])
     assert (y[-500:] < 0.9 * before).all()
-    window.analysis.time_view.variable.setCurrentText("volume")
+    window.analysis.scroll_view.variable.setCurrentText("volume")
     assert course.getData()[1] == pytest.approx(0.5, abs=0.01)
 
 
 def test_a_gap_is_empty_in_sonagram_lane_and_course(desktop, qtbot, tmp_path):
     window = followed(desktop, qtbot, wav(tmp_path, tone(ON_BIN, 3, 0.5)), 2.0)
     desktop.session.seek(1.0)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     eyes, nothing = TimeEyes(window), QColor(window.theme.base)
     for seconds, empty in ((-0.5, False), (-1.05, True), (-2.0, False), (-3.05, False), (-3.2, True)):
         for plot, y in ((eyes.sonagram, ON_BIN), (eyes.lane, 0.95)):
@@ -334,9 +334,9 @@ def test_the_thresholds_of_the_chosen_variable_are_lines(desktop, qtbot):
         return sorted(line.value() for line in items if isinstance(line, pg.InfiniteLine))
 
     for name in BUILT_IN_NAMES:
-        window.analysis.time_view.variable.setCurrentText(name)
+        window.analysis.scroll_view.variable.setCurrentText(name)
         thresholds = desktop.preset.preset.thresholds
         assert lines() == sorted(getattr(thresholds, c.threshold) for c in CONDITIONS if c.variable == name)
-    window.analysis.time_view.variable.setCurrentText("m_s1")
-    type_number(window.thresholds.rows["sz_s1"].number, "12.5")
+    window.analysis.scroll_view.variable.setCurrentText("m_s1")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "12.5")
     assert lines() == [12.5]

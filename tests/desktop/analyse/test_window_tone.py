@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.window import MainWindow
-from phonemeengine.audio.tone.settings import VOWELS, ToneKind
+from phonemeengine.audio.tone.settings import VOWEL_FORMANTS, ToneKind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH
 from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, type_number
@@ -29,7 +29,7 @@ def heard(desktop, window, qtbot):
     def wait(n: int = 30) -> np.ndarray:
         until = desktop.session.history.n + n + 10  # what was written before a change is still to be heard
         qtbot.waitUntil(lambda: desktop.session.history.n >= until)
-        window.drawing.refresh_all()
+        window.redraw.refresh_all()
         return desktop.session.history.newest.spectra
 
     return wait
@@ -113,14 +113,14 @@ def test_white_noise_is_flat_and_pink_noise_falls(desktop, window, heard):
 def test_a_vowel_has_its_harmonics_and_is_recognised(desktop, window, heard):
     choose(window.transport.tone.kind, "vowel")
     heard()
-    assert window.phoneme.phoneme is Phoneme.A
-    assert float(window.phoneme.meters["f(g)"].removesuffix(" Hz")) == pytest.approx(120, abs=2)
+    assert window.analysis.phoneme.phoneme is Phoneme.A
+    assert float(window.analysis.phoneme.meters["f(g)"].removesuffix(" Hz")) == pytest.approx(120, abs=2)
 
 
 def test_a_vowel_of_the_list_brings_its_formants_to_the_ear(desktop, window, heard):
     choose(window.transport.tone.kind, "vowel")
     choose(window.transport.tone.vowel, "u")
-    assert desktop.session.tone.formants == VOWELS["u"]
+    assert desktop.session.tone.formants == VOWEL_FORMANTS["u"]
     heard()
     x, y = window.analysis.spectrum.item.curves[0].getData()
     below, above = y[(x > 200) & (x < 900)].max(), y[(x > 1100) & (x < 1500)].max()
@@ -141,11 +141,11 @@ def test_a_sweep_rises(desktop, window, heard):
 def test_the_level_is_what_is_measured_and_the_volume_only_what_is_heard(desktop, window, heard):
     type_number(window.transport.tone.numbers["level"], "-20")
     heard()
-    assert float(window.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
+    assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
     press(window, Qt.Key.Key_Down, CONTROL)
     heard()
     assert desktop.session.volume == -3
-    assert float(window.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
+    assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
 
 
 def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
@@ -167,7 +167,7 @@ def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
 
 def test_a_file_has_what_a_tone_has_not(desktop, window):
     transport = window.transport
-    assert not any(widget.isVisible() for widget in (transport.loop, transport.channel, transport.time_line))
+    assert not any(widget.isVisible() for widget in (transport.loop, transport.channel, transport.position_slider))
     assert transport.volume.isVisible()
     assert transport.tone.isVisible()
     assert " / " not in transport.time.text()

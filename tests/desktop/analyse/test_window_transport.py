@@ -98,13 +98,13 @@ def test_a_sound_that_ends_stops_at_the_beginning(desktop, window, qtbot):
 
 @pytest.mark.parametrize("share", [0.25, 0.5, 0.9])
 def test_a_click_on_the_time_line_goes_there(desktop, window, share):
-    line = window.transport.time_line
+    line = window.transport.position_slider
     click(line, 6 + share * (line.width() - 12))
     assert desktop.session.position == pytest.approx(share * desktop.session.duration, abs=0.02)
 
 
 def test_a_drag_along_the_time_line_ends_where_the_mouse_is(desktop, window):
-    line = window.transport.time_line
+    line = window.transport.position_slider
     drag(line, 30, line.width() * 3)
     assert desktop.session.position == pytest.approx(desktop.session.duration, abs=0.011)
     drag(line, 300, -50)
@@ -112,7 +112,7 @@ def test_a_drag_along_the_time_line_ends_where_the_mouse_is(desktop, window):
 
 
 def test_arrow_keys_move_the_time_line_once_it_has_the_focus(desktop, window):
-    click(window.transport.time_line, 6)
+    click(window.transport.position_slider, 6)
     press(window, Qt.Key.Key_Right)
     assert desktop.session.position == pytest.approx(1, abs=0.02)
     press(window, Qt.Key.Key_Left)
@@ -168,7 +168,7 @@ def test_the_status_bar_says_what_plays_where(desktop, window):
 
 def test_without_a_sound_nothing_can_be_played(desktop, qtbot):
     window = shown(desktop, qtbot, None)
-    for widget in (window.transport.play, window.transport.stop, window.transport.time_line):
+    for widget in (window.transport.play, window.transport.stop, window.transport.position_slider):
         assert not widget.isEnabled()
     press(window, Qt.Key.Key_Space)
     press(window, Qt.Key.Key_Right, CONTROL)
@@ -178,7 +178,7 @@ def test_without_a_sound_nothing_can_be_played(desktop, qtbot):
 
 def pictures(window) -> tuple[QImage, QImage]:
     QCoreApplication.processEvents()
-    return window.analysis.time_view.grab().toImage(), window.analysis.spectrum.grab().toImage()
+    return window.analysis.scroll_view.grab().toImage(), window.analysis.spectrum.grab().toImage()
 
 
 def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(desktop, window, qtbot):
@@ -193,21 +193,21 @@ def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(des
     qtbot.waitUntil(lambda: desktop.session.history.n > n + 30)
     assert pictures(window) == still
     press(window, Qt.Key.Key_F)
-    qtbot.waitUntil(lambda: window.analysis.time_view.grab().toImage() != still[0])
+    qtbot.waitUntil(lambda: window.analysis.scroll_view.grab().toImage() != still[0])
     assert "frozen" not in window.status.right.text()
 
 
 def test_frozen_views_catch_up_even_when_the_sound_has_stopped(desktop, window, qtbot):
     press(window, Qt.Key.Key_F)
-    still = window.analysis.time_view.grab().toImage()
+    still = window.analysis.scroll_view.grab().toImage()
     desktop.session.analyse_until(2)
     press(window, Qt.Key.Key_F)
-    qtbot.waitUntil(lambda: window.analysis.time_view.grab().toImage() != still)
+    qtbot.waitUntil(lambda: window.analysis.scroll_view.grab().toImage() != still)
 
 
 def test_clear_empties_the_views(desktop, window):
     desktop.session.analyse_until(2)
-    window.drawing.refresh_all()
+    window.redraw.refresh_all()
     eyes = TimeEyes(window)
     assert eyes.colour(eyes.sonagram, -1, 1000) != eyes.colour(eyes.sonagram, -3, 1000)
     press(window, Qt.Key.Key_C)
@@ -215,7 +215,7 @@ def test_clear_empties_the_views(desktop, window):
     assert desktop.session.averages.n_frames == 0
     eyes = TimeEyes(window)
     assert eyes.colour(eyes.sonagram, -1, 1000) == eyes.colour(eyes.sonagram, -3, 1000)
-    assert window.thresholds.rows["silence_energy"].slider.live is None
+    assert window.analysis.thresholds.rows["silence_energy"].slider.live is None
     for view in (window.analysis.spectrum, window.analysis.averaged, window.analysis.waveform):
         x, _ = view.item.curves[0].getData()
         assert x is None or len(x) == 0

@@ -76,7 +76,7 @@ def pull(view, start: float, end: float) -> None:
 
 
 def chosen(window) -> list[str]:
-    box = window.analysis.time_view.variable
+    box = window.analysis.scroll_view.variable
     return [box.itemText(k) for k in range(box.count())]
 
 
@@ -86,7 +86,7 @@ def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, 
     width = 5513 / window.analysis.averaged.item.vb.width()
     assert offered[0].range == pytest.approx((2500, 4000), abs=3 * width + BIN_WIDTH)
     assert chosen(window)[-1] == "my_hiss"
-    assert window.analysis.time_view.variable.currentText() == "my_hiss"
+    assert window.analysis.scroll_view.variable.currentText() == "my_hiss"
     assert not window.analysis.averaged.region.isVisible()
     assert window.isWindowModified()
     click(window.transport.play)
@@ -198,11 +198,11 @@ def test_a_region_dragged_over_the_edge_is_still_a_range(desktop, window, monkey
 def test_a_variable_is_removed_through_the_menu_and_comes_back_by_undo(desktop, window, monkeypatch):
     desktop.preset.add_variable(Variable("my_hiss", 3000, 5000))
     desktop.preset.add_variable(Variable("my_hum", 50, 200))
-    window.analysis.time_view.variable.setCurrentText("my_hiss")
+    window.analysis.scroll_view.variable.setCurrentText("my_hiss")
     monkeypatch.setattr(QInputDialog, "getItem", lambda *a, **_k: (a[3][0], True))
     window.menus.actions["Remove Variable…"].trigger()
     assert "my_hiss" not in chosen(window)
-    assert window.analysis.time_view.variable.currentText() == "energy"
+    assert window.analysis.scroll_view.variable.currentText() == "energy"
     press(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert chosen(window)[-2:] == ["my_hiss", "my_hum"]
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import soundfile
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -87,10 +87,10 @@ class Calibrator:
     def settle(self) -> None:
         """Wait until nothing is done in the background."""
         model = self.model
-        bench = (model.bench.measuring, model.bench.looking)
-        rooms = (model.takes, model.recordings, *bench, model.fit.searching, model.rival.measuring)
-        self.until(lambda: not any(room.busy for room in rooms))
-        QTest.qWait(40)
+        bench = (model.workbench.measuring, model.workbench.looking)
+        rooms = (model.takes, model.recordings, *bench, model.fit.searching, model.comparison.measuring)
+        timers = model.workbench.findChildren(QTimer)  # it answers a little later
+        self.until(lambda: not any(room.busy for room in rooms) and not any(timer.isActive() for timer in timers))
 
     def listen(self) -> None:
         """Have the microphone heard."""
@@ -101,7 +101,7 @@ class Calibrator:
         """Hold a key while something is heard."""
         widget = QApplication.focusWidget() or self.booth.window
         QTest.keyPress(widget, key)
-        heard = self.booth.studio.model.catch
+        heard = self.booth.studio.model.capture
         rate_seconds = len(sound) / SAMPLE_RATE
         self.booth.give(self.mic, sound)
         self.until(lambda: heard.seconds >= rate_seconds - 1e-9)

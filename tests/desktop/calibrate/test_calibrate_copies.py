@@ -60,7 +60,7 @@ def test_a_relabelled_take_has_its_textgrid_under_its_new_name(calibrator):
     labels = read_labels(calibrator.model.takes.path_of(take).with_suffix(".TextGrid"))
     assert Phoneme.E in {x.phoneme for x in labels}
     assert not before.with_suffix(".TextGrid").exists()
-    assert calibrator.model.bench.utterances[0].labels == take.to_labels()
+    assert calibrator.model.workbench.utterances[0].labels == take.to_labels()
 
 
 @pops_up

@@ -109,7 +109,7 @@ def test_a_button_held_with_the_mouse_records_too(listening: Calibrator):
     button = listening.page.takes.record.buttons[Phoneme.I]
     QTest.mousePress(button, LEFT)
     listening.booth.give(listening.mic, in_room(said(Phoneme.I, 0.7)))
-    listening.until(lambda: listening.model.catch.seconds >= 0.7)
+    listening.until(lambda: listening.model.capture.seconds >= 0.7)
     QTest.mouseRelease(button, LEFT)
     listening.settle()
     assert [take.phoneme for take in listening.takes] == [Phoneme.I]
@@ -145,7 +145,7 @@ def test_a_clipped_take_is_kept_and_the_list_and_the_banner_say_so(listening: Ca
 def test_the_window_losing_the_keyboard_ends_the_take(listening: Calibrator):
     QTest.keyPress(listening.page.takes.list, Qt.Key.Key_A)
     listening.booth.give(listening.mic, A)
-    listening.until(lambda: listening.model.catch.seconds >= 0.9)
+    listening.until(lambda: listening.model.capture.seconds >= 0.9)
     QCoreApplication.sendEvent(listening.booth.window, QEvent(QEvent.Type.WindowDeactivate))
     listening.settle()
     assert len(listening.takes) == 1
@@ -161,7 +161,7 @@ def test_a_marked_stretch_of_the_file_becomes_a_take_at_a_key(calibrator: Calibr
     press(calibrator.booth.window, Qt.Key.Key_BracketLeft)
     session.seek(1.6)
     press(calibrator.booth.window, Qt.Key.Key_BracketRight)
-    assert calibrator.model.stretch == pytest.approx((1.0, 1.6), abs=0.011)
+    assert calibrator.model.selection == pytest.approx((1.0, 1.6), abs=0.011)
     press(calibrator.booth.window, Qt.Key.Key_O)
     calibrator.settle()
     (take,) = calibrator.takes
@@ -290,11 +290,11 @@ def test_x_excludes_a_take_and_includes_it_again(calibrator: Calibrator):
     press(calibrator.booth.window, Qt.Key.Key_X)
     calibrator.settle()
     assert verdicts(calibrator) == ["excluded"]
-    assert calibrator.model.bench.utterances == ()
+    assert calibrator.model.workbench.utterances == ()
     click(calibrator.page.takes.exclude)
     calibrator.settle()
     assert verdicts(calibrator) == ["good"]
-    assert len(calibrator.model.bench.utterances) == 1
+    assert len(calibrator.model.workbench.utterances) == 1
 
 
 def test_a_take_is_relabelled_in_the_box(calibrator: Calibrator):

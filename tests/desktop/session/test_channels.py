@@ -9,7 +9,7 @@ import pytest
 import soundfile
 from PySide6.QtCore import Qt
 
-from phonemeanalyser.cli import main as cli
+from phonemeanalyser.cli import listen as cli
 from phonemeanalyser.cli.main import main
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.scores.corpus import read_recordings
@@ -171,7 +171,7 @@ def test_the_choice_is_there_after_another_start(desktop, qtbot, eight):
     choose(window, "7")
     desktop.set_theme("dark")  # makes another window, from what the first one kept
     desktop.session.set_channel(Channel.MIX)
-    desktop.window.state.restore(desktop.session, desktop.window.analysis.time_view)
+    desktop.window.state.restore(desktop.session, desktop.window.analysis.scroll_view)
     assert desktop.window.transport.channel.currentText() == "7"
 
 

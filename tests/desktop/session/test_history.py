@@ -24,11 +24,12 @@ def block(first: int, n: int, n_bins: int = 256, names: tuple[str, ...] = NAMES)
     """Frames that say which ones they are: variable k of frame j is 100 k + j % 97."""
     frames = np.arange(first, first + n)
     values = 100 * np.arange(len(names)) + (frames % 97)[:, np.newaxis]
+    spectra = np.repeat((frames % 97)[:, np.newaxis], n_bins, axis=1).astype(np.float32)
+    features = Features(names, values.astype(np.float32))
     return replace(
         EMPTY,
         start=first,
-        spectra=np.repeat((frames % 97)[:, np.newaxis], n_bins, axis=1).astype(np.float32),
-        features=Features(names, values.astype(np.float32)),
+        frames=replace(EMPTY.frames, spectra=spectra, waveforms=spectra, features=features),
         recognised=(frames % 11).astype(np.uint8),
         phonemes=((frames + 1) % 11).astype(np.uint8),
         intensities=(frames % 2).astype(np.float32),
@@ -168,8 +169,9 @@ def test_columns_that_are_written_anew_leave_the_others_and_the_stretch_of_the_e
     mean = np.mean(np.arange(CAPACITY + 300) % 97)
     assert history.extremes("one") == (96, pytest.approx(mean), 0)
     assert history.n_measured("one") == CAPACITY + 300
-    risen = replace(block(0, 10), features=Features(NAMES, np.full((10, 2), 1000, np.float32)))
-    history.rewrite(CAPACITY + 290, replace(risen, start=CAPACITY + 290))
+    frames = block(CAPACITY + 290, 10)
+    high = replace(frames.features, values=np.full((10, 2), 1000, np.float32))
+    history.rewrite(CAPACITY + 290, replace(frames, frames=replace(frames.frames, features=high)))
     highest, _, lowest = history.extremes("one") or (0, 0, 0)
     assert (highest, lowest, history.n_measured("one")) == (1000, 0, CAPACITY + 300)
     assert history.extremes("two")[2] == 100

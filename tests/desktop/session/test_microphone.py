@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from phonemeengine.audio.devices import Device, InputChoice
-from phonemeengine.errors import DeviceError
 from phonemeengine.settings import HOP
 from tests.desktop.studio import DESK, HEADSET, Studio
 from tests.fakes.microphones import HandDrivenMicrophone, offline
@@ -55,7 +54,7 @@ def test_what_is_heard_is_what_the_analysis_of_a_file_finds(studio: Studio, mic:
     np.testing.assert_array_equal(found.phonemes, expected.phonemes)
     np.testing.assert_allclose(found.features.values, expected.features.values, rtol=1e-3, atol=1e-4)
     assert len(np.unique(found.phonemes)) > 3
-    assert studio.model.seconds == pytest.approx(len(HEARD) / 44_100)
+    assert studio.model.listener.seconds == pytest.approx(len(HEARD) / 44_100)
     assert (studio.told, studio.failed) == ([], [])
 
 
@@ -84,7 +83,7 @@ def test_another_choice_lets_the_old_microphone_go_and_is_no_trouble(
     assert studio.model.words == "Headset · ALSA, 48 000 Hz"
     assert [choice.label for choice in studio.openers.asked] == ["", "Headset"]
     assert (studio.told, studio.failed) == ([], [])
-    assert studio.model.lost_seconds == 0
+    assert studio.model.listener.lost_seconds == 0
 
 
 def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicrophone) -> None:
@@ -92,8 +91,8 @@ def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicropho
     studio.model.stop()
     assert not studio.model.active
     assert mic.closed.wait(60)
-    assert studio.model.take_analyses() == []
-    assert studio.model.level.peak == 0
+    assert studio.model.listener.take_analyses() == []
+    assert studio.model.listener.level.peak == 0
 
 
 # -- the list of devices ------------------------------------------------------------------------------
@@ -129,11 +128,7 @@ def test_a_sound_system_that_does_not_answer_gives_an_empty_list(open_studio: Ca
     studio = open_studio()
     studio.model.refresh_devices()
     studio.until(lambda: studio.model.devices)
-
-    def refuse() -> list[Device]:
-        raise DeviceError("the sound system does not answer")
-
-    studio.model.inputs._list_devices = refuse
+    studio.refusal = "the sound system does not answer"
     studio.model.refresh_devices()
     studio.until(lambda: studio.model.devices == [])
 

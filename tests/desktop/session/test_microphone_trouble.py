@@ -66,12 +66,12 @@ def test_a_microphone_that_comes_back_is_recorded_on_and_the_gap_is_counted(
     assert studio.model.latency is None
     studio.openers.waiting.append(back)
     studio.hear(back, known(20, 20)[:, 0])
-    assert 0 < studio.model.lost_seconds <= time.monotonic() - began
+    assert 0 < studio.model.listener.lost_seconds <= time.monotonic() - began
     studio.model.end_recording()
     studio.until(lambda: studio.recorded)
     np.testing.assert_array_equal(samples_in(studio.take), known(0, 40))
-    assert studio.gaps == [f"with 1 gap of {studio.model.lost_seconds:.2f} s marked in it"]
-    assert studio.take.read_bytes().count(f"gap of {studio.model.lost_seconds:.2f} s".encode()) == 1
+    assert studio.gaps == [f"with 1 gap of {studio.model.listener.lost_seconds:.2f} s marked in it"]
+    assert studio.take.read_bytes().count(f"gap of {studio.model.listener.lost_seconds:.2f} s".encode()) == 1
 
 
 def test_silence_takes_the_place_of_the_gap_where_that_is_chosen(
@@ -90,7 +90,7 @@ def test_silence_takes_the_place_of_the_gap_where_that_is_chosen(
     studio.model.end_recording()
     studio.until(lambda: studio.recorded)
     found = samples_in(studio.take)
-    n_silent = round(studio.model.lost_seconds * SAMPLE_RATE)
+    n_silent = round(studio.model.listener.lost_seconds * SAMPLE_RATE)
     assert len(found) == 40 * HOP + n_silent
     assert not found[20 * HOP : 20 * HOP + n_silent].any()
     np.testing.assert_array_equal(found[20 * HOP + n_silent :], known(20, 20))
@@ -106,7 +106,7 @@ def test_a_microphone_that_hangs_when_it_is_opened_holds_nobody_up(
     studio.until(lambda: studio.failed)
     assert studio.failed == ["Opening the microphone."]
     studio.model.stop()
-    assert studio.model.take_analyses() == []
+    assert studio.model.listener.take_analyses() == []
     studio.model.close()
     assert studio.openers.hangs
     studio.openers.may_answer.set()

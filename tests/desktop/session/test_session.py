@@ -28,7 +28,7 @@ def test_without_a_file_nothing_happens(session: Session, model: PresetModel, tm
     assert not session.playing
     assert (session.path, session.duration, session.position, session.n_dropped) == (None, 0, 0, 0)
     assert (session.description, session.output_name, session.has_card) == ("no sound", "", False)
-    assert session.explain() is None
+    assert session.results.explain() is None
 
 
 def test_an_opened_file_stands_at_its_beginning(session: Session, sound: Path, qtbot: QtBot) -> None:
@@ -94,7 +94,7 @@ def test_clearing_forgets_what_was_gathered_and_goes_on(
 def test_the_newest_frame_is_explained(session: Session, sound: Path) -> None:
     session.open(sound)
     session.analyse_until(0.3)
-    trace = session.explain()
+    trace = session.results.explain()
     assert trace is not None
     assert trace.phoneme == session.history.recognised[session.history.n - 1]
     assert trace.comparisons
@@ -175,7 +175,7 @@ def test_a_change_while_nothing_plays_shows_in_what_was_heard_last(
     assert session.history.n == 50
     np.testing.assert_array_equal(session.history.frames[:50], frames_before)
     assert not session.history.phonemes[:50].any()
-    trace = session.explain()
+    trace = session.results.explain()
     assert trace is not None
     assert trace.rule == "silence"
 
@@ -184,7 +184,7 @@ def test_analysing_again_with_the_same_preset_changes_nothing(session: Session, 
     session.open(sound)
     session.analyse_until(0.6)
     phonemes, spectra = session.history.phonemes[:60].copy(), session.history.spectra[:60].copy()
-    session.findings.analyse_again(sound, session.channel)
+    session.results.analyse_again(sound, session.channel)
     np.testing.assert_array_equal(session.history.phonemes[:60], phonemes)
     np.testing.assert_allclose(session.history.spectra[:60], spectra, atol=1e-3)
 

@@ -8,8 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.session.level_meter import words_of
 from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.widgets.level_meter import words_of
 from phonemeengine.audio.devices import Device
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP
@@ -46,30 +46,30 @@ def test_choosing_the_microphone_listens_and_lets_the_files_device_go(open_booth
     booth.until(lambda: booth.status.strip().startswith("microphone: Desk · ALSA, 44 100 Hz"), mic)
     transport = booth.window.transport
     assert transport.microphone.isVisible()
-    assert not transport.time_line.isVisible()
+    assert not transport.position_slider.isVisible()
     assert not transport.loop.isVisible()
     assert not transport.volume.isVisible()
 
 
 def test_a_sine_is_seen_at_its_frequency(booth: Booth, mic: HandDrivenMicrophone):
     booth.hear(mic, tone(ON_BIN, 1.0, 0.5))
-    booth.window.drawing.refresh_all()
+    booth.window.redraw.refresh_all()
     x, y = booth.window.analysis.spectrum.item.curves[0].getData()
     assert x[np.argmax(y)] == pytest.approx(ON_BIN, abs=BIN_WIDTH)
     assert TimeEyes(booth.window).brightest(-0.3) == pytest.approx(ON_BIN, abs=2 * BIN_WIDTH)
-    assert booth.window.phoneme.meters["vol"] == "0.500"
-    assert booth.window.phoneme.meters["zc"] == f"{2 * ON_BIN * 2048 / 44_100:.0f}"
+    assert booth.window.analysis.phoneme.meters["vol"] == "0.500"
+    assert booth.window.analysis.phoneme.meters["zc"] == f"{2 * ON_BIN * 2048 / 44_100:.0f}"
 
 
 def test_the_phonemes_are_those_of_the_analysis_of_a_file(booth: Booth, mic: HandDrivenMicrophone):
     booth.hear(mic, HEARD)
-    booth.window.drawing.refresh_all()
+    booth.window.redraw.refresh_all()
     history = booth.desktop.session.history
     found = history.phonemes[history.indices(0, history.n)]
     expected = offline(HEARD, booth.desktop.preset.in_force).phonemes[: len(found)]
     np.testing.assert_array_equal(found, expected)
     assert len(np.unique(found)) > 3
-    assert booth.window.phoneme.phoneme == Phoneme(int(expected[-1]))
+    assert booth.window.analysis.phoneme.phoneme == Phoneme(int(expected[-1]))
     assert booth.frames == list(range(len(expected)))
 
 
@@ -77,7 +77,7 @@ def test_a_dragged_threshold_acts_on_what_comes_next(booth: Booth, mic: HandDriv
     booth.hear(mic, A)
     assert booth.desktop.session.history.phonemes[booth.desktop.session.history.n - 1] == Phoneme.A
     for name in ("silence_energy", "silence_max_energy"):
-        slider = booth.window.thresholds.rows[name].slider
+        slider = booth.window.analysis.thresholds.rows[name].slider
         drag(slider, slider.width() / 2, slider.width() + 50)
     booth.hear(mic, A)
     history = booth.desktop.session.history
@@ -88,14 +88,14 @@ def test_a_dragged_threshold_acts_on_what_comes_next(booth: Booth, mic: HandDriv
 
 def test_the_level_meter_follows_and_holds_and_clips(booth: Booth, mic: HandDrivenMicrophone):
     booth.hear(mic, tone(1000, 0.2, 0.25))
-    level = booth.studio.model.level
+    level = booth.studio.model.listener.level
     assert level.held == pytest.approx(0.25, abs=0.001)
     assert level.clipped_ago is None
     booth.hear(mic, tone(1000, 0.1, 1.0))
-    assert words_of(booth.studio.model.level.clipped_ago) == "CLIPPED"
-    assert booth.studio.model.level.held == pytest.approx(1, abs=0.001)
+    assert words_of(booth.studio.model.listener.level.clipped_ago) == "CLIPPED"
+    assert booth.studio.model.listener.level.held == pytest.approx(1, abs=0.001)
     booth.hear(mic, silence(0.5))
-    assert booth.studio.model.level.peak < 1
+    assert booth.studio.model.listener.level.peak < 1
 
 
 def test_space_lets_the_microphone_go_and_takes_it_again(open_booth: Open, mic: HandDrivenMicrophone):
@@ -125,7 +125,7 @@ def test_back_at_the_file_it_stands_where_it_was_left(booth: Booth, mic: HandDri
     assert session.position == pytest.approx(1.5, abs=0.01)
     assert not session.playing
     booth.until(mic.closed.is_set)
-    assert booth.window.transport.time_line.isVisible()
+    assert booth.window.transport.position_slider.isVisible()
     assert booth.window.transport.time.text().startswith("0:01.5 / ")
 
 
@@ -229,7 +229,7 @@ def test_another_buffer_is_asked_of_the_microphone_at_once(open_booth: Open):
     booth.until(lambda: len(booth.studio.openers.asked) == 2)
     booth.hear(second, noise(0.2))
     assert [choice.latency for choice in booth.studio.openers.asked] == [0.08, 0.04]
-    assert booth.studio.model.lost_seconds == 0
+    assert booth.studio.model.listener.lost_seconds == 0
 
 
 def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth: Booth, qtbot, qapp, tmp_path):

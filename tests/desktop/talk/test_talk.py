@@ -1,7 +1,6 @@
 """The talking head without a window: it says what is heard, in step with the sound."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,22 +8,27 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session, SoundSource
-from phonemeanalyser.desktop.talk import osc_model as talking_osc
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
-from phonemeengine.analyser import Analysis
+from phonemeengine.analyser import Analysis, analyse_blocks
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.tone.settings import Tone, ToneKind
+from phonemeengine.mouth.animation import animation_of
+from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
 from phonemeengine.mouth.files.io import save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.morph_mesh import MorphTargets
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.movestate import movestate_of
-from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.table import MouthTable, load_table
+from phonemeengine.mouth.performer import MOUTH_ALONE
+from phonemeengine.mouth.table import load_table
+from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
+from tests.desktop.conftest import STEP
 from tests.desktop.sessions import settled
-from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
+from tests.desktop.stage import AN_A, BEGINS, ENDS, LONG, START, Stage
 from tests.fakes.osc_receiver import Receiver
 from tests.fakes.outputs import Outputs
 from tests.glb_faces import face_with_targets
@@ -150,7 +154,7 @@ def test_nothing_is_moved_while_nobody_looks(
     stage = Stage(session, outputs, qtbot)
     stage.open(tmp_path)
     stage.play(0.9)
-    assert stage.talking.face.figure is None
+    assert stage.talking.face.morph_mesh is None
     assert stage.talking.revision == 0
     stage.look()
     stage.play(0.1)
@@ -169,14 +173,14 @@ def test_a_held_shape_and_a_slider_win_over_the_speech(stage: Stage) -> None:
     assert stage.talking.percentages["mouthPucker"] > 50
     held = stage.jaw
     stage.talking.release()
-    stage.talking.ask("a", 0.5)
+    stage.talking.set_viseme("a", 0.5)
     stage.wait(0.4)
     half = stage.jaw
-    stage.talking.ask("a", 1.0)
+    stage.talking.set_viseme("a", 1.0)
     stage.wait(0.4)
     assert stage.jaw == pytest.approx(2 * half, rel=0.02)
     assert held < half
-    stage.talking.ask_nothing()
+    stage.talking.clear_visemes()
     stage.session.pause()
     stage.wait(0.6)
     assert stage.talking.percentages["mouthPucker"] < 5
@@ -202,9 +206,9 @@ SHARES = {
 @pytest.mark.parametrize("mode", Mode)
 def test_the_mode_says_what_becomes_of_a_shape_when_another_one_is_asked_for(stage: Stage, mode: Mode) -> None:
     stage.talking.set_mode(mode)
-    stage.talking.ask("a", 0.8)
-    stage.talking.ask("o", 0.6)
-    shares = {shape: share for shape, share in stage.talking.asked.shares.items() if share or shape in SHARES[mode]}
+    stage.talking.set_viseme("a", 0.8)
+    stage.talking.set_viseme("o", 0.6)
+    shares = {shape: share for shape, share in stage.talking.visemes.shares.items() if share or shape in SHARES[mode]}
     assert shares == pytest.approx(SHARES[mode])
     stage.wait(0.5)
     shapes = stage.talking.table.shapes
@@ -220,11 +224,11 @@ def test_the_mode_says_how_far_the_speech_goes_on(stage: Stage, mode: Mode, left
     stage.wait(0.5)
     said = stage.jaw
     stage.talking.set_mode(mode)
-    stage.talking.ask("silence", 0.4)
+    stage.talking.set_viseme("silence", 0.4)
     stage.wait(0.5)
     assert said > 15
     assert stage.jaw == pytest.approx(left * said, abs=0.5)
-    stage.talking.ask("silence", 0.0)
+    stage.talking.set_viseme("silence", 0.0)
     stage.wait(0.5)
     assert stage.jaw == pytest.approx(said, abs=0.5)
 
@@ -237,7 +241,7 @@ def test_eyes_go_on_blinking_whatever_the_mouth_is_asked_for_unless_they_are_for
         stage.talking.press(Phoneme.A)
     else:
         stage.talking.set_mode(mode)
-        stage.talking.ask("a", 1.0)
+        stage.talking.set_viseme("a", 1.0)
     stage.wait(0.5)
     lids: list[float] = []
     stage.wait(LONG, lambda: lids.append(stage.talking.percentages["eyeBlinkLeft"]))
@@ -246,14 +250,14 @@ def test_eyes_go_on_blinking_whatever_the_mouth_is_asked_for_unless_they_are_for
 
 
 def test_a_key_holds_its_shape_alone_and_leaves_the_sliders_as_they_were(stage: Stage) -> None:
-    stage.talking.ask("a", 0.4)
-    stage.talking.ask("o", 0.3)
+    stage.talking.set_viseme("a", 0.4)
+    stage.talking.set_viseme("o", 0.3)
     stage.talking.press(Phoneme.U)
-    assert {shape for shape, share in stage.talking.asked.shares.items() if share} == {"u"}
+    assert {shape for shape, share in stage.talking.visemes.shares.items() if share} == {"u"}
     stage.wait(0.5)
     assert stage.jaw == pytest.approx(stage.talking.table.shapes["u"]["jawOpen"], rel=0.02)
     stage.talking.release()
-    shares = stage.talking.asked.shares
+    shares = stage.talking.visemes.shares
     assert (shares["a"], shares["o"], shares["u"]) == pytest.approx((0.4, 0.3, 0.0))
 
 
@@ -371,13 +375,13 @@ def stage_mesh(path: Path):
 
 def test_a_bad_mesh_is_refused_in_one_sentence_and_the_face_stays(stage: Stage, tmp_path: Path) -> None:
     (tmp_path / "bad.glb").write_bytes(b"glTF" + bytes(40))
-    before = stage.talking.face.figure
+    before = stage.talking.face.morph_mesh
     stage.talking.face.load(FaceFiles(tmp_path / "bad.glb"))
     stage.settle()
     (sentence,) = stage.failed
     assert sentence.startswith("bad.glb: ")
     assert "\n" not in sentence
-    assert stage.talking.face.figure is before
+    assert stage.talking.face.morph_mesh is before
     assert stage.talking.face.is_shipped
 
 
@@ -426,7 +430,7 @@ def test_what_is_heard_is_sent_and_the_mouth_closes_at_the_end(
     osc = stage.talking.osc
     osc.set_address(f"127.0.0.1:{receiver.address.port}")
     osc.set_on(True)
-    qtbot.waitUntil(lambda: (stage.talking.tick(), osc.words.startswith("sending"))[1])
+    qtbot.waitUntil(lambda: osc.words.startswith("sending"))
     stage.play(1.0)
     qtbot.waitUntil(lambda: any(name == "a" for name, *_ in receiver.of("/phoneme")))
     qtbot.waitUntil(lambda: receiver.weights().get("jawOpen", 0.0) > 0.1)
@@ -434,6 +438,17 @@ def test_what_is_heard_is_sent_and_the_mouth_closes_at_the_end(
     qtbot.waitUntil(lambda: receiver.weights()["jawOpen"] < 0.01)
     assert osc.words == "off"
     assert not stage.failed
+
+
+def test_a_pause_holds_the_mouth_that_is_sent_as_it_holds_the_head(stage: Stage) -> None:
+    talking = stage.talking
+    stage.play(0.9)
+    stage.session.pause()
+    stage.wait(1.0)
+    now = stage.now - START
+    shown, sent = talking.performer.at(now).weights, talking.osc.performer.at(now).weights
+    np.testing.assert_array_equal(sent, shown)
+    assert shown[talking.table.movestates.index("jawOpen")] > 0.15
 
 
 @pytest.mark.parametrize("address", ["nowhere", "127.0.0.1:99999", ":9", ""])
@@ -448,7 +463,7 @@ def test_a_wrong_address_switches_it_off_with_one_sentence(stage: Stage, address
 def test_a_receiver_that_nobody_knows_is_told(stage: Stage, qtbot: QtBot) -> None:
     stage.talking.osc.set_address("nobody.invalid:39539")
     stage.talking.osc.set_on(True)
-    qtbot.waitUntil(lambda: (stage.talking.tick(), bool(stage.failed))[1])
+    qtbot.waitUntil(lambda: bool(stage.failed))
     assert "nobody.invalid" in stage.failed[0]
     assert not stage.talking.osc.on
 
@@ -458,37 +473,56 @@ def test_another_set_is_sent_under_its_own_names(stage: Stage, receiver: Receive
     osc.set_address(f"127.0.0.1:{receiver.address.port}")
     osc.set_on(True)
     osc.set_table("vrm")
-    qtbot.waitUntil(lambda: (stage.talking.tick(), "A" in receiver.weights())[1])
+    qtbot.waitUntil(lambda: "A" in receiver.weights())
 
 
-def test_a_receiver_moves_by_the_table_of_the_head_and_as_fast(
-    stage: Stage, receiver: Receiver, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    begun: list[tuple[MouthTable, Detail]] = []
-
-    class Watched(OscMouth):
-        def __init__(self, address: OscAddress, table: MouthTable, *, detail: Detail) -> None:
-            begun.append((table, detail))
-            super().__init__(address, table, detail=detail)
-
-    monkeypatch.setattr(talking_osc, "OscMouth", Watched)
+@pytest.mark.parametrize("own_table", [False, True])
+def test_a_receiver_moves_by_the_table_of_the_head_and_as_fast(stage: Stage, own_table: bool) -> None:
     talking, osc = stage.talking, stage.talking.osc
-
-    def sends_like(table: MouthTable, detail: Detail) -> None:
-        qtbot.waitUntil(lambda: (talking.tick(), begun[-1:] == [(table, detail)])[1], timeout=HANG)
-
-    osc.set_address(f"127.0.0.1:{receiver.address.port}")
-    osc.set_on(True)
-    sends_like(talking.table, Detail.PHONEMES)
+    osc.set_table("vrm" if own_table else "head")
     talking.set_table("five")
-    assert talking.table.name == "Five mouth shapes"
-    sends_like(talking.table, Detail.PHONEMES)
     talking.set_speed(3.0, 2.0)
     talking.set_random(False)
     talking.set_detail(Detail.TWO_STATES)
-    sends_like(talking.table, Detail.TWO_STATES)
-    osc.set_table("vrm")
-    sends_like(replace(load_table("vrm"), times=talking.table.times, manner=talking.table.manner), Detail.TWO_STATES)
+    shown, head = osc.performer, talking.performer
+    assert talking.table.name == "Five mouth shapes"
+    assert (shown.table.times, shown.table.motion) == (head.table.times, head.table.motion)
+    assert shown.idle.detail is Detail.TWO_STATES
+    assert shown.table.shapes == (load_table("vrm") if own_table else talking.table).shapes
+
+
+def test_film_window_and_network_move_alike(stage: Stage, receiver: Receiver, qtbot: QtBot, tmp_path: Path) -> None:
+    """The same sound as the frames of a film, on the head in the window, and as it arrives at a receiver."""
+    sound = np.concatenate((AN_A, vowel((300, 2300, 3000), 0.4), silence(0.5)))
+    stage.open(tmp_path, sound)
+    path, session, talking = stage.session.path, stage.session, stage.talking
+    assert path is not None
+    with SoundReader(path) as reader:
+        analyses = analyse_blocks(reader.blocks(SAMPLE_RATE), session.preset.in_force, pitch=True)
+        utterance = transcript_of(analyses, "", reader.duration)
+    cues = cues_of(utterance.runs, talking.table, anticipation=MOST_ANTICIPATION)
+    film = animation_of(utterance, cues, talking.table, SAMPLE_RATE / STEP, MOUTH_ALONE)
+    talking.osc.set_address(f"127.0.0.1:{receiver.address.port}")
+    talking.osc.set_on(True)
+    qtbot.waitUntil(lambda: talking.osc.words.startswith("sending"))
+    session.play()
+    qtbot.waitUntil(lambda: stage.outputs.last.n_written >= len(sound))
+    shown, sent = [], []
+
+    def look() -> None:
+        if session.playing:
+            n = len(receiver.of("/VMC/Ext/Blend/Apply"))
+            qtbot.waitUntil(lambda: len(receiver.of("/VMC/Ext/Blend/Apply")) >= n + 2)
+            weights = receiver.weights()
+            shown.append(talking.performer.at(stage.now - START).weights)
+            sent.append([weights.get(name, 0.0) for name in film.movestates])
+
+    stage.play(3.0, look)
+    expected = film.weights[1 : len(shown) + 1]
+    assert len(shown) > 100
+    np.testing.assert_allclose(shown, expected, atol=1e-5)
+    np.testing.assert_allclose(sent, np.clip(expected, 0, 1), atol=1e-5)
+    assert expected[:, film.movestates.index("jawOpen")].max() > 0.2
 
 
 def test_a_receiver_that_is_switched_off_stays_so_whatever_moves_the_head(stage: Stage) -> None:
@@ -498,15 +532,17 @@ def test_a_receiver_that_is_switched_off_stays_so_whatever_moves_the_head(stage:
     assert not stage.talking.osc._work.busy
 
 
-def test_the_receiver_is_told_how_far_the_speech_goes_on(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    told: list[tuple[dict[Phoneme, float], float]] = []
-    monkeypatch.setattr(stage.talking.osc, "ask", lambda phonemes, speech: told.append((phonemes, speech)))
-    stage.talking.set_mode(Mode.INTERACT)
-    stage.talking.ask("u", 0.25)
-    stage.talking.press(Phoneme.A)
-    stage.talking.release()
-    stage.talking.ask_nothing()
-    assert told == [({Phoneme.U: 0.25}, 0.75), ({Phoneme.A: 1.0}, 0.0), ({Phoneme.U: 0.25}, 0.75), ({}, 1.0)]
+def test_the_receiver_is_told_how_far_the_speech_goes_on(stage: Stage) -> None:
+    talking, visemes = stage.talking, stage.talking.osc.performer.visemes
+    talking.set_mode(Mode.INTERACT)
+    talking.set_viseme("u", 0.25)
+    assert (visemes.phonemes, visemes.speech) == ({Phoneme.U: 0.25}, 0.75)
+    talking.press(Phoneme.A)
+    assert (visemes.phonemes, visemes.speech) == ({Phoneme.A: 1.0}, 0.0)
+    talking.release()
+    assert (visemes.phonemes, visemes.speech) == ({Phoneme.U: 0.25}, 0.75)
+    talking.clear_visemes()
+    assert (visemes.phonemes, visemes.speech) == ({}, 1.0)
 
 
 @pytest.mark.parametrize("asked_first", [False, True])
@@ -519,14 +555,17 @@ def test_keys_and_sliders_move_the_receivers_mouth_too(
     if asked_first:
         talking.press(Phoneme.U)
     osc.set_on(True)
-    qtbot.waitUntil(lambda: (talking.tick(), "U" in receiver.weights())[1])
+    qtbot.waitUntil(lambda: "U" in receiver.weights())
     talking.press(Phoneme.U)
-    qtbot.waitUntil(lambda: (talking.tick(), receiver.weights()["U"] > 0.5)[1])  # it may send before the window knows
+    stage.wait(0.5)
+    qtbot.waitUntil(lambda: receiver.weights()["U"] > 0.5)
     qtbot.waitUntil(lambda: ("u", 1.0) in receiver.of("/phoneme"))
     talking.release()
-    talking.ask("a", 0.5)
+    talking.set_viseme("a", 0.5)
+    stage.wait(0.5)
     qtbot.waitUntil(lambda: receiver.weights()["U"] < 0.01 and receiver.weights()["A"] > 0.2)
     qtbot.waitUntil(lambda: receiver.of("/viseme")[-1] == ("A", 0.5))
-    talking.ask_nothing()
+    talking.clear_visemes()
+    stage.wait(0.5)
     qtbot.waitUntil(lambda: receiver.weights()["A"] < 0.01)
     osc.set_on(False)

@@ -134,7 +134,7 @@ def test_docks_belong_to_the_first_page_and_come_back(window, desktop):
 
 
 def test_without_opengl_a_sentence_stands_where_the_head_would_be(desktop, qtbot, tmp_path, monkeypatch):
-    def refuse(_figure):
+    def refuse(_morph_mesh):
         raise RenderingError("pictures need OpenGL 3.3, and there is none")
 
     monkeypatch.setattr(pictures, "OffscreenRenderer", refuse)
@@ -246,7 +246,7 @@ def test_arrows_go_round_and_with_shift_move_and_the_dots_move_the_light(window)
 
 
 def desktop_mesh(window: MainWindow):
-    return window._talking.face.figure.mesh
+    return window._talking.face.morph_mesh.mesh
 
 
 def test_w_and_the_box_show_the_wireframe(window):
@@ -519,7 +519,12 @@ def test_choices_come_back_at_the_next_start(qapp, settings: QSettings, no_micro
     desktop.close()
     again = start()
     talking = again.talking
-    assert (talking.table_name, talking.blinks, talking.random, talking.head_motion) == ("five", False, False, True)
+    assert (talking.table_name, talking.idle.blinks, talking.random, talking.idle.head) == (
+        "five",
+        False,
+        False,
+        True,
+    )
     assert again.window.talk.visemes.mode.currentData() == Mode.NONE
     a, written = talking.table.times[Phoneme.A], load_table("five").times[Phoneme.A]
     assert (a.attack, a.release) == pytest.approx((2 * written.attack, written.release / 2))

@@ -35,13 +35,13 @@ def test_a_point_and_a_comma_are_both_understood_and_a_point_is_shown(desktop, w
 
 @pytest.mark.parametrize("typed", ["-1.5", "-1,5"])
 def test_a_negative_threshold_can_be_typed(desktop, window, typed):
-    type_number(window.thresholds.rows["sz_s1"].number, typed)
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, typed)
     assert desktop.preset.preset.thresholds.sz_s1 == -1.5
-    assert window.thresholds.rows["sz_s1"].number.text() == "-1.500"
+    assert window.analysis.thresholds.rows["sz_s1"].number.text() == "-1.500"
 
 
 def test_a_whole_number_has_no_decimals(window):
-    box = window.analysis.time_view.low
+    box = window.analysis.scroll_view.low
     type_number(box, "-7,5")
     assert box.text() == "-7 dB"
 

@@ -21,10 +21,10 @@ from phonemeengine.audio.wav import HEADER, WavEncoder
 from phonemeengine.live import listener as live
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.settings import HOP, SAMPLE_RATE
-from tests.engine.live.test_recorder import record, rows_beside, rows_of, same, tape_to
+from tests.engine.live.test_recorder import record, rows_beside, rows_of, same
 from tests.fakes.microphones import Clock, HandDrivenMicrophone, Hear, frames_in, offline
 from tests.fakes.players import SPEECH, wait_for
-from tests.fakes.recorders import begun, check_kept, samples_in, samples_of_16_bits
+from tests.fakes.recorders import begun, check_kept, recorder_to, samples_in, samples_of_16_bits
 
 Mark = tuple[int, str]
 """A place in samples, and what stands there."""
@@ -222,7 +222,7 @@ def test_the_takes_of_a_calibration_have_no_room_for_marks(tmp_path: Path) -> No
 @pytest.fixture
 def tape(request: pytest.FixtureRequest, tmp_path: Path) -> Recorder:
     """Records speech, 6.5 s of nothing, and the speech again."""
-    tape = tape_to(lambda: tmp_path / "take.wav", tmp_path, with_phonemes=True, **getattr(request, "param", {}))
+    tape = recorder_to(lambda: tmp_path / "take.wav", tmp_path, with_phonemes=True, **getattr(request, "param", {}))
     record(tape, SPEECH[: 50 * HOP])
     record(tape, SPEECH, began=7.0, gap=6.5)
     tape.close()
@@ -282,8 +282,8 @@ def test_a_microphone_that_was_away_is_recorded_with_a_gap_of_that_length(
     monkeypatch.setattr(live, "RETRY_PERIOD", 0.01)
     clock = Clock(monkeypatch)
     first, second = HandDrivenMicrophone(), HandDrivenMicrophone(name="the same again")
-    tape = tape_to(lambda: tmp_path / "take.flac", tmp_path, fill_gaps=fill_gaps)
-    hearing = hear(first, tape=tape)
+    tape = recorder_to(lambda: tmp_path / "take.flac", tmp_path, fill_gaps=fill_gaps)
+    hearing = hear(first, recorder=tape)
     first.give(SPEECH[: 50 * HOP], 50 * HOP)
     hearing.wait(frames_in(50 * HOP))
     first.lost = True

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.tone.reader import FADE, ToneReader
-from phonemeengine.audio.tone.settings import VOWELS, Formant, Tone, ToneKind, vowel_of
+from phonemeengine.audio.tone.settings import VOWEL_FORMANTS, Formant, Tone, ToneKind, vowel_of
 from phonemeengine.audio.tone.waveforms import NOISE_SAMPLES
 from phonemeengine.errors import SettingsError
 from phonemeengine.presets.preset import Preset
@@ -130,13 +130,13 @@ def test_one_formant_weighs_the_partials_by_its_formula():
     np.testing.assert_allclose(measured - measured[9], expected - expected[9], atol=0.05)
 
 
-@pytest.mark.parametrize("name", VOWELS)
+@pytest.mark.parametrize("name", VOWEL_FORMANTS)
 def test_the_spectrum_of_a_vowel_peaks_at_its_formants(name: str):
-    wave = heard(Tone(ToneKind.VOWEL, f0=50.0, formants=VOWELS[name]), SAMPLE_RATE)
+    wave = heard(Tone(ToneKind.VOWEL, f0=50.0, formants=VOWEL_FORMANTS[name]), SAMPLE_RATE)
     frequencies = np.arange(50.0, 5001.0, 50.0)
     flat = levels_of(wave, frequencies) + 20 * np.log10(frequencies)  # less the source
     peaks = [frequencies[k] for k in range(1, len(flat) - 1) if flat[k - 1] < flat[k] > flat[k + 1]]
-    for formant in VOWELS[name][:3]:
+    for formant in VOWEL_FORMANTS[name][:3]:
         assert min(abs(peak - formant.frequency) for peak in peaks) <= 50
 
 
@@ -150,14 +150,14 @@ def test_the_vowels_are_the_means_of_fifty_men():
     for name, dutch in {"a": "aa", "e": "ee", "i": "ie", "o": "oo", "u": "oe"}.items():
         men = [row for row in rows if row["Sex"] == "m" and row["Vowel"] == dutch]
         means = [np.mean([float(row[f]) for row in men]) for f in ("F1", "F2", "F3")]
-        np.testing.assert_allclose([f.frequency for f in VOWELS[name][:3]], means, atol=0.51)
+        np.testing.assert_allclose([f.frequency for f in VOWEL_FORMANTS[name][:3]], means, atol=0.51)
 
 
 CHANGES = {
     "frequency": (Tone(frequency=300.0), Tone(frequency=700.0)),
     "level": (Tone(frequency=300.0, level=0.0), Tone(frequency=300.0, level=-80.0)),
     "kind": (Tone(frequency=300.0), replace(VOWEL, f0=200.0)),
-    "formants": (VOWEL, replace(VOWEL, formants=VOWELS["u"])),
+    "formants": (VOWEL, replace(VOWEL, formants=VOWEL_FORMANTS["u"])),
     "f0": (replace(VOWEL, f0=100.0), replace(VOWEL, f0=200.0)),
     "sweep": (
         Tone(ToneKind.SWEEP, low=50.0, high=800.0, sweep_seconds=1.0),
@@ -278,5 +278,5 @@ def test_an_impossible_formant_is_refused_in_one_sentence():
 
 
 def test_a_vowel_is_known_by_its_formants():
-    assert vowel_of(VOWELS["e"]) == "e"
+    assert vowel_of(VOWEL_FORMANTS["e"]) == "e"
     assert vowel_of((Formant(500.0),)) is None

@@ -13,7 +13,6 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import Analyser, analyse_blocks
-from phonemeengine.calibration.fits import fit_thesis
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Scores, confusion_of, scores_of
 from phonemeengine.errors import CorpusError
@@ -25,9 +24,10 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.settings import SAMPLE_RATE, Decimation
-from tests.conftest import ROOT
+from tests.conftest import ROOT, SCORER
 from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel
+from tools.fit import thesis as fit_thesis
 
 DEMO = ROOT / "phonemeanalyser" / "demo"
 TOLERANCE = 0.00051  # the scorer prints three digits
@@ -127,13 +127,10 @@ def test_changes_are_not_counted_between_recordings():
 
 
 def test_figures_are_those_of_the_corpus_scorer(corpus, tmp_path):
-    scorer = corpus.parent / "score" / "score.py"
-    if not scorer.exists():
-        pytest.skip("the scorer is not on this machine")
     preset = load_preset(FACTORY / "thesis.toml")
     pairs = [_recognise(u, preset, corpus, tmp_path) for u in read_corpus(corpus)]
     found = tmp_path / "found.json"
-    command = [sys.executable, str(scorer), str(corpus), str(tmp_path), "--json", str(found)]
+    command = [sys.executable, str(SCORER), str(corpus), str(tmp_path), "--json", str(found)]
     subprocess.run(command, check=True, capture_output=True)
     expected = json.loads(found.read_text())["groups"]["all"]
     ours = scores_of(pairs)
@@ -215,7 +212,7 @@ def test_the_twins_hear_the_same_in_the_demo():
 
 def test_the_thesis_preset_reaches_its_figure(corpus):
     preset = load_preset(FACTORY / "thesis.toml")
-    assert _scores_on(corpus, preset).macro_f1 > 0.34
+    assert _scores_on(corpus, preset).macro_f1 > 0.355
     assert _scores_on(corpus, replace(preset, thresholds=Thresholds())).macro_f1 < 0.33
 
 
@@ -225,12 +222,12 @@ def test_each_rule_and_each_threshold_of_the_factory_presets_bears_on_speech_in_
     thresholds = preset.thresholds
     assert thresholds.u_o1 > thresholds.o_o1 > thresholds.i_o1
     features, truth = _measured_on(corpus, preset)
-    answers = ThesisRules(thresholds).recognise(features).phonemes
+    answers = ThesisRules(thresholds).phonemes_of(features)
     hits = confusion_of(truth, answers).diagonal()
     assert min(hits[list(SCORED_PHONEMES)]) > 50
     for c in CONDITIONS:
         never_in_the_way = replace(thresholds, **{c.threshold: -1e9 if c.sign == ">" else 1e9})
-        assert np.any(ThesisRules(never_in_the_way).recognise(features).phonemes != answers), c.threshold
+        assert np.any(ThesisRules(never_in_the_way).phonemes_of(features) != answers), c.threshold
 
 
 def _measured_on(corpus: Path, preset: Preset) -> tuple[Features, np.ndarray]:

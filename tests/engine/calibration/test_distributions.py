@@ -81,7 +81,7 @@ def test_a_distribution_tells_what_numpy_counts_in_the_frames_of_each_phoneme(be
         assert told == pytest.approx(tuple(np.quantile(own, (0, 0.25, 0.5, 0.75, 1))))
         inside = (own > found.edges[0]) & (own < found.edges[-1])
         assert (spread.counts[1:-1] == np.histogram(own[inside], found.edges)[0][1:-1]).all()
-    assert found.separation_of(A, I) == separability(values[phonemes == A], values[phonemes == I])
+    assert found.separations[A, I] == separability(values[phonemes == A], values[phonemes == I])
 
 
 def test_loudness_is_shown_on_a_logarithmic_scale_and_a_count_on_a_linear_one(bench):
@@ -114,7 +114,7 @@ def test_zero_crossings_part_a_hiss_from_a_vowel_and_lead_the_ranking(bench):
     assert separations == sorted(separations, reverse=True)
     assert next(r.separation for r in ranked if r.variable == "zero_crossings") > 0.95
     assert ranked[-1].variable == "f0"
-    assert ranked[0].separation == pytest.approx(distribution_of(bench, ranked[0].variable).separation_of(SZ, A))
+    assert ranked[0].separation == pytest.approx(distribution_of(bench, ranked[0].variable).separations[SZ, A])
 
 
 def test_the_ranking_for_all_phonemes_is_by_the_mean_over_all_pairs(bench):

@@ -52,13 +52,13 @@ def search_of(features: Features, truth: np.ndarray) -> LimitSearch:
 
 
 def f1_of(rules: tuple[Rule, ...], features: Features, truth: np.ndarray) -> float:
-    codes = RuleRecogniser(rules, Thresholds()).recognise(features).phonemes
+    codes = RuleRecogniser(rules, Thresholds()).phonemes_of(features)
     return float(macro_f1_of(confusion_of(truth, codes), SCORED_PHONEMES))
 
 
 def test_a_search_finds_the_limits_that_made_the_labels():
     features = Features(("x", "y"), np.random.default_rng(1).random((4000, 2), np.float32))
-    truth = RuleRecogniser(tree(0.3, 0.7), Thresholds()).recognise(features).phonemes
+    truth = RuleRecogniser(tree(0.3, 0.7), Thresholds()).phonemes_of(features)
     found = search_of(features, truth).improve(tree(0.6, 0.2))
     assert found[0].conditions[0].limit == pytest.approx(0.3, abs=0.05)
     assert found[1].conditions[1].limit == pytest.approx(0.7, abs=0.05)
@@ -76,7 +76,7 @@ def test_comparisons_with_the_same_number_stay_one_limit():
 def test_limits_that_cannot_be_bettered_stay_where_they_are():
     features = Features(("x", "y"), np.random.default_rng(4).random((1000, 2), np.float32))
     rules = tree(0.37, 0.61)
-    truth = RuleRecogniser(rules, Thresholds()).recognise(features).phonemes
+    truth = RuleRecogniser(rules, Thresholds()).phonemes_of(features)
     assert search_of(features, truth).improve(rules) == rules
 
 
@@ -84,7 +84,7 @@ def test_two_limits_of_one_variable_are_found_each_by_itself():
     features = Features(("x", "y"), np.random.default_rng(5).random((4000, 2), np.float32))
     made = (Rule(M, (Condition("x", "<", limit=0.2),)), Rule(U, (Condition("x", "<", limit=0.8),)), Rule(E, ()))
     begun = (Rule(M, (Condition("x", "<", limit=0.4),)), Rule(U, (Condition("x", "<", limit=0.6),)), Rule(E, ()))
-    truth = RuleRecogniser(made, Thresholds()).recognise(features).phonemes
+    truth = RuleRecogniser(made, Thresholds()).phonemes_of(features)
     found = search_of(features, truth).improve(begun)
     assert [rule.conditions[0].limit for rule in found[:2]] == pytest.approx([0.2, 0.8], abs=0.04)
 
@@ -102,7 +102,7 @@ def test_limits_are_never_worse_than_before_and_named_thresholds_stay(seed):
 
 def test_frames_that_are_nothing_that_is_scored_do_not_matter():
     features = Features(("x", "y"), np.random.default_rng(3).random((2000, 2), np.float32))
-    truth = RuleRecogniser(tree(0.3, 0.7), Thresholds()).recognise(features).phonemes
+    truth = RuleRecogniser(tree(0.3, 0.7), Thresholds()).phonemes_of(features)
     found = search_of(features, truth).improve(tree(0.5, 0.5))
     odd = np.arange(2000) % 2 == 1
     doubled = Features(("x", "y"), np.repeat(features.values, 2, axis=0))

@@ -204,7 +204,7 @@ def test_wherever_a_change_breaks_no_copy_says_anything_else_than_its_take(tmp_p
 def breaking(patch, n, error):
     """Let the n-th call that changes the disk, and all later ones, fail; give the calls."""
     calls = []
-    for owner, name in ((os, "fsync"), (Path, "replace"), (Path, "unlink"), (shutil, "copyfile")):
+    for owner, name in ((os, "fsync"), (Path, "replace"), (Path, "unlink"), (shutil, "copyfileobj")):
         patch.setattr(owner, name, guarded(getattr(owner, name), calls, n, error))
     return calls
 

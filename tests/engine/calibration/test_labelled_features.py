@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from phonemeengine.calibration.scores.confusion import ConfusedSegment
 from phonemeengine.calibration.scores.corpus import Utterance
-from phonemeengine.calibration.scores.evaluation import predict, score_corpus
+from phonemeengine.calibration.scores.evaluation import predict, score
 from phonemeengine.calibration.scores.scoring import confusion_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.dsp.log_mel import N_BANDS
@@ -89,7 +89,7 @@ def test_a_new_threshold_says_what_the_analyser_says_of_the_files(
         successors=dict(THESIS.successors) | {A: heir},
     )
     assert not bench.needs_measuring(preset)
-    assert bench.confusion(preset).answers.tolist() == plainly(utterances, preset)
+    assert bench.confusion(preset).predicted.tolist() == plainly(utterances, preset)
 
 
 @QUICK
@@ -103,7 +103,7 @@ def test_new_limits_of_own_rules_say_what_the_analyser_says(own_bench, utterance
         Rule(O, (Condition("low", ">", limit=low / 2),)),
     )
     preset = replace(OWN, rules=rules, settings=replace(OWN.settings, hysteresis=hysteresis))
-    assert own_bench.confusion(preset).answers.tolist() == plainly(utterances, preset)
+    assert own_bench.confusion(preset).predicted.tolist() == plainly(utterances, preset)
 
 
 @pytest.mark.parametrize("look_ahead", [0.0, 0.03])
@@ -116,18 +116,18 @@ def test_a_learned_recogniser_is_heard_once_and_what_tunes_it_acts_at_once(utter
         settings = replace(preset.settings, minimum_hold=hold, hysteresis=hysteresis)
         changed = replace(preset, settings=settings, sensitivities=sensitivities)
         assert not bench.needs_measuring(changed)
-        assert bench.answers(changed).tolist() == plainly(utterances, changed)
+        assert bench.predict(changed).tolist() == plainly(utterances, changed)
     assert bench.needs_measuring(replace(preset, model=tiny_model(2)))
     assert bench.needs_measuring(replace(preset, settings=replace(preset.settings, look_ahead=0.01)))
     assert not bench.needs_measuring(replace(preset, thresholds=replace(preset.thresholds, ae_ae1=0.7)))
     assert not bench.needs_measuring(replace(THESIS, settings=preset.settings))
-    assert bench.answers(THESIS).tolist() == plainly(utterances, THESIS)
+    assert bench.predict(THESIS).tolist() == plainly(utterances, THESIS)
 
 
 def test_a_recogniser_of_another_package_is_asked_while_measuring(utterances, loudness):
     preset = replace(THESIS, recogniser="loudness")
     bench = LabelledFeatures(utterances, preset)
-    assert bench.answers(preset).tolist() == plainly(utterances, preset)
+    assert bench.predict(preset).tolist() == plainly(utterances, preset)
     assert bench.needs_measuring(replace(preset, thresholds=replace(preset.thresholds, silence_energy=0.3)))
 
 
@@ -146,7 +146,7 @@ def test_only_what_changes_the_variables_needs_measuring(bench):
 
 
 def test_the_counts_and_figures_are_those_of_scoring_the_files(bench, utterances):
-    scored = score_corpus(utterances, THESIS)
+    scored = score(THESIS, utterances)
     confusion = bench.confusion(THESIS)
     assert confusion.counts.tolist() == scored.overall.confusion.tolist()
     assert confusion.accuracy == scored.overall.scores.accuracy
@@ -157,7 +157,7 @@ def test_the_counts_and_figures_are_those_of_scoring_the_files(bench, utterances
     assert confusion.changes_per_s == pytest.approx(scored.overall.scores.changes_per_s)
     assert confusion.label_changes_per_s == pytest.approx(scored.overall.scores.label_changes_per_s)
     line = [confusion.line(k).tolist() for k in range(confusion.n_recordings)]
-    assert line == [heard.phonemes.tolist() for heard in scored.answers]
+    assert line == [heard.phonemes.tolist() for heard in scored.predictions]
     part = confusion.scores((1,))
     assert part.minutes == pytest.approx(scored.overall.scores.minutes / 4)
 
@@ -171,13 +171,13 @@ def test_frames_labelled_as_none_of_the_ten_are_counted_but_not_scored(tmp_path)
     assert confusion.counts[:, A].tolist()[:2] == [30, 30]
     assert confusion.accuracy == pytest.approx(1 / 3)
     assert confusion.f1_of(A) == pytest.approx(2 * 30 / (30 + 90))
-    assert confusion.macro_f1 == pytest.approx(score_corpus([half_known], always_a).overall.scores.macro_f1)
+    assert confusion.macro_f1 == pytest.approx(score(always_a, [half_known]).overall.scores.macro_f1)
     assert np.isnan(confusion.f1_of(Phoneme.UNIDENTIFIED))
 
 
 def test_what_was_measured_otherwise_is_measured_again(bench, utterances):
     bare = replace(THESIS, settings=replace(THESIS.settings, filters=frozenset({Filter.NORMALISE})))
-    assert LabelledFeatures(utterances, bare, known=bench).answers(bare).tolist() == plainly(utterances, bare)
+    assert LabelledFeatures(utterances, bare, known=bench).predict(bare).tolist() == plainly(utterances, bare)
 
 
 def test_the_frames_of_a_cell_are_where_the_label_and_the_answer_are_those(bench):
@@ -219,10 +219,10 @@ def test_what_was_measured_is_not_measured_again(utterances, tmp_path):
         [*utterances, moved], THESIS, known=first, progress=lambda share: told.append(share) is None
     )
     assert told == [0.0, 1.0]
-    assert again.answers(THESIS).tolist() == plainly((*utterances, moved), THESIS)
+    assert again.predict(THESIS).tolist() == plainly((*utterances, moved), THESIS)
     recording(moved.path, SAID[::-1], speaker="cyd", pitch=200.0, level=0.1)
     changed = LabelledFeatures([moved], THESIS, known=again)
-    assert changed.answers(THESIS).tolist() == plainly((moved,), THESIS)
+    assert changed.predict(THESIS).tolist() == plainly((moved,), THESIS)
 
 
 def test_measuring_says_how_far_it_is_and_ends_when_it_shall(utterances):
@@ -239,10 +239,10 @@ def test_a_twin_answers_the_same_while_another_thread_asks(bench):
         bench.clone_for_thread(),
         [replace(THESIS, thresholds=replace(THESIS.thresholds, ae_ae1=limit)) for limit in (0.1, 0.3, 0.5, 0.7)],
     )
-    expected = [bench.answers(preset).tolist() for preset in presets]
+    expected = [bench.predict(preset).tolist() for preset in presets]
     with ThreadPoolExecutor(2) as threads:
-        one = threads.submit(lambda: [bench.answers(p).tolist() for p in presets * 20])
-        other = threads.submit(lambda: [twin.answers(p).tolist() for p in presets[::-1] * 20])
+        one = threads.submit(lambda: [bench.predict(p).tolist() for p in presets * 20])
+        other = threads.submit(lambda: [twin.predict(p).tolist() for p in presets[::-1] * 20])
         assert one.result() == expected * 20
         assert other.result() == expected[::-1] * 20
 
@@ -269,5 +269,5 @@ def test_a_variable_that_was_not_measured_is_told(bench):
 
 def test_counts_are_frames_by_label_and_answer(bench):
     confusion = bench.confusion(THESIS)
-    assert confusion.counts.tolist() == confusion_of(confusion.labels.phonemes, confusion.answers).tolist()
+    assert confusion.counts.tolist() == confusion_of(confusion.labels.phonemes, confusion.predicted).tolist()
     assert confusion.counts[A].sum() == 4 * 30

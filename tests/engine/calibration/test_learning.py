@@ -1,4 +1,4 @@
-"""Training and adapting: gradients against differences, lessons against physics, made-up voices against the truth."""
+"""Training and adapting: gradients against differences, examples against physics, made-up voices against truth."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -27,7 +27,7 @@ from tests.models import tone_model
 from tests.sounds import noise, tone, vowel
 
 FORMANTS = {Phoneme.A: (750, 1300), Phoneme.I: (280, 2300), Phoneme.U: (310, 800)}
-COURSE = TrainingConfig(width=24, dilations=(1, 2), n_epochs=12, n_together=4, n_frames=100, rate=5e-3)
+COURSE = TrainingConfig(width=24, dilations=(1, 2), n_epochs=12, batch_size=4, n_frames=100, rate=5e-3)
 
 
 def said(phonemes: list[Phoneme], f0: float, tract: float, seconds: float = 0.3) -> TrainingExample:
@@ -52,10 +52,10 @@ def voice(name: str, f0: float, tract: float) -> SpeakerExamples:
 def accuracy_of(model: Model, voices: list[SpeakerExamples]) -> float:
     """The share of frames that the model names right, with its longest look-ahead."""
     n_ahead, head, right = len(model.heads) - 1, model.heads[-1], []
-    for lesson in (recording[0] for voice in voices for recording in voice.recordings):
-        heard = np.concatenate((lesson.log_powers.astype(np.float32), silent_log_mels(n_ahead)))
+    for example in (recording[0] for voice in voices for recording in voice.recordings):
+        heard = np.concatenate((example.log_powers.astype(np.float32), silent_log_mels(n_ahead)))
         found = Network(model.layers, silent_log_mels()).forward(heard)[n_ahead:]
-        right.append((found @ head.weights + head.bias).argmax(axis=1) == lesson.phonemes)
+        right.append((found @ head.weights + head.bias).argmax(axis=1) == example.phonemes)
     return float(np.concatenate(right).mean())
 
 
@@ -87,7 +87,7 @@ def test_the_gradients_are_those_of_small_differences():
 
 def test_a_finished_layer_gives_what_the_trained_one_gave():
     generator = np.random.default_rng(2)
-    layer = TrainableLayer(5, 4, 2, adds=False, dropout=0.0, generator=generator)
+    layer = TrainableLayer(5, 4, 2, residual=False, dropout=0.0, generator=generator)
     block = generator.standard_normal((1, 300, 5)).astype(np.float32)
     for _ in range(1500):
         given = layer.forward(block)
@@ -115,12 +115,12 @@ def test_a_network_learns_the_vowels_of_made_up_voices_and_names_those_of_anothe
 
 def test_the_same_seed_trains_the_same_model():
     voices = [voice("one", 120, 1.0)]
-    short = TrainingConfig(width=8, dilations=(1,), n_epochs=1, n_together=2, n_frames=50)
+    short = TrainingConfig(width=8, dilations=(1,), n_epochs=1, batch_size=2, n_frames=50)
     assert train(voices, short) == train(voices, short)
     assert train(voices, short) != train(voices, TrainingConfig(**{**short.__dict__, "seed": 2}))
 
 
-# -- lessons ----------------------------------------------------------------------------------------------
+# -- examples ----------------------------------------------------------------------------------------------
 
 
 def test_a_faster_voice_is_shorter_and_higher():
@@ -157,9 +157,9 @@ def test_trimmed_frames_count_for_nothing_and_ambiguous_ones_less():
         Label(0, 0.1, "a", Phoneme.A), Label(0.1, 0.2, "a", Phoneme.A, "ambiguous"),
         Label(0.2, 0.3, "", Phoneme.UNIDENTIFIED, "trimmed"),
     )  # fmt: skip
-    lesson = example_of(tone(500, 0.3), labels)
-    np.testing.assert_allclose(lesson.certainties, np.repeat([1, 0.6, 0], 10), atol=1e-3)
-    assert len(lesson) == len(lesson.log_powers) == 30
+    example = example_of(tone(500, 0.3), labels)
+    np.testing.assert_allclose(example.certainties, np.repeat([1, 0.6, 0], 10), atol=1e-3)
+    assert len(example) == len(example.log_powers) == 30
 
 
 @pytest.mark.parametrize("n_folds", [2, 3, 7])
@@ -203,10 +203,10 @@ def test_a_phoneme_that_was_not_said_stays_as_likely_as_it_was(model):
         np.testing.assert_allclose(moved.weights[:, Phoneme.I], head.weights[:, Phoneme.I], atol=1e-3)
 
 
-@pytest.mark.parametrize("lessons", [[], [said([Phoneme.A], 120, 1.0)]])
-def test_too_little_to_adapt_to_is_refused_with_what_to_give(lessons):
+@pytest.mark.parametrize("examples", [[], [said([Phoneme.A], 120, 1.0)]])
+def test_too_little_to_adapt_to_is_refused_with_what_to_give(examples):
     with pytest.raises(CorpusError, match=r"are too little to adapt to; give 2 s or more of several phonemes"):
-        adapt(tone_model({700.0: Phoneme.A}), lessons)
+        adapt(tone_model({700.0: Phoneme.A}), examples)
 
 
 def test_what_is_trained_fits_into_its_file(model, tmp_path: Path):

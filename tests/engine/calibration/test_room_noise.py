@@ -47,27 +47,27 @@ def test_the_room_is_silence_afterwards_and_a_voice_is_not(name, decimation):
     preset = load_preset(FACTORY / name)
     preset = replace(preset, settings=replace(preset.settings, decimation=decimation))
     room = measure_room(noise(2.0, 0.003, seed=1), preset)
-    fitted = room.thresholds(preset)
+    fitted = room.set_silence(preset)
     another = Analyser(fitted).push(noise(3.0, 0.003, seed=2)).phonemes[5:]
     assert np.mean(another == Phoneme.SILENCE) > 0.95
     voice = vowel((750, 1250), 1.0) + noise(1.0, 0.003, seed=3)
     assert np.mean(Analyser(fitted).push(voice).phonemes[5:] == Phoneme.SILENCE) == 0
-    sure = room.sureness(fitted, voice)
+    sure = room.silence_accuracy(fitted, voice)
     assert sure.room_silent.value > 0.95
     assert sure.room_silent.low < sure.room_silent.value <= sure.room_silent.high
     assert sure.speech_silent.value == 0
-    assert room.sureness(fitted).speech_silent is None
+    assert room.silence_accuracy(fitted).speech_silent is None
 
 
 def test_without_denoising_the_room_is_silence_too():
     settings = replace(THESIS.settings, filters=THESIS.settings.filters - {Filter.DENOISE})
     preset = replace(THESIS, settings=settings)
     room = measure_room(noise(2.0, ROOM), preset)
-    assert room.sureness(room.thresholds(preset)).room_silent.value > 0.95
+    assert room.silence_accuracy(room.set_silence(preset)).room_silent.value > 0.95
 
 
 def test_only_the_thresholds_of_silence_change():
-    fitted = measure_room(noise(2.0, ROOM), THESIS).thresholds(THESIS)
+    fitted = measure_room(noise(2.0, ROOM), THESIS).set_silence(THESIS)
     assert fitted.settings == THESIS.settings.with_numbers(denoise_threshold=fitted.settings.denoise_threshold)
     for name, value in vars(THESIS.thresholds).items():
         assert name.startswith("silence") or getattr(fitted.thresholds, name) == value, name
@@ -97,7 +97,7 @@ def test_a_measurement_gives_the_same_each_time():
 def test_a_room_that_hums_keeps_the_usual_limit_of_zero_crossings():
     room = measure_room(tone(50, 2.0, 0.003), THESIS)
     assert room.bounds["silence_zero_crossings"].value == 220
-    assert room.sureness(room.thresholds(THESIS)).room_silent.value > 0.98
+    assert room.silence_accuracy(room.set_silence(THESIS)).room_silent.value > 0.98
 
 
 def test_a_microphone_that_delivers_nothing_is_told_and_still_gives_silence():
@@ -105,7 +105,7 @@ def test_a_microphone_that_delivers_nothing_is_told_and_still_gives_silence():
     assert "delivers nothing" in room.notes[0]
     assert room.level == 0
     assert all(bound.value > 0 for bound in room.bounds.values())
-    assert room.sureness(room.thresholds(THESIS)).room_silent.value == 1
+    assert room.silence_accuracy(room.set_silence(THESIS)).room_silent.value == 1
 
 
 def test_a_cough_in_the_silence_is_told():
@@ -118,7 +118,7 @@ def test_a_cough_in_the_silence_is_told():
 
 def test_a_roaring_room_gives_thresholds_that_a_preset_takes():
     room = measure_room(np.clip(noise(2.0, 1.0), -1, 1), THESIS)
-    assert room.thresholds(THESIS).settings.denoise_threshold <= 1
+    assert room.set_silence(THESIS).settings.denoise_threshold <= 1
 
 
 @pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])
@@ -127,13 +127,13 @@ def test_whatever_recognises_the_room_is_silence_and_what_was_said_is_not_lost(n
     preset = load_preset(FACTORY / f"{name}.toml")
     room = measure_room(noise(2.0, level, seed=1), preset)
     voice = vowel((750, 1250), 1.0) + noise(1.0, level, seed=3)
-    lost = room.sureness(preset, voice).speech_silent.value
-    fitted = room.thresholds(preset, voice)
-    sure = room.sureness(fitted, voice)
+    lost = room.silence_accuracy(preset, voice).speech_silent.value
+    fitted = room.set_silence(preset, voice)
+    sure = room.silence_accuracy(fitted, voice)
     assert sure.room_silent.value > 0.98
     assert sure.speech_silent.value <= lost + 0.02
     assert fitted.settings.denoise_threshold == room.bounds["denoise_threshold"].value
-    assert room.thresholds(fitted, voice) == fitted  # measured twice is measured once
+    assert room.set_silence(fitted, voice) == fitted  # measured twice is measured once
 
 
 def test_a_louder_room_makes_silence_likelier_for_the_learned_and_its_level_higher_for_templates():
@@ -141,9 +141,9 @@ def test_a_louder_room_makes_silence_likelier_for_the_learned_and_its_level_high
     hiss = [
         np.convolve(noise(2.0, level, seed=1), np.ones(6) / 6, "same").astype(np.float32) for level in (1e-4, 0.03)
     ]
-    soft, loud = (measure_room(sound, learned).thresholds(learned) for sound in hiss)
+    soft, loud = (measure_room(sound, learned).set_silence(learned) for sound in hiss)
     assert soft.sensitivities[Phoneme.SILENCE] <= loud.sensitivities[Phoneme.SILENCE]
-    soft, loud = (measure_room(sound, templates).thresholds(templates).templates.silence_below for sound in hiss)
+    soft, loud = (measure_room(sound, templates).set_silence(templates).templates.silence_below for sound in hiss)
     assert soft == templates.templates.silence_below < loud
 
 
@@ -151,9 +151,9 @@ def test_a_room_as_loud_as_speech_does_not_swallow_the_takes():
     preset = load_preset(FACTORY / "templates.toml")
     voice = vowel((750, 1250), 1.0, amplitude=0.1)
     room = measure_room(noise(2.0, 0.1), preset)
-    bold, careful = room.thresholds(preset), room.thresholds(preset, voice)
-    assert room.sureness(bold, voice).speech_silent.value == 1
-    assert room.sureness(careful, voice).speech_silent.value < 0.05
+    bold, careful = room.set_silence(preset), room.set_silence(preset, voice)
+    assert room.silence_accuracy(bold, voice).speech_silent.value == 1
+    assert room.silence_accuracy(careful, voice).speech_silent.value < 0.05
 
 
 def test_a_room_that_is_as_loud_as_a_voice_is_told():

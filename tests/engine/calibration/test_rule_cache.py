@@ -36,7 +36,7 @@ def test_what_is_remembered_names_the_same_phonemes(asked, seed):
     sheet = sheet_of(features)
     for list_of_rules in asked:
         recogniser = RuleRecogniser(list_of_rules, Thresholds())
-        assert sheet.recognised(recogniser).tolist() == recogniser.recognise(features).phonemes.tolist()
+        assert sheet.recognised(recogniser).tolist() == recogniser.phonemes_of(features).tolist()
 
 
 @given(asked=st.lists(rules, min_size=1, max_size=3), hysteresis=st.sampled_from([0.05, 0.1, 0.25, 0.5, 1.0]))

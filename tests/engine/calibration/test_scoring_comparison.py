@@ -7,7 +7,7 @@ import pytest
 
 from phonemeengine.calibration.scores.comparison import DifferingSegment, compare
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
-from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of, score_corpus
+from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of, score
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
@@ -48,7 +48,7 @@ def test_what_only_one_gets_right_is_counted_by_what_was_said() -> None:
 
 def test_the_sums_are_those_of_the_confusions(tmp_path: Path) -> None:
     utterances = read_corpus(write_corpus(tmp_path, THESIS))
-    one, other = (score_corpus(utterances, preset) for preset in (THESIS, CLEAN))
+    one, other = (score(preset, utterances) for preset in (THESIS, CLEAN))
     found = compare(one, other)
     assert found.only_one.sum() > 0
     assert np.array_equal(found.both + found.only_one, one.overall.confusion.diagonal())
@@ -72,7 +72,7 @@ def test_the_recordings_that_differ_most_come_first() -> None:
 def test_stretches_say_when_what_was_said_and_what_was_answered() -> None:
     one, other = scores(("_aaaaoo?", "_aaaamo?")), scores(("_aaaaoo?", "moommom?"))
     found = compare(one, other)
-    utterance = one.answers[0].utterance
+    utterance = one.predictions[0].utterance
     assert [(s.start, s.end) for s in found.stretches_one] == [
         pytest.approx(times) for times in ((0.01, 0.03), (0.03, 0.05), (0, 0.01), (0.06, 0.07))
     ]

@@ -12,16 +12,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
-from phonemeengine.calibration.scores.evaluation import Predictions, group_scores_of, kind_of, score_corpus
+from phonemeengine.calibration.scores.evaluation import Predictions, group_scores_of, kind_of, score
 from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.features.measure import Features
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.recognition.recogniser import RECOGNISERS, RecogniserConfig
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.rules import ThesisRules
+from phonemeengine.recognition.spec import BUILT_IN, RecogniserConfig, RecogniserSpec
 from phonemeengine.settings import SAMPLE_RATE
 from tests.corpora import put, write_corpus
 from tests.sounds import silence, tone
@@ -80,8 +80,8 @@ def test_figures_are_those_of_their_definitions(frames: list[tuple[Phoneme, Phon
 
 
 def test_a_preset_that_made_the_labels_is_right_everywhere(tmp_path: Path) -> None:
-    scores = score_corpus(read_corpus(write_corpus(tmp_path, THESIS)), THESIS)
-    assert len(np.unique(np.concatenate([a.phonemes for a in scores.answers]))) > 3
+    scores = score(THESIS, read_corpus(write_corpus(tmp_path, THESIS)))
+    assert len(np.unique(np.concatenate([a.phonemes for a in scores.predictions]))) > 3
     for group in (scores.overall, *scores.by_kind.values(), *scores.by_speaker.values()):
         assert astuple(group.scores)[:7] == (1, 1, 1, 1, 1, 1, 0)
         assert np.count_nonzero(group.confusion - np.diag(group.confusion.diagonal())) == 0
@@ -91,7 +91,7 @@ def test_a_preset_that_made_the_labels_is_right_everywhere(tmp_path: Path) -> No
 
 
 def test_parts_add_up_to_the_whole(tmp_path: Path) -> None:
-    scores = score_corpus(read_corpus(write_corpus(tmp_path, THESIS)), THESIS)
+    scores = score(THESIS, read_corpus(write_corpus(tmp_path, THESIS)))
     assert list(scores.by_kind) == ["human", "machine"]
     assert list(scores.by_speaker) == ["human/ann", "human/bob", "machine/cyd"]
     for parts in (scores.by_kind, scores.by_speaker):
@@ -125,12 +125,12 @@ class Hesitant:
     scores: tuple[str, ...] = ()
     used_thresholds: frozenset[str] = frozenset()
 
-    def __init__(self, tuning: RecogniserConfig) -> None:
-        self._rules = ThesisRules(tuning.thresholds)
+    def __init__(self, config: RecogniserConfig) -> None:
+        self._rules = ThesisRules(config.thresholds)
         self._held: list[int] | None = None
 
-    def recognise(self, features: Features) -> Recognition:
-        heard = self._rules.recognise(features).phonemes.tolist()
+    def recognise(self, _windows: np.ndarray, features: Features) -> Recognition:
+        heard = self._rules.phonemes_of(features).tolist()
         waiting = (self._held or []) + heard
         n = max(0, len(waiting) - self.look_ahead)
         self._held = waiting[n:]
@@ -141,11 +141,11 @@ class Hesitant:
 
 
 def test_what_a_recogniser_looks_ahead_is_no_lag(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(RECOGNISERS, "hesitant", Hesitant)
+    monkeypatch.setitem(BUILT_IN, "hesitant", RecogniserSpec("hesitant", Hesitant))
     preset = replace(THESIS, recogniser="hesitant", settings=replace(THESIS.settings, statistics=False))
     same = replace(preset, recogniser="thesis")
-    scores = score_corpus(read_corpus(write_corpus(tmp_path, same)), preset)
-    assert (scores.look_ahead, scores.lag, scores.overall.scores.accuracy) == (3, 0.0, 1)
+    scores = score(preset, read_corpus(write_corpus(tmp_path, same)))
+    assert (scores.look_ahead, scores.delay, scores.overall.scores.accuracy) == (3, 0.0, 1)
 
 
 @pytest.mark.parametrize("late", [-3, 2, 7])
@@ -159,14 +159,14 @@ def test_answers_that_come_late_are_moved_back_by_the_lag(tmp_path: Path, late: 
         return earlier
 
     utterances = read_corpus(write_corpus(tmp_path, THESIS, change=moved))
-    assert score_corpus(utterances, THESIS).overall.scores.accuracy < 1
-    assert score_corpus(utterances, THESIS, lag=late / 100).overall.scores.accuracy == 1
+    assert score(THESIS, utterances).overall.scores.accuracy < 1
+    assert score(THESIS, utterances, delay=late / 100).overall.scores.accuracy == 1
 
 
 def test_a_sound_that_ends_before_its_labels_is_silent_there(tmp_path: Path) -> None:
     put(tmp_path, "u", tone(1000, 0.5, 0.3), (Label(0, 0.54, "a", Phoneme.A),))
     utterance = Utterance(tmp_path / "u.wav", (Label(0, 0.54, "a", Phoneme.A),), "s", "c")
-    (heard,) = score_corpus([utterance], THESIS).answers
+    (heard,) = score(THESIS, [utterance]).predictions
     assert len(heard.phonemes) == 54
     assert set(heard.phonemes[50:].tolist()) == {Phoneme.SILENCE}
     assert Phoneme.SILENCE not in heard.phonemes[5:45]
@@ -176,26 +176,28 @@ def test_a_sound_that_cannot_be_read_is_told_and_left_out(tmp_path: Path) -> Non
     utterances = read_corpus(write_corpus(tmp_path, THESIS))
     (tmp_path / "u1.wav").write_bytes(b"no sound")
     with pytest.raises(AudioError, match=r"u1\.wav"):
-        score_corpus(utterances, THESIS)
+        score(THESIS, utterances)
     told: list[AudioError] = []
-    scores = score_corpus(utterances, THESIS, passed_over=told.append)
-    assert [a.utterance.path.name for a in scores.answers] == ["u0.wav", "u2.wav"]
+    scores = score(THESIS, utterances, on_skipped=told.append)
+    assert [a.utterance.path.name for a in scores.predictions] == ["u0.wav", "u2.wav"]
     assert ["u1.wav" in str(error) for error in told] == [True]
-    assert read_corpus(tmp_path, passed_over=told.append) == (utterances[0], utterances[2])
+    assert read_corpus(tmp_path, on_skipped=told.append) == (utterances[0], utterances[2])
     assert len(told) == 2
     with pytest.raises(CorpusError, match="no labelled sound that can be scored"):
-        score_corpus([utterances[1]], THESIS, passed_over=told.append)
+        score(THESIS, [utterances[1]], on_skipped=told.append)
 
 
 def test_labels_too_short_for_a_frame_are_nothing_to_score(tmp_path: Path) -> None:
     soundfile.write(tmp_path / "u.wav", silence(1), SAMPLE_RATE)
     utterance = Utterance(tmp_path / "u.wav", (Label(0, 0.004, "a", Phoneme.A),), "s", "c")
     with pytest.raises(CorpusError, match="can be scored"):
-        score_corpus([utterance], THESIS)
+        score(THESIS, [utterance])
     long = Utterance(tmp_path / "u.wav", (Label(0, 1, "sil", Phoneme.SILENCE),), "t", "c")
-    scores = score_corpus([utterance, long], THESIS)
+    scores = score(THESIS, [utterance, long])
     assert list(scores.by_speaker) == ["c/t"]
-    assert asdict(scores.overall.scores) == pytest.approx(asdict(scores_of([scores.answers[1].pair])), nan_ok=True)
+    assert asdict(scores.overall.scores) == pytest.approx(
+        asdict(scores_of([scores.predictions[1].pair])), nan_ok=True
+    )
 
 
 def test_all_human_parts_of_a_corpus_are_one_kind() -> None:

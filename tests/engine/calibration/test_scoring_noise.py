@@ -8,7 +8,7 @@ import soundfile
 
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind, speech_level_of
 from phonemeengine.calibration.scores.corpus import Utterance, read_corpus
-from phonemeengine.calibration.scores.evaluation import score_corpus
+from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.errors import CorpusError, SettingsError
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
@@ -76,7 +76,7 @@ def test_babble_is_made_of_all_others_and_not_of_oneself(utterances: tuple[Utter
 def test_one_speaker_alone_does_not_babble(utterances: tuple[Utterance, ...]) -> None:
     adder = NoiseAdder(AddedNoise(NoiseKind.BABBLE, 0.0), utterances[:1])
     with pytest.raises(CorpusError, match="none but ann; add one, or choose white or pink noise"):
-        score_corpus(utterances[:1], THESIS, noise=adder)
+        score(THESIS, utterances[:1], noise=adder)
 
 
 @pytest.mark.parametrize("kind", NoiseKind)
@@ -100,8 +100,8 @@ def test_a_recording_without_speech_stays_as_it_is(tmp_path: Path) -> None:
 def test_much_noise_costs_much(tmp_path: Path) -> None:
     utterances = read_corpus(write_corpus(tmp_path, THESIS))
     found = [
-        score_corpus(
-            utterances, THESIS, noise=NoiseAdder(AddedNoise(NoiseKind.WHITE, snr), utterances)
+        score(
+            THESIS, utterances, noise=NoiseAdder(AddedNoise(NoiseKind.WHITE, snr), utterances)
         ).overall.scores.accuracy
         for snr in (70.0, 0.0)
     ]

@@ -55,7 +55,7 @@ def test_a_suggestion_that_is_added_separates_as_it_says_with_its_threshold(benc
     measured = LabelledFeatures(bench.utterances, preset, known=bench)
     for suggestion in found:
         name = suggestion.variable.name
-        assert distribution_of(measured, name).separation_of(A, E) == pytest.approx(suggestion.separation, abs=1e-4)
+        assert distribution_of(measured, name).separations[A, E] == pytest.approx(suggestion.separation, abs=1e-4)
         own, other = (measured.values(name)[measured.labels.phonemes == p] for p in (A, E))
         parted = [abs((own > t).mean() - (other > t).mean()) for t in (suggestion.threshold, *own, *other)]
         assert parted[0] == pytest.approx(max(parted), abs=0.021)  # two frames, since its digits are few

@@ -17,6 +17,7 @@ from phonemeengine.calibration.takes.take import Take, folder_for
 from phonemeengine.errors import CorpusError, RecordingError, TakeError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
+from tests.conftest import SCORER
 from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel
 
@@ -85,7 +86,7 @@ def test_an_impossible_stretch_is_refused_and_changes_nothing(project, stretch):
     with pytest.raises(TakeError, match=r"a-1: what counts of a take must lie in its 0\.5 s"):
         project.trim(take, *stretch)
     assert project.takes == (take,)
-    assert project.undoable == "add a-1"
+    assert project.changes == ("add a-1",)
 
 
 def test_relabelling_renames_the_files(project):
@@ -117,7 +118,7 @@ def test_a_deleted_take_lies_among_the_deleted_until_they_are_emptied(project):
     project.delete(back)
     assert project.empty_deleted() == 1
     assert not project.path_of(gone).exists()
-    assert (project.deleted, project.undoable) == ((), None)
+    assert (project.deleted, project.changes) == ((), ())
 
 
 def test_every_change_is_undone_and_done_again(project):
@@ -126,7 +127,7 @@ def test_every_change_is_undone_and_done_again(project):
 
     def note(take):
         states.append(project.takes)
-        names.append(project.undoable)
+        names.append(project.changes[-1])
         return take
 
     take = note(project.add(SOUND, "Ada", Phoneme.A))
@@ -137,14 +138,14 @@ def test_every_change_is_undone_and_done_again(project):
     take = note(project.restore(take))
     assert names == ["add a-1", "trim a-1", "relabel a-1", "exclude u-1", "delete u-1", "restore u-1"]
     for state, name in zip(states[-2::-1], names[::-1], strict=True):
-        assert project.undoable == name == project.changes[-1]
+        assert project.changes[-1] == name
         project.undo()
         assert project.takes == state
         assert all(project.path_of(t).is_file() for t in (*project.takes, *project.deleted))
     assert project.undo() is None
     for state, name in zip(states[1:], names, strict=True):
-        assert project.redoable == name
         project.redo()
+        assert project.changes[-1] == name
         assert project.takes == state
     assert project.redo() is None
     kept, _ = soundfile.read(project.path_of(project.takes[0]), dtype="float32")
@@ -156,13 +157,13 @@ def test_what_is_done_after_undoing_forgets_what_was_undone(project):
     project.trim(take, 0.1, 0.2)
     project.undo()
     project.exclude(take)
-    assert project.redoable is None
+    assert project.redo() is None
 
 
 def test_a_change_to_what_it_is_already_is_none(project):
     take = project.add(SOUND, "Ada", Phoneme.A)
     assert project.include(take) == project.relabel(take, Phoneme.A) == project.restore(take) == take
-    assert project.undoable == "add a-1"
+    assert project.changes == ("add a-1",)
 
 
 def test_a_project_is_found_again_as_it_was_left(project):
@@ -174,7 +175,7 @@ def test_a_project_is_found_again_as_it_was_left(project):
     project.close()
     with TakeProject(project.folder) as again:
         assert (again.takes, again.deleted, again.notes) == (takes, deleted, ())
-        assert again.undoable is None
+        assert again.changes == ()
         assert again.takes[1].speaker == "Bob: Ä/ö?"
 
 
@@ -287,7 +288,7 @@ def test_an_empty_project_is_a_folder_without_a_corpus(project):
         read_corpus(project.folder)
 
 
-def test_the_scorer_of_the_corpus_scores_takes_as_we_do(project, corpus, tmp_path):
+def test_the_scorer_of_the_corpus_scores_takes_as_we_do(project, tmp_path):
     report = check_take(np.concatenate([silence(0.4), SOUND, silence(0.4)]), 0, Phoneme.A)
     for phoneme in (Phoneme.A, Phoneme.M, Phoneme.SILENCE):
         project.add(np.concatenate([silence(0.4), SOUND, silence(0.4)]), "Ada", phoneme, report=report)
@@ -300,8 +301,8 @@ def test_the_scorer_of_the_corpus_scores_takes_as_we_do(project, corpus, tmp_pat
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("start_s,end_s,phoneme\n" + "".join(rows))
         pairs.append((labels, guess.astype(np.uint8)))
-    scorer, found = corpus.parent / "score" / "score.py", tmp_path / "found.json"
-    command = [sys.executable, str(scorer), str(project.folder), str(tmp_path / "found"), "--json", str(found)]
+    found = tmp_path / "found.json"
+    command = [sys.executable, str(SCORER), str(project.folder), str(tmp_path / "found"), "--json", str(found)]
     subprocess.run(command, check=True, capture_output=True)
     expected, ours = json.loads(found.read_text())["groups"]["all"], scores_of(pairs)
     for theirs, name in OF_THE_SCORER.items():

@@ -41,7 +41,7 @@ class DiesAt:
             (os, "fsync"),
             (Path, "replace"),
             (Path, "unlink"),
-            (shutil, "copyfile"),
+            (shutil, "copyfileobj"),
         ):
             monkeypatch.setattr(owner, name, self._guarded(getattr(owner, name)))
 

@@ -38,9 +38,9 @@ def codes(*phonemes: Phoneme) -> np.ndarray:
 def test_a_search_is_as_good_on_its_frames_as_it_says():
     features = random_features(4000, 1)
     rules = ThesisRules(LADDER)
-    truth = np.where(np.arange(4000) % 7 == 0, np.uint8(E), rules.recognise(features).phonemes)
+    truth = np.where(np.arange(4000) % 7 == 0, np.uint8(E), rules.phonemes_of(features))
     fit = fit_of(features, truth, 3)
-    answers = ThesisRules(fit.thresholds).recognise(features).phonemes
+    answers = ThesisRules(fit.thresholds).phonemes_of(features)
     parts = np.split(answers, range(1000, 4000, 1000))
     calmed = np.concatenate([PhonemeSmoother(0, fit.successors).smooth(part) for part in parts])
     known = truth != UNKNOWN
@@ -50,7 +50,7 @@ def test_a_search_is_as_good_on_its_frames_as_it_says():
 
 def test_a_search_finds_the_thresholds_that_made_the_labels():
     features = random_features(4000, 2)
-    fit = fit_of(features, ThesisRules(LADDER).recognise(features).phonemes, 8)
+    fit = fit_of(features, ThesisRules(LADDER).phonemes_of(features), 8)
     assert fit.score > 0.9
     assert fit.thresholds.ae_ae1 == pytest.approx(0.5, abs=0.06)
     assert fit.thresholds.u_o1 == pytest.approx(0.75, abs=0.06)
@@ -61,7 +61,7 @@ def test_every_rule_finds_some_of_its_phoneme_even_where_labels_are_chance():
     truth = np.random.default_rng(3).choice(np.array(SCORED_PHONEMES, np.uint8), 6000)
     thresholds = fit_of(features, truth, 4).thresholds
     assert thresholds.u_o1 > thresholds.o_o1 > thresholds.i_o1
-    hits = confusion_of(truth, ThesisRules(thresholds).recognise(features).phonemes).diagonal()[list(SCORED_PHONEMES)]
+    hits = confusion_of(truth, ThesisRules(thresholds).phonemes_of(features)).diagonal()[list(SCORED_PHONEMES)]
     assert np.mean(hits > 0.5 * LEAST_FOUND * 600) > 0.8
 
 

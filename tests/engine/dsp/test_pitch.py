@@ -140,11 +140,14 @@ def test_praat_agrees_on_synthetic_voices():
 
 
 @pytest.mark.parametrize(
-    ("speaker", "close_enough", "equal_voicing"), [("slt", 0.985, 0.93), ("kal", 0.965, 0.89), ("dita", 0.955, 0.92)]
+    ("speaker", "apart", "close_enough", "equal_voicing"),
+    [("slt", 0.002, 0.985, 0.93), ("kal", 0.002, 0.965, 0.89), ("nsh", 0.0025, 0.95, 0.89)],
 )
-def test_praat_agrees_on_recorded_voices(corpus: Path, speaker: str, close_enough: float, equal_voicing: float):
+def test_praat_agrees_on_recorded_voices(
+    corpus: Path, speaker: str, apart: float, close_enough: float, equal_voicing: float
+):
     paths = sorted((corpus / "festival" / speaker).glob("*.flac"))[:8]
     error, close, voicing = agreement([soundfile.read(path, dtype="float32")[0] for path in paths])
-    assert error < 0.002
+    assert error < apart
     assert close > close_enough
     assert voicing > equal_voicing

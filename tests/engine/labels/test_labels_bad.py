@@ -73,7 +73,7 @@ def test_a_bad_label_file_is_refused_in_one_sentence(tmp_path, name):
 def test_a_missing_label_file_and_a_folder_are_refused(tmp_path):
     (tmp_path / "folder.txt").mkdir()
     for name in ("missing.csv", "folder.txt"):
-        with pytest.raises(CorpusError, match=rf"{name}: it cannot be read"):
+        with pytest.raises(CorpusError, match=rf"{name}: cannot be read"):
             read_labels(tmp_path / name)
 
 
@@ -134,7 +134,7 @@ def test_the_old_file_stays_when_writing_fails(tmp_path, monkeypatch):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("os.fsync", full)
-    with pytest.raises(CorpusError, match=r"x\.csv: it cannot be written \(No space left on device\)"):
+    with pytest.raises(CorpusError, match=r"x\.csv: cannot be written \(No space left on device\)"):
         write_labels([Label(0, 2, "m", Phoneme.M)], path)
     assert path.read_bytes() == old
     assert [p.name for p in tmp_path.iterdir()] == ["x.csv"]

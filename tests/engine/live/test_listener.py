@@ -48,7 +48,9 @@ def test_another_rate_of_the_device_puts_every_sound_at_its_place(hear: Hear, ra
     burst = np.where((seconds >= 0.4) & (seconds < 0.6), 0.8 * np.sin(2 * np.pi * 1000 * seconds), 0)
     microphone = HandDrivenMicrophone(rate)
     delays: list[float] = []
-    hearing = hear(microphone, on_heard=lambda _: delays.append(hearing.listener.latency.capture - microphone.delay))
+    hearing = hear(
+        microphone, on_analysis=lambda _: delays.append(hearing.listener.latency.capture - microphone.delay)
+    )
     microphone.give(burst.astype(np.float32), rate // 100)
     wait_for(lambda: hearing.listener.seconds == 1.0, "the sound")
     wait_for(
@@ -134,7 +136,7 @@ def test_a_mouth_does_not_stay_open_when_nothing_comes_any_more(hear: Hear, monk
 def test_every_block_is_told_as_soon_as_it_is_known(hear: Hear) -> None:
     told: list[int] = []
     microphone = HandDrivenMicrophone()
-    hearing = hear(microphone, on_heard=lambda analysis: told.extend(frames_of([analysis])))
+    hearing = hear(microphone, on_analysis=lambda analysis: told.extend(frames_of([analysis])))
     microphone.give(SPEECH)
     wait_for(lambda: len(told) == frames_in(len(SPEECH)), "the frames")
     hearing.wait(len(told))
@@ -145,7 +147,7 @@ def test_frames_that_nobody_takes_are_dropped_and_counted(hear: Hear, monkeypatc
     monkeypatch.setattr(live, "MOST_WAITING", 5)
     told: list[int] = []
     microphone = HandDrivenMicrophone()
-    hearing = hear(microphone, on_heard=lambda analysis: told.extend(frames_of([analysis])))
+    hearing = hear(microphone, on_analysis=lambda analysis: told.extend(frames_of([analysis])))
     microphone.give(SPEECH)
     wait_for(lambda: len(told) == frames_in(len(SPEECH)), "the frames")
     taken = frames_of(hearing.listener.take_analyses())

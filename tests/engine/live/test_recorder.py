@@ -17,7 +17,7 @@ from phonemeengine.recognition.segments import segments_of
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.fakes.microphones import HandDrivenMicrophone, Hear, frames_in, offline
 from tests.fakes.players import PRESET, SPEECH, wait_for
-from tests.fakes.recorders import samples_in, samples_of_16_bits
+from tests.fakes.recorders import recorder_to, samples_in, samples_of_16_bits
 from tests.sounds import noise
 
 
@@ -25,10 +25,6 @@ from tests.sounds import noise
 def names(tmp_path: Path) -> Callable[[], Path]:
     """Names take.wav, take (2).wav, ..."""
     return lambda: free_path(tmp_path / "take.wav")
-
-
-def tape_to(next_path: Any, folder: Path, **options: Any) -> Recorder:
-    return Recorder(next_path, journal=folder / "journal", rescue=folder / "rescue", **options)
 
 
 def rows_beside(path: Path) -> list[tuple[float, float, str, float]]:
@@ -65,12 +61,12 @@ def record(
 def test_what_is_heard_is_on_the_tape_and_its_phonemes_beside_it(
     hear: Hear, names: Callable[[], Path], tmp_path: Path
 ) -> None:
-    tape = tape_to(names, tmp_path, with_phonemes=True)
+    tape = recorder_to(names, tmp_path, with_phonemes=True)
     microphone = HandDrivenMicrophone()
-    hearing = hear(microphone, tape=tape)
+    hearing = hear(microphone, recorder=tape)
     sound = np.round(SPEECH * 2**23) / np.float32(2**23)
     microphone.give(sound)
-    hearing.wait(frames_in(len(sound)))
+    hearing.wait_samples(len(sound))
     hearing.listener.record(None)
     tape.close()
     assert (tape.paths, tape.path, tape.failure, tape.notes) == ([tmp_path / "take.wav"], tape.paths[0], None, ())
@@ -83,7 +79,7 @@ def test_what_is_heard_is_on_the_tape_and_its_phonemes_beside_it(
 def test_a_recording_that_begins_in_the_midst_of_listening_has_its_own_beginning(
     hear: Hear, names: Callable[[], Path], tmp_path: Path
 ) -> None:
-    tape = tape_to(names, tmp_path, with_phonemes=True)
+    tape = recorder_to(names, tmp_path, with_phonemes=True)
     microphone = HandDrivenMicrophone()
     hearing = hear(microphone)
     first = 40 * HOP
@@ -91,8 +87,7 @@ def test_a_recording_that_begins_in_the_midst_of_listening_has_its_own_beginning
     hearing.wait(frames_in(first))
     hearing.listener.record(tape)
     microphone.give(SPEECH[first:])
-    hearing.wait(frames_in(len(SPEECH)))
-    wait_for(lambda: hearing.listener.seconds >= len(SPEECH) / SAMPLE_RATE, "the samples that complete no frame")
+    hearing.wait_samples(len(SPEECH))
     hearing.listener.record(None)
     tape.close()
     assert len(samples_in(tape.paths[0])) == len(SPEECH) - first
@@ -106,7 +101,7 @@ def test_a_recording_that_begins_in_the_midst_of_listening_has_its_own_beginning
 def test_the_length_that_was_asked_for_is_kept_to_the_sample(
     names: Callable[[], Path], tmp_path: Path, n: int
 ) -> None:
-    tape = tape_to(names, tmp_path, with_phonemes=True, seconds=1.0)
+    tape = recorder_to(names, tmp_path, with_phonemes=True, seconds=1.0)
     record(tape, SPEECH, n=n)
     tape.close()
     assert tape.seconds == 1.0
@@ -117,7 +112,7 @@ def test_the_length_that_was_asked_for_is_kept_to_the_sample(
 
 
 def test_another_rate_or_number_of_channels_begins_another_file(names: Callable[[], Path], tmp_path: Path) -> None:
-    tape = tape_to(names, tmp_path, with_phonemes=True)
+    tape = recorder_to(names, tmp_path, with_phonemes=True)
     shapes = ((44_100, 1), (48_000, 1), (48_000, 2))
     for k, (rate, n_channels) in enumerate(shapes):
         for part in range(3):
@@ -132,14 +127,14 @@ def test_another_rate_or_number_of_channels_begins_another_file(names: Callable[
 
 
 def test_without_the_phonemes_there_is_no_table(names: Callable[[], Path], tmp_path: Path) -> None:
-    tape = tape_to(names, tmp_path)
+    tape = recorder_to(names, tmp_path)
     record(tape, SPEECH)
     tape.close()
     assert list(tmp_path.glob("*.csv")) == []
 
 
 def test_a_tape_on_which_nothing_was_recorded_leaves_nothing(names: Callable[[], Path], tmp_path: Path) -> None:
-    tape = tape_to(names, tmp_path, with_phonemes=True)
+    tape = recorder_to(names, tmp_path, with_phonemes=True)
     assert (tape.path, tape.paths, tape.seconds, tape.notes, tape.failure) == (None, [], 0.0, (), None)
     tape.close()
     tape.write(np.zeros((441, 1), np.float32), SAMPLE_RATE, 0.0)  # the listening thread may come late
@@ -148,7 +143,7 @@ def test_a_tape_on_which_nothing_was_recorded_leaves_nothing(names: Callable[[],
 
 def test_a_table_that_is_there_stays_and_the_new_one_gets_a_number(names: Callable[[], Path], tmp_path: Path) -> None:
     (tmp_path / "take.csv").write_text("mine")
-    tape = tape_to(names, tmp_path, with_phonemes=True)
+    tape = recorder_to(names, tmp_path, with_phonemes=True)
     record(tape, SPEECH)
     tape.close()
     assert tape.failure is None
@@ -164,7 +159,7 @@ def test_a_folder_that_is_missing_is_said_once_and_not_tried_with_every_block(tm
         asked.append(tmp_path / "gone" / "take.wav")
         return asked[-1]
 
-    tape = tape_to(nowhere, tmp_path)
+    tape = recorder_to(nowhere, tmp_path)
     record(tape, SPEECH)
     tape.close()
     assert tape.failure is not None
@@ -175,7 +170,7 @@ def test_a_folder_that_is_missing_is_said_once_and_not_tried_with_every_block(tm
 def test_a_folder_that_vanishes_ends_the_recording_with_a_sentence(names: Callable[[], Path], tmp_path: Path) -> None:
     folder = tmp_path / "stick"
     folder.mkdir()
-    tape = tape_to(lambda: folder / "take.wav", tmp_path)
+    tape = recorder_to(lambda: folder / "take.wav", tmp_path)
     block = noise(0.1)
     tape.write(block[:, np.newaxis], SAMPLE_RATE, 0.0)
     wait_for(lambda: tape.seconds == 0.1, "the disk")
@@ -192,7 +187,7 @@ def test_a_folder_that_vanishes_ends_the_recording_with_a_sentence(names: Callab
 def test_closing_while_the_listening_thread_writes_trips_nobody_and_leaves_a_whole_file(
     names: Callable[[], Path], tmp_path: Path, k: int
 ) -> None:
-    tape = tape_to(names, tmp_path, with_phonemes=True)
+    tape = recorder_to(names, tmp_path, with_phonemes=True)
     failed: list[Exception] = []
 
     def listen() -> None:
@@ -214,3 +209,19 @@ def test_closing_while_the_listening_thread_writes_trips_nobody_and_leaves_a_who
         assert [row[1] for row in rows[:-1]] == [row[0] for row in rows[1:]]
         assert not rows or rows[-1][1] == pytest.approx(length, abs=1e-6)
     assert not [t for t in threading.enumerate() if t.name == "recording"]
+
+
+def test_one_path_names_the_first_file_and_with_a_number_those_after_it(tmp_path: Path) -> None:
+    with recorder_to(str(tmp_path / "take.wav"), tmp_path) as recorder:
+        for rate in (44_100, 48_000, 44_100):
+            recorder.write(np.zeros((4800, 1), np.float32), rate, 0.0)
+    assert [path.name for path in recorder.paths] == ["take.wav", "take (2).wav", "take (3).wav"]
+    assert all(path.exists() for path in recorder.paths)
+
+
+def test_a_file_that_is_there_already_is_not_recorded_over(tmp_path: Path) -> None:
+    (tmp_path / "take.wav").write_text("mine")
+    with recorder_to(tmp_path / "take.wav", tmp_path) as recorder:
+        recorder.write(np.zeros((4800, 1), np.float32), 48_000, 0.0)
+    assert recorder.failure is not None
+    assert (tmp_path / "take.wav").read_text() == "mine"

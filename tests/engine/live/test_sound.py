@@ -13,7 +13,7 @@ from phonemeengine.live.sound import N_BINS, Sound
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, Channel
 from tests.bad_files import BAD_FILES
-from tests.fakes.outputs import HandDrivenOutput
+from tests.fakes.outputs import HandDrivenOutput, HandDrivenSound
 from tests.fakes.players import N_FRAMES, PRESET, SPEECH, offline, wait_for
 from tests.sounds import silence, tone
 
@@ -26,7 +26,7 @@ class Game:
     def __init__(self, path: Path, ahead: int = SAMPLE_RATE // 4) -> None:
         self.outputs: list[HandDrivenOutput] = []
         self.ahead = ahead
-        self.sound = Sound(path, PRESET, open_device=self._open)
+        self.sound = HandDrivenSound(self._open, path, PRESET)
 
     def _open(self, n_channels: int) -> HandDrivenOutput:
         self.outputs.append(HandDrivenOutput(n_channels, self.ahead))
@@ -231,7 +231,7 @@ def test_a_file_that_is_none_raises_at_once_and_opens_no_device(tmp_path: Path) 
         raise AssertionError("no device is needed")
 
     with pytest.raises(AudioError, match="missing"):
-        Sound(tmp_path / "missing.wav", PRESET, open_device=refuse)
+        HandDrivenSound(refuse, tmp_path / "missing.wav", PRESET)
 
 
 def test_a_sound_tells_its_preset(path: Path) -> None:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 from phonemeengine.settings import FRAME_PERIOD
@@ -15,7 +15,7 @@ PARTS = (
 DURATION = sum(length for _, length in PARTS)
 
 
-def speech(name: str = "masapo.wav") -> Utterance:
+def speech(name: str = "masapo.wav") -> Transcript:
     """A few syllables of 2.5 s, which rise and fall in pitch."""
     runs, at = [], 0.0
     for phoneme, length in PARTS:
@@ -26,4 +26,4 @@ def speech(name: str = "masapo.wav") -> Utterance:
     loud = np.array([run.intensity for run in runs], np.float32)[
         np.minimum(np.searchsorted(ends, times, "right"), 14)
     ]
-    return Utterance(name, DURATION, tuple(runs), loud, np.where(loud > 0, 120 + 40 * times, 0).astype(np.float32))
+    return Transcript(name, DURATION, tuple(runs), loud, np.where(loud > 0, 120 + 40 * times, 0).astype(np.float32))

@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from phonemeengine.errors import MouthError
-from phonemeengine.mouth.cues import VOWELS, Cue, cues_of, joined_by_shape
+from phonemeengine.mouth.cues import Cue, cues_of, joined_by_shape
 from phonemeengine.mouth.table import load_table
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.recognition.segments import Segment
 
 TABLE = load_table("eleven")
@@ -147,7 +147,7 @@ def test_the_mouth_is_never_late_nor_more_than_120_ms_early(parts: list[tuple[Ph
     assert [cue.phoneme for cue in early] == [cue.phoneme for cue in late]
     for one, other in zip(late, early, strict=True):
         assert -1e-9 <= one.start - other.start <= 0.12 + 1e-9
-        if one.phoneme not in VOWELS | TABLE.firm:
+        if one.phoneme not in {*VOWELS, *TABLE.closed_phonemes}:
             assert one.start == other.start
 
 
@@ -159,14 +159,14 @@ def test_an_hour_has_no_cue_that_is_too_short() -> None:
 
 
 @pytest.mark.parametrize(
-    ("wishes", "sentence"),
+    ("options", "sentence"),
     [
         ({"minimum": -0.1}, "minimum must lie in 0..1 s, got -0.1; choose another"),
         ({"minimum": float("nan")}, "minimum must lie in 0..1 s, got nan; choose another"),
         ({"anticipation": 0.2}, "anticipation must lie in 0..0.12 s, got 0.2; choose another"),
     ],
 )
-def test_impossible_times_are_refused(wishes: dict[str, float], sentence: str) -> None:
+def test_impossible_times_are_refused(options: dict[str, float], sentence: str) -> None:
     with pytest.raises(MouthError) as refusal:
-        cues_of([], TABLE, **wishes)
+        cues_of([], TABLE, **options)
     assert str(refusal.value) == sentence

@@ -11,18 +11,18 @@ from hypothesis import strategies as st
 from pygltflib import GLTF2
 
 from phonemeengine.errors import ExportError
-from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_glb
+from phonemeengine.mouth.performer import IdleMotion
 from tests.engine.mouth.speaking import DURATION, speech
 from tests.glb_faces import face_with_targets, glb_of
 
 STILL = IdleMotion(blinks=False)
 
 
-def animated(mesh: Path, **wishes: object) -> bytes:
-    (content,) = Exporter("gltf", ExportOptions(mesh=mesh, life=STILL, **wishes)).chunks_of(speech())
+def animated(mesh: Path, **options: object) -> bytes:
+    (content,) = Exporter("gltf", ExportOptions(mesh=mesh, idle=STILL, **options)).chunks_of(speech())
     return content
 
 
@@ -61,7 +61,7 @@ def test_the_movement_is_that_of_live_link_and_its_times_rise(tmp_path: Path) ->
     np.testing.assert_allclose(times, np.arange(int(DURATION * 30) + 1) / 30, atol=1e-6)
     form = gltf.accessors[sampler.input]
     assert (form.min, form.max) == ([0.0], [pytest.approx(float(times[-1]))])
-    movement = Exporter("livelink-csv", ExportOptions(rate=30.0, life=STILL)).export_of(speech()).animation
+    movement = Exporter("livelink-csv", ExportOptions(rate=30.0, idle=STILL)).export_of(speech()).animation
     for target, name in enumerate(names):
         expected = movement.weights[:, ARKIT.index(name)] if name in ARKIT else np.zeros(len(times))
         np.testing.assert_allclose(weights[:, target], expected, atol=1e-6)
@@ -154,9 +154,7 @@ def test_a_face_that_cannot_move_is_refused_in_one_sentence(case: str, tmp_path:
 
 
 def test_a_face_that_is_not_there_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(
-        ExportError, match=r"gone.glb: it cannot be read \(No such file or directory\); check the file"
-    ):
+    with pytest.raises(ExportError, match=r"gone.glb: cannot be read \(No such file or directory\); check the file"):
         animated(tmp_path / "gone.glb")
 
 

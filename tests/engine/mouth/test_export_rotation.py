@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from phonemeengine.errors import ExportError
-from phonemeengine.mouth.animation import IdleMotion
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_glb
-from phonemeengine.mouth.exports.gltf_rotation import inverse, product, rotated, turnings_of
-from phonemeengine.mouth.head_motion import quaternions_of
+from phonemeengine.mouth.exports.gltf_rotation import rotations_of, turnings_of
+from phonemeengine.mouth.performer import IdleMotion
 from tests.engine.mouth.speaking import speech
 from tests.glb_faces import face_with_targets
 
@@ -58,21 +58,21 @@ class Scene:
                 np.array(parts[path] if track is None else track[frame], float) for path, track in tracks.items()
             )
             own = np.eye(4)
-            own[:3, :3] = np.stack([rotated(turn, axis) for axis in np.eye(3)], axis=1) * parts["scale"]
+            own[:3, :3] = Rotation.from_quat(turn).as_matrix() * parts["scale"]
             own[:3, 3] = place
         above = [k for k, other in enumerate(self.document["nodes"]) if node in other.get("children", [])]
         return self.matrix(above[0], frame) @ own if above else own
 
 
 def exported(mesh: Path | None = None, *, head: bool = True) -> Scene:
-    (content,) = Exporter("gltf", ExportOptions(rate=RATE, mesh=mesh, life=IdleMotion(head=head))).chunks_of(speech())
+    (content,) = Exporter("gltf", ExportOptions(rate=RATE, mesh=mesh, idle=IdleMotion(head=head))).chunks_of(speech())
     return Scene(content)
 
 
-def poses() -> Numbers:
+def poses() -> Rotation:
     """Yaw, pitch and roll as another format holds them, as rotations of the scene."""
     animation = Exporter("curves-json", ExportOptions(rate=RATE)).export_of(speech()).animation
-    return quaternions_of(animation.head)
+    return rotations_of(animation.head)
 
 
 def face(folder: Path, nodes: list[dict[str, object]], **more: object) -> Path:
@@ -88,21 +88,22 @@ def face(folder: Path, nodes: list[dict[str, object]], **more: object) -> Path:
 
 def turns_about(scene: Scene, still: Scene, node: int, pivot: Numbers) -> None:
     """Every point that hangs on the node turns about the pivot (of the scene) as the pose of each frame says."""
-    for frame in range(0, len(poses()), 7):
+    turns = poses()
+    for frame in range(0, len(turns), 7):
         for point in np.array([[0, 0, 0, 1], [1, 0, 0, 1], [0, 2, -3, 1]], float):
             rest = (still.matrix(node, frame) @ point)[:3]
-            expected = pivot + rotated(poses()[frame], rest - pivot)
+            expected = pivot + turns[frame].apply(rest - pivot)
             np.testing.assert_allclose((scene.matrix(node, frame) @ point)[:3], expected, atol=2e-5)
 
 
 def test_yaw_pitch_and_roll_turn_to_the_left_upwards_and_to_the_left_shoulder() -> None:
     """The head looks along z, its left is x, above it is y."""
-    yaw, pitch, roll = quaternions_of(np.array([[10, 0, 0], [0, 10, 0], [0, 0, 10]], np.float32))
+    yaw, pitch, roll = rotations_of(np.array([[10, 0, 0], [0, 10, 0], [0, 0, 10]], np.float32))
     forwards, upwards = np.array([0.0, 0, 1]), np.array([0.0, 1, 0])
     sine, cosine = np.sin(np.radians(10)), np.cos(np.radians(10))
-    np.testing.assert_allclose(rotated(yaw, forwards), [sine, 0, cosine], atol=1e-7)
-    np.testing.assert_allclose(rotated(pitch, forwards), [0, sine, cosine], atol=1e-7)
-    np.testing.assert_allclose(rotated(roll, upwards), [sine, cosine, 0], atol=1e-7)
+    np.testing.assert_allclose(yaw.apply(forwards), [sine, 0, cosine], atol=1e-7)
+    np.testing.assert_allclose(pitch.apply(forwards), [0, sine, cosine], atol=1e-7)
+    np.testing.assert_allclose(roll.apply(upwards), [sine, cosine, 0], atol=1e-7)
 
 
 def test_the_programs_own_head_nods_about_its_neck_and_blinks() -> None:
@@ -121,17 +122,17 @@ def test_the_programs_own_head_nods_about_its_neck_and_blinks() -> None:
 
 
 def test_a_blink_is_in_the_weights() -> None:
-    life = IdleMotion(seed=next(seed for seed in range(50) if _lids(seed).max() > 0.9))
-    (content,) = Exporter("gltf", ExportOptions(rate=RATE, life=life)).chunks_of(speech())
+    idle = IdleMotion(seed=next(seed for seed in range(50) if _lids(seed).max() > 0.9))
+    (content,) = Exporter("gltf", ExportOptions(rate=RATE, idle=idle)).chunks_of(speech())
     scene = Scene(content)
     names = scene.document["meshes"][0]["extras"]["targetNames"]
     weights = scene.track(0, "weights").reshape(-1, len(names))
-    np.testing.assert_allclose(weights[:, names.index("eyeBlinkLeft")], _lids(life.seed), atol=1e-6)
+    np.testing.assert_allclose(weights[:, names.index("eyeBlinkLeft")], _lids(idle.seed), atol=1e-6)
 
 
 def _lids(seed: int) -> NDArray[np.float32]:
     movement = (
-        Exporter("livelink-csv", ExportOptions(rate=RATE, life=IdleMotion(seed=seed))).export_of(speech()).animation
+        Exporter("livelink-csv", ExportOptions(rate=RATE, idle=IdleMotion(seed=seed))).export_of(speech()).animation
     )
     return movement.weights[:, ARKIT.index("eyeBlinkLeft")]
 
@@ -214,9 +215,4 @@ def test_axes_that_are_not_at_right_angles_stay(tmp_path: Path) -> None:
 )
 def test_a_damaged_scene_is_refused_in_one_sentence(nodes: list[dict[str, object]], tmp_path: Path) -> None:
     with pytest.raises(ExportError, match="damaged glTF file"):
-        turnings_of(read_glb(face(tmp_path, nodes)).document, [0], quaternions_of(np.ones((3, 3), np.float32)))
-
-
-def test_a_rotation_and_its_inverse_are_nothing() -> None:
-    turn = quaternions_of(np.array([[20, -10, 5]], np.float32))
-    np.testing.assert_allclose(product(turn, inverse(turn)), [[0, 0, 0, 1]], atol=1e-12)
+        turnings_of(read_glb(face(tmp_path, nodes)).document, [0], rotations_of(np.ones((3, 3), np.float32)))

@@ -13,15 +13,15 @@ import pytest
 from praatio import textgrid
 
 from phonemeengine.errors import ExportError
-from phonemeengine.labels.audacity import marks_of
-from phonemeengine.mouth.animation import IdleMotion
+from phonemeengine.labels.audacity import raw_labels_of
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.exports.livelink import timecode_of
 from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import TABLES, load_table
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 from tests.engine.mouth.speaking import DURATION, speech
@@ -31,14 +31,14 @@ TEXTS = [name for name, form in FORMATS.items() if not form.moves_mesh]
 CURVES = ["livelink-csv", "oculus-csv", "curves-json"]
 
 
-def written(name: str, said: Utterance | None = None, **wishes: object) -> str:
-    parts = list(Exporter(name, ExportOptions(**wishes)).chunks_of(said or speech()))
+def written(name: str, said: Transcript | None = None, **options: object) -> str:
+    parts = list(Exporter(name, ExportOptions(**options)).chunks_of(said or speech()))
     return b"".join(parts).decode("utf-8")
 
 
-def cues_in(name: str, **wishes: object) -> list[tuple[float, float, str]]:
+def cues_in(name: str, **options: object) -> list[tuple[float, float, str]]:
     """Give what should be written: start, end and shape of each drawing."""
-    drawings = Exporter(name, ExportOptions(**wishes)).export_of(speech()).drawings
+    drawings = Exporter(name, ExportOptions(**options)).export_of(speech()).drawings
     return [(cue.start, cue.end, cue.shape) for cue in drawings]
 
 
@@ -197,7 +197,7 @@ def test_praat_files_are_read_by_praatio(tmp_path: Path) -> None:
 
 
 def test_audacity_reads_back_what_was_written() -> None:
-    marks = marks_of(written("audacity"), "a.txt")
+    marks = raw_labels_of(written("audacity"), "a.txt")
     assert [(mark.start, mark.end, mark.name) for mark in marks] == [
         (pytest.approx(start), pytest.approx(end), shape) for start, end, shape in cues_in("audacity")
     ]
@@ -239,7 +239,7 @@ def test_live_link_has_61_columns_and_a_row_a_frame() -> None:
 
 def test_a_picture_is_shown_at_the_very_end_of_the_sound() -> None:
     for length, rate, n in ((0.29, 100.0, 30), (0.295, 100.0, 30), (1.0, 24.0, 25)):
-        said = Utterance(
+        said = Transcript(
             "short.wav",
             length,
             (Segment(0.0, length, Phoneme.A, 1.0),),
@@ -263,14 +263,14 @@ def test_lips_are_shut_when_m_and_p_are_heard_and_open_for_a() -> None:
 
 
 def test_the_eyes_and_the_head_can_be_kept_still() -> None:
-    for life, still in ((IdleMotion(head=False), "Head"), (IdleMotion(blinks=False), "EyeBlink")):
-        rows = rows_of(written("livelink-csv", longer(8), life=life))
+    for idle, still in ((IdleMotion(head=False), "Head"), (IdleMotion(blinks=False), "EyeBlink")):
+        rows = rows_of(written("livelink-csv", longer(8), idle=idle))
         moved = {name for row in rows for name, value in row.items() if name[0] in "EH" and float(value) != 0}
         assert moved
         assert not any(name.startswith(still) for name in moved)
 
 
-def longer(n: int) -> Utterance:
+def longer(n: int) -> Transcript:
     """Say it again and again."""
     one = speech()
     runs = tuple(
@@ -278,11 +278,11 @@ def longer(n: int) -> Utterance:
         for k in range(n)
         for run in one.runs
     )
-    return Utterance(one.name, n * DURATION, runs, np.tile(one.intensities, n), np.tile(one.pitches, n))
+    return Transcript(one.name, n * DURATION, runs, np.tile(one.intensities, n), np.tile(one.pitches, n))
 
 
 def test_oculus_weights_are_shares_of_one_mouth() -> None:
-    rows = rows_of(written("oculus-csv", life=IdleMotion(seed=4)))
+    rows = rows_of(written("oculus-csv", idle=IdleMotion(seed=4)))
     assert list(rows[0]) == ["time_s", *OCULUS]
     values = np.array([[float(row[name]) for name in OCULUS] for row in rows])
     times = np.array([float(row["time_s"]) for row in rows])
@@ -311,7 +311,7 @@ def test_curves_are_plain_lists_that_a_json_reader_reads() -> None:
 
 
 def test_a_far_face_needs_less_detail() -> None:
-    rows = rows_of(written("livelink-csv", life=IdleMotion(detail=Detail.LOUDNESS)))
+    rows = rows_of(written("livelink-csv", idle=IdleMotion(detail=Detail.LOUDNESS)))
     assert max(float(row["MouthPucker"]) for row in rows) == 0
     assert max(float(row["JawOpen"]) for row in rows) > 0.2
 
@@ -336,7 +336,7 @@ def test_time_codes_count_hours_minutes_seconds_and_frames(frame: int, rate: flo
 def test_silence_of_no_length_and_of_some_can_be_written(name: str) -> None:
     for length in (0.0, 0.004, 0.5):
         runs = (Segment(0.0, length, Phoneme.SILENCE, 0.0),) if length else ()
-        text = written(name, Utterance("nothing.wav", length, runs))
+        text = written(name, Transcript("nothing.wav", length, runs))
         assert text or (name, length) == ("audacity", 0.0)
         if name.endswith("json"):
             json.loads(text)
@@ -382,9 +382,9 @@ REFUSALS = {
 
 @pytest.mark.parametrize("case", REFUSALS)
 def test_what_a_format_cannot_do_is_said_before_any_sound_is_read(case: str) -> None:
-    name, wishes, sentence = REFUSALS[case]
+    name, options, sentence = REFUSALS[case]
     with pytest.raises((ExportError, Exception), match=sentence.replace("...", r"\.\.\.")) as refusal:
-        Exporter(name, ExportOptions(**wishes))
+        Exporter(name, ExportOptions(**options))
     assert type(refusal.value).__name__ in {"ExportError", "MouthError"}
     assert str(refusal.value).isprintable()
 

@@ -18,7 +18,7 @@ from tests.meshes import (
     GLTF,
     GLTF_TEXT,
     TRIANGLES,
-    figure_of_cube,
+    morph_mesh_of_cube,
     moved_by,
     volume,
 )
@@ -97,9 +97,9 @@ class TestGltf:
         turned = parse_gltf(gltf(lambda g: g.update(nodes=[{"mesh": 0, "rotation": [0, half, 0, half]}])))
         by_matrix = [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1]
         same = parse_gltf(gltf(lambda g: g.update(nodes=[{"mesh": 0, "matrix": by_matrix}])))
-        for figure in (turned, same):
-            np.testing.assert_allclose(figure.mesh.positions[0], (1, 1, 1), atol=1e-6)  # was (-1, 1, 1)
-            assert volume(figure.mesh) == pytest.approx(8)
+        for morph_mesh in (turned, same):
+            np.testing.assert_allclose(morph_mesh.mesh.positions[0], (1, 1, 1), atol=1e-6)  # was (-1, 1, 1)
+            assert volume(morph_mesh.mesh) == pytest.approx(8)
 
     def test_strips_and_fans_are_triangles(self):
         quad = {
@@ -159,8 +159,8 @@ class TestGlbOfOurs:
         return np.frombuffer(blob, kind, accessor.count * width, view.byteOffset).reshape(-1, width)
 
     def test_another_reader_finds_the_mesh_and_each_target(self):
-        figure = figure_of_cube()
-        read, blob = self.document(format_glb(figure))
+        morph_mesh = morph_mesh_of_cube()
+        read, blob = self.document(format_glb(morph_mesh))
         (mesh,) = read.meshes
         (primitive,) = mesh.primitives
         assert mesh.extras["targetNames"] == ["lid up", "größer", "still"]
@@ -174,7 +174,7 @@ class TestGlbOfOurs:
         assert len(blob) == read.buffers[0].byteLength
 
     def test_it_is_padded_and_measured_as_the_format_asks(self):
-        content = format_glb(figure_of_cube())
+        content = format_glb(morph_mesh_of_cube())
         size, text = struct.unpack_from("<II", content, 8)
         assert size == len(content)
         assert size % 4 == text % 4 == 0
@@ -182,7 +182,7 @@ class TestGlbOfOurs:
     def test_reading_it_gives_the_same_figure(self):
         colours = np.random.default_rng(0).random((8, 3)).astype(np.float32)
         mesh = mesh_of(CORNERS, TRIANGLES, name="cube", colours=colours)
-        read = parse_gltf(format_glb(MorphMesh(mesh, figure_of_cube().states)))
+        read = parse_gltf(format_glb(MorphMesh(mesh, morph_mesh_of_cube().states)))
         assert read.mesh.name == "cube"
         np.testing.assert_array_equal(read.mesh.triangles, TRIANGLES)
         np.testing.assert_allclose(read.mesh.colours, colours, atol=1e-6)

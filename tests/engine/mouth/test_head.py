@@ -11,13 +11,13 @@ from phonemeengine.mouth.movestate_set import MovestateSet
 
 
 @pytest.fixture(scope="module")
-def figure() -> MorphMesh:
+def morph_mesh() -> MorphMesh:
     return load_head()
 
 
-def colour_of(figure: MorphMesh, where: np.ndarray) -> np.ndarray:
+def colour_of(morph_mesh: MorphMesh, where: np.ndarray) -> np.ndarray:
     """The mean colour of some vertices."""
-    return figure.mesh.colours[where].mean(axis=0)
+    return morph_mesh.mesh.colours[where].mean(axis=0)
 
 
 def width(positions: np.ndarray, where: np.ndarray) -> float:
@@ -25,10 +25,10 @@ def width(positions: np.ndarray, where: np.ndarray) -> float:
     return float(np.ptp(positions[where, 0]))
 
 
-def test_the_head_has_the_52_shapes_of_arkit_and_all_of_them_move(figure: MorphMesh):
-    assert len(figure.states) == 52
-    assert {"jawOpen", "mouthClose", "mouthPucker", "eyeBlinkLeft", "tongueOut"} < {s.name for s in figure.states}
-    assert all(len(state) > 100 for state in figure.states)
+def test_the_head_has_the_52_shapes_of_arkit_and_all_of_them_move(morph_mesh: MorphMesh):
+    assert len(morph_mesh.states) == 52
+    assert {"jawOpen", "mouthClose", "mouthPucker", "eyeBlinkLeft", "tongueOut"} < {s.name for s in morph_mesh.states}
+    assert all(len(state) > 100 for state in morph_mesh.states)
 
 
 def test_the_file_is_small_and_holds_nothing_that_is_executed():
@@ -37,23 +37,23 @@ def test_the_file_is_small_and_holds_nothing_that_is_executed():
         assert all(file[name].dtype != object for name in file.files)
 
 
-def test_the_head_is_closed_so_that_no_one_looks_into_the_neck(figure: MorphMesh):
+def test_the_head_is_closed_so_that_no_one_looks_into_the_neck(morph_mesh: MorphMesh):
     """Each edge of skin and neck has two sides; eyes and teeth are open behind, where nobody looks."""
     with np.load(HEAD, allow_pickle=False) as file:
         part = file["part"]
-    triangles = figure.mesh.triangles[(part == 0)[figure.mesh.triangles].all(axis=1)]
-    _, places = np.unique(figure.mesh.positions, axis=0, return_inverse=True)
+    triangles = morph_mesh.mesh.triangles[(part == 0)[morph_mesh.mesh.triangles].all(axis=1)]
+    _, places = np.unique(morph_mesh.mesh.positions, axis=0, return_inverse=True)
     edges = np.sort(places[np.concatenate([triangles[:, (k, (k + 1) % 3)] for k in range(3)])], axis=1)
     _, sides = np.unique(edges, axis=0, return_counts=True)
     assert np.all(sides == 2)
 
 
-def test_the_rim_of_the_neck_is_smooth(figure: MorphMesh):
-    positions = figure.mesh.positions
-    triangles = figure.mesh.triangles
+def test_the_rim_of_the_neck_is_smooth(morph_mesh: MorphMesh):
+    positions = morph_mesh.mesh.positions
+    triangles = morph_mesh.mesh.triangles
     lowest = int(positions[:, 1].argmin())
     assert abs(positions[lowest, 0]) < 0.2, "in the middle, in front"
-    dark = np.all(np.abs(figure.mesh.colours - np.array([60, 44, 40]) / 255) < 0.01, axis=1)
+    dark = np.all(np.abs(morph_mesh.mesh.colours - np.array([60, 44, 40]) / 255) < 0.01, axis=1)
     cap = triangles[dark[triangles].all(axis=1)]
     rim = np.setdiff1d(np.unique(cap), np.bincount(cap.ravel()).argmax())
     x, y, z = positions[rim].T
@@ -62,9 +62,9 @@ def test_the_rim_of_the_neck_is_smooth(figure: MorphMesh):
     assert np.abs(residual).max() < 0.02
 
 
-def test_the_skull_is_round(figure: MorphMesh):
+def test_the_skull_is_round(morph_mesh: MorphMesh):
     """Nowhere does the arc over an edge rise by more than a third of a millimetre, a pixel of a large window."""
-    mesh = figure.mesh
+    mesh = morph_mesh.mesh
     a, b = np.concatenate([mesh.triangles[:, (k, (k + 1) % 3)] for k in range(3)]).T
     skull = (mesh.positions[a, 1] > 0.7) & (mesh.positions[b, 1] > 0.7)
     turned = np.arccos(np.clip((mesh.normals[a] * mesh.normals[b]).sum(axis=1), -1, 1))
@@ -73,54 +73,54 @@ def test_the_skull_is_round(figure: MorphMesh):
     assert arcs[skull].max() < 0.0045
 
 
-def test_it_looks_to_the_front_and_stands_upright(figure: MorphMesh):
-    positions = figure.mesh.positions
+def test_it_looks_to_the_front_and_stands_upright(morph_mesh: MorphMesh):
+    positions = morph_mesh.mesh.positions
     nose = positions[positions[:, 2].argmax()]
     assert abs(nose[0]) < 0.05
     assert positions[:, 1].max() > 1 > nose[1]
 
 
-def test_eyes_have_a_dark_pupil_a_blue_iris_and_a_white(figure: MorphMesh):
+def test_eyes_have_a_dark_pupil_a_blue_iris_and_a_white(morph_mesh: MorphMesh):
     with np.load(HEAD, allow_pickle=False) as file:
         eye = file["part"] == 1
-    positions = figure.mesh.positions
+    positions = morph_mesh.mesh.positions
     centre = (positions[eye].min(axis=0) + positions[eye].max(axis=0)) / 2
     from_axis = np.hypot(*(positions - centre)[:, :2].T)
     front = eye & (positions[:, 2] > centre[2])
-    pupil = colour_of(figure, front & (from_axis < 0.028))
-    iris = colour_of(figure, front & (from_axis > 0.035) & (from_axis < 0.06))
-    white = colour_of(figure, front & (from_axis > 0.08))
+    pupil = colour_of(morph_mesh, front & (from_axis < 0.028))
+    iris = colour_of(morph_mesh, front & (from_axis > 0.035) & (from_axis < 0.06))
+    white = colour_of(morph_mesh, front & (from_axis > 0.08))
     assert pupil.max() < 0.1
     assert iris[2] > iris[0] + 0.1
     assert white.min() > 0.85
 
 
-def test_lips_are_redder_than_the_cheeks(figure: MorphMesh):
-    positions, colours = figure.mesh.positions, figure.mesh.colours
+def test_lips_are_redder_than_the_cheeks(morph_mesh: MorphMesh):
+    positions, colours = morph_mesh.mesh.positions, morph_mesh.mesh.colours
     redness = colours[:, 0] - colours[:, 1]
     mouth = np.linalg.norm(positions - positions[np.argmax(redness * (positions[:, 2] > 1.3))], axis=1) < 0.1
     cheek = (np.abs(np.abs(positions[:, 0]) - 0.5) < 0.1) & (positions[:, 2] > 0.8) & (np.abs(positions[:, 1]) < 0.1)
     assert redness[mouth & (positions[:, 2] > 1.25)].max() > redness[cheek].mean() + 0.08
 
 
-def test_an_open_jaw_lowers_the_lower_teeth_and_a_smile_widens_the_mouth(figure: MorphMesh):
+def test_an_open_jaw_lowers_the_lower_teeth_and_a_smile_widens_the_mouth(morph_mesh: MorphMesh):
     with np.load(HEAD, allow_pickle=False) as file:
         lower, upper = file["part"] == 2, file["part"] == 5
-    states = MovestateSet(figure.mesh, figure.states)
+    states = MovestateSet(morph_mesh.mesh, morph_mesh.states)
     rest = states.morphed().copy()
     states.set_percentage("jawOpen", 100)
     moved = states.morphed() - rest
     assert moved[lower, 1].mean() < -0.15
     assert np.abs(moved[upper]).max() < 0.01
     states.reset_all()
-    smiles = [state for state in figure.states if state.name.startswith("mouthSmile")]
+    smiles = [state for state in morph_mesh.states if state.name.startswith("mouthSmile")]
     corners = np.intersect1d(*(state.numbers for state in smiles))
     states.set_percentages({state.name: 100 for state in smiles})
     assert width(states.morphed(), corners) > width(rest, corners)
 
 
-def test_eyes_and_brows_live_their_own_life(figure: MorphMesh):
-    own = {state.name for state in figure.states if not state.interactable}
+def test_eyes_and_brows_live_their_own_life(morph_mesh: MorphMesh):
+    own = {state.name for state in morph_mesh.states if not state.interactable}
     assert {"eyeBlinkLeft", "browInnerUp"} < own
     assert not {"jawOpen", "mouthSmileLeft", "cheekPuff"} & own
 

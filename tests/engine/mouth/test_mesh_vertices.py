@@ -77,11 +77,11 @@ def test_positions_that_no_mesh_can_have_are_refused(positions: object, said: st
 
 def test_a_movestate_is_made_of_the_vertices_in_a_sphere_and_morphs_the_head() -> None:
     """What the README shows."""
-    figure = load_head()
-    tip = figure.mesh.positions[figure.mesh.positions[:, 2].argmax()]
-    nose = figure.mesh.within(tip, 0.15)
+    morph_mesh = load_head()
+    tip = morph_mesh.mesh.positions[morph_mesh.mesh.positions[:, 2].argmax()]
+    nose = morph_mesh.mesh.within(tip, 0.15)
     longer = movestate_at("longer nose", nose, [[0, 0, 0.2]] * len(nose))
-    face = MovestateSet(figure.mesh, [*figure.states, longer])
+    face = MovestateSet(morph_mesh.mesh, [*morph_mesh.states, longer])
     face.set_percentages({"jawOpen": 50, "eyeBlinkLeft": 90})
     face.set_interactable("eyeBlinkLeft", False)
     face.set_percentage("longer nose", 60, Mode.INTERACT)
@@ -89,7 +89,7 @@ def test_a_movestate_is_made_of_the_vertices_in_a_sphere_and_morphs_the_head() -
     face.set_percentage("longer nose", 60, Mode.RESET)
     assert (face.percentage("jawOpen"), face.percentage("eyeBlinkLeft")) == (0, 90)
     face.reset("eyeBlinkLeft")
-    moved = face.morphed() - figure.mesh.positions
+    moved = face.morphed() - morph_mesh.mesh.positions
     assert 5 < len(nose) < 500
     np.testing.assert_allclose(moved[nose], np.tile((0, 0, 0.12), (len(nose), 1)), atol=1e-6)
     assert np.abs(np.delete(moved, nose, axis=0)).max() == 0

@@ -7,7 +7,7 @@ from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import load_morph_mesh
-from phonemeengine.mouth.files.obj import format_obj, parse_obj
+from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.mesh import Material, mesh_of, normals_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
@@ -20,7 +20,8 @@ from tests.meshes import (
     LIBRARY,
     TRIANGLES,
     cube,
-    figure_of_cube,
+    format_obj,
+    morph_mesh_of_cube,
     volume,
 )
 
@@ -56,29 +57,29 @@ class TestAMesh:
 
 
 @pytest.mark.parametrize(
-    ("figure", "scale", "middle"),
+    ("morph_mesh", "scale", "middle"),
     [
         (parse_obj(CUBE_OBJ), 1, (0, 0, 0)),
         (parse_obj(format_obj(cube())), 1, (0, 0, 0)),
         (parse_x(CUBE_X), 1, (0, 0, 0)),
         (parse_x(FRAMES_X), 2, (20, 0, -10)),
         (parse_gltf(GLTF_TEXT), 2, (10, 0, 0)),
-        (parse_gltf(format_glb(figure_of_cube())), 1, (0, 0, 0)),
+        (parse_gltf(format_glb(morph_mesh_of_cube())), 1, (0, 0, 0)),
     ],
-    ids=["obj", "obj of ours", "x", "x in frames", "gltf", "glb of ours"],
+    ids=["obj", "obj with normals", "x", "x in frames", "gltf", "glb of ours"],
 )
 class TestEveryFormat:
     def test_has_the_cube_where_it_is_with_its_vertices_in_order(
-        self, figure: MorphMesh, scale: float, middle: tuple
+        self, morph_mesh: MorphMesh, scale: float, middle: tuple
     ):
-        np.testing.assert_allclose(figure.mesh.positions, scale * CORNERS + middle, atol=1e-6)
+        np.testing.assert_allclose(morph_mesh.mesh.positions, scale * CORNERS + middle, atol=1e-6)
 
-    def test_has_a_cube_that_is_seen_from_outside(self, figure: MorphMesh, scale: float, middle: tuple):
-        assert volume(figure.mesh) == pytest.approx(8 * scale**3)
+    def test_has_a_cube_that_is_seen_from_outside(self, morph_mesh: MorphMesh, scale: float, middle: tuple):
+        assert volume(morph_mesh.mesh) == pytest.approx(8 * scale**3)
 
-    def test_has_normals_that_point_outwards(self, figure: MorphMesh, scale: float, middle: tuple):
-        corners = (figure.mesh.positions - np.array(middle)) / scale
-        assert np.all(np.einsum("ij,ij->i", figure.mesh.normals, corners) > 0.9)
+    def test_has_normals_that_point_outwards(self, morph_mesh: MorphMesh, scale: float, middle: tuple):
+        corners = (morph_mesh.mesh.positions - np.array(middle)) / scale
+        assert np.all(np.einsum("ij,ij->i", morph_mesh.mesh.normals, corners) > 0.9)
 
 
 class TestObj:

@@ -15,13 +15,13 @@ from phonemeengine.mouth.cues import cues_of
 from phonemeengine.mouth.morpher import HALF_OPEN, Detail, Morpher
 from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
 from phonemeengine.mouth.table import SPEAKING, MouthTable, load_table, shipped_tables
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 
 MACHINE = MotionSettings(randomness=0, loudness=0)
 """A manner in which everything is known beforehand."""
-TABLE = replace(load_table("vrm"), manner=MACHINE)
+TABLE = replace(load_table("vrm"), motion=MACHINE)
 ARKIT = load_table("arkit")
 EXACT = 1e-3
 """Seconds between two looks where a time is measured."""
@@ -75,7 +75,7 @@ def test_the_mouth_opens_along_half_a_cosine() -> None:
 @pytest.mark.parametrize("phoneme", SPEAKING, ids=lambda p: p.label)
 @pytest.mark.parametrize("name", [name for name in shipped_tables() if load_table(name).movestates])
 def test_a_mouth_has_gone_nine_tenths_of_its_way_when_attack_and_release_say(name: str, phoneme: Phoneme) -> None:
-    table = replace(load_table(name), manner=MACHINE)
+    table = replace(load_table(name), motion=MACHINE)
     rows = table.weights()
     times = table.times[phoneme]
     before = next(p for p in (SILENCE, A) if not np.array_equal(rows[p], rows[phoneme]))
@@ -97,14 +97,14 @@ def test_lips_meet_faster_than_an_a_opens_and_silence_closes_the_slowest(name: s
 
 
 def test_an_m_is_closed_before_an_a_is_open() -> None:
-    table = replace(ARKIT, manner=MACHINE)
+    table = replace(ARKIT, motion=MACHINE)
     closing = nine_tenths(table, [(0.0, A, 1.0), (1.0, M, 1.0)])
     assert closing < 0.6 * nine_tenths(table, [(0.0, M, 1.0), (1.0, A, 1.0)])
 
 
 def test_an_animation_moves_as_fast_as_its_table_says() -> None:
     slow = replace(TABLE, times={**TABLE.times, A: TransitionTimes(0.4, 0.16)})
-    speech = Utterance(
+    speech = Transcript(
         "",
         2.0,
         (Segment(0, 1, SILENCE, 0.0), Segment(1, 2, A, 1.0)),
@@ -120,7 +120,7 @@ def test_an_animation_moves_as_fast_as_its_table_says() -> None:
 
 def test_half_of_a_short_vowel_is_seen_by_its_middle() -> None:
     """After m the mouth has some 20 ms before the vowel is heard: more would open the lips of the m."""
-    found = mouth_of(replace(ARKIT, manner=MACHINE), [(0.0, M, 1.0), (0.48, A, 1.0)], np.array([0.46, 0.5, 0.55]))
+    found = mouth_of(replace(ARKIT, motion=MACHINE), [(0.0, M, 1.0), (0.48, A, 1.0)], np.array([0.46, 0.5, 0.55]))
     jaw = found[:, ARKIT.movestates.index("jawOpen")] / ARKIT.weights()[A, ARKIT.movestates.index("jawOpen")]
     assert jaw[0] == 0
     assert jaw[1] < 0.1
@@ -161,7 +161,7 @@ def test_it_does_not_matter_how_often_anybody_looks(seed: int) -> None:
 def test_neither_place_nor_speed_jumps_however_fast_phonemes_come() -> None:
     """A change of phoneme every 10 ms, looked at every millisecond."""
     heard = [(0.01 * k, Phoneme(k * 7 % 11), 0.8) for k in range(200)]
-    table = replace(ARKIT, manner=MotionSettings(randomness=0.2))
+    table = replace(ARKIT, motion=MotionSettings(randomness=0.2))
     step = 0.001
     found = mouth_of(table, heard, np.arange(0, 2, step), seed=1).astype(float)
     speed = np.diff(found, axis=0) / step
@@ -173,7 +173,7 @@ def test_neither_place_nor_speed_jumps_however_fast_phonemes_come() -> None:
 @settings(max_examples=30, deadline=None)
 @given(st.integers(0, 1000), st.floats(0, 0.5), st.sampled_from(list(Detail)))
 def test_no_weight_leaves_the_range_of_the_shapes(seed: int, randomness: float, detail: Detail) -> None:
-    table = replace(ARKIT, manner=MotionSettings(randomness=randomness))
+    table = replace(ARKIT, motion=MotionSettings(randomness=randomness))
     found = mouth_of(table, babble(2.0, seed=seed), np.arange(0, 2, 0.007), detail=detail, seed=seed)
     rows = table.weights()
     assert (found <= rows.max(axis=0) + 1e-6).all()
@@ -185,13 +185,13 @@ def test_no_two_mouths_are_alike_and_one_is_like_itself() -> None:
     one, again, other = (mouth_of(ARKIT, heard, times, seed=seed) for seed in (1, 1, 2))
     assert (one == again).all()
     assert np.abs(one - other).max() > 0.02
-    still = replace(ARKIT, manner=replace(ARKIT.manner, randomness=0))
+    still = replace(ARKIT, motion=replace(ARKIT.motion, randomness=0))
     assert (mouth_of(still, heard, times, seed=1) == mouth_of(still, heard, times, seed=2)).all()
 
 
 def test_a_phoneme_is_not_said_twice_in_the_same_way() -> None:
     heard = [(0.5 * k, A if k % 2 else SILENCE, 1.0) for k in range(12)]
-    table = replace(TABLE, manner=MotionSettings(randomness=0.1))
+    table = replace(TABLE, motion=MotionSettings(randomness=0.1))
     widths = mouth_of(table, heard, np.arange(0.9, 5.9, 1.0))[:, 0]
     assert len(set(widths.tolist())) == len(widths)
     assert widths.min() > 0.7
@@ -223,7 +223,7 @@ def test_old_movements_are_forgotten() -> None:
 @pytest.mark.parametrize(
     ("name", "value", "limits"),
     [
-        ("quiet", -1, "0..1"),
+        ("minimum_opening", -1, "0..1"),
         ("randomness", math.nan, "0..0.5"),
     ],
 )
@@ -241,9 +241,9 @@ def test_impossible_times_are_refused(attack: float, release: float, name: str) 
 
 
 def test_times_that_are_scaled_keep_within_their_limits() -> None:
-    scaled = TABLE.moved_as(2, 0.5, random=True).times
+    scaled = TABLE.with_motion(2, 0.5, random=True).times
     for phoneme, times in TABLE.times.items():
         assert (scaled[phoneme].attack, scaled[phoneme].release) == pytest.approx(
             (2 * times.attack, times.release / 2)
         )
-    assert TABLE.moved_as(1e-3, 1e3, random=True).times[A] == TransitionTimes(0.005, 1.0)
+    assert TABLE.with_motion(1e-3, 1e3, random=True).times[A] == TransitionTimes(0.005, 1.0)

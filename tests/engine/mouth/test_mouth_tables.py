@@ -112,7 +112,7 @@ def test_an_animator_sets_the_times_of_one_sound_and_the_manner() -> None:
     )
     assert table.times[Phoneme.A] == TransitionTimes(0.3, 0.4)
     assert table.times[Phoneme.E] == load_table("vrm").times[Phoneme.E]
-    assert table.manner == MotionSettings(quiet=0)
+    assert table.motion == MotionSettings(minimum_opening=0)
 
 
 def test_a_table_that_gives_one_attack_and_release_for_all_still_means_it() -> None:
@@ -159,15 +159,15 @@ CHANGES = {
     "set as number": ('movestates = "vrm"', "movestates = 5", "movestates must be one of .* found 5"),
     "name twice": ('movestates = "vrm"', 'movestates = ["A", "A"]', "movestates names 'A' twice; remove one"),
     "name as list": ('movestates = "vrm"', "movestates = [[]]", "movestates must be one of"),
-    "no movestates": ('movestates = "vrm"\n', "", "movestates is missing; add it"),
-    "firm unknown": ('firm = ["m", "p"]', 'firm = ["b"]', "firm knows no phoneme 'b'"),
+    "no movestates": ('movestates = "vrm"\n', "", "a mouth table lacks movestates; add it"),
+    "firm unknown": ('firm = ["m", "p"]', 'firm = ["b"]', "firm must be one of silence, .*, found 'b'"),
     "firm as text": ('firm = ["m", "p"]', 'firm = "m"', "firm must be a list, found 'm'"),
     "unknown manner": ("[shapes.A]", "[manner]\nspeed = 1\n[shapes.A]", r"\[manner\] does not know 'speed'"),
     "manner as text": ("[shapes.A]", '[manner]\nattack = "fast"\n[shapes.A]', r"\[manner\] attack must be a number"),
     "manner too slow": (
         "[shapes.A]",
         "[manner]\nattack = 0\n[shapes.A]",
-        r"\[manner\] attack must lie in 0.005..1 s",
+        r"\[manner\] attack must be a number of seconds in 0.005..1, found 0",
     ),
     "times of silence": (
         "[times]",
@@ -177,11 +177,11 @@ CHANGES = {
     "times of nobody": ("[times]", "[times]\nth = { attack = 0.1 }", r"\[times\] knows no phoneme 'th'"),
     "times as number": ("a = { attack = 0.10, release = 0.20 }", "a = 0.1", r"\[times\] a must be like .* found 0.1"),
     "unknown time": ("a = { attack = 0.10", "a = { hold = 0.10", r"\[times\] a must be like { attack = 0.1"),
-    "time as text": ("a = { attack = 0.10", 'a = { attack = "0.1"', r"\[times\] a attack must be a number"),
+    "time as text": ("a = { attack = 0.10", 'a = { attack = "0.1"', r"\[times.a\] attack must be a number"),
     "time too short": (
         "a = { attack = 0.10",
         "a = { attack = 0",
-        r"\[times\] a attack must lie in 0.005..1 s, got 0",
+        r"\[times.a\] attack must be a number of seconds in 0.005..1, found 0",
     ),
     "time that acts on nothing": (
         "[shapes.A]",
@@ -214,7 +214,7 @@ def test_a_table_that_is_not_there_is_refused_with_those_that_are(tmp_path: Path
     ):
         load_table("gone")
     (tmp_path / "large.toml").write_bytes(b"#" * ((1 << 20) + 1))
-    with pytest.raises(MouthError, match="smaller than 1 MB"):
+    with pytest.raises(MouthError, match=r"at most 1 MB, this has 1\.1 MB; choose another"):
         load_table(tmp_path / "large.toml")
     (tmp_path / "picture.toml").write_bytes(b"\x89PNG\xff\xfe")
     with pytest.raises(MouthError, match="no text file"):

@@ -2,26 +2,22 @@
 
 import socket
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 
-import numpy as np
 import pytest
 
-from phonemeengine.analyser import Analysis
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth import osc
 from phonemeengine.mouth.blendshape_names import VRM
 from phonemeengine.mouth.osc import OscAddress, OscMouth
+from phonemeengine.mouth.performer import MOUTH_ALONE, Performer, TimedFrame
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
-from tests.fakes.microphones import offline
+from phonemeengine.settings import FRAME_PERIOD
 from tests.fakes.osc_receiver import Receiver
-from tests.fakes.players import PRESET, wait_for
-from tests.sounds import silence
-
-FRAMES = offline(silence(0.5), PRESET)
+from tests.fakes.players import wait_for
 
 
 @pytest.fixture
@@ -32,28 +28,29 @@ def receiver() -> Iterator[Receiver]:
 
 
 @contextmanager
-def mouth_to(receiver: Receiver, table: str = "vrm") -> Iterator[OscMouth]:
-    mouth = OscMouth(receiver.address, load_table(table))
+def mouth_to(receiver: Receiver, table: str = "vrm") -> Iterator[Performer]:
+    """Send what somebody shows who may be spoken to meanwhile."""
+    performer = Performer(load_table(table), MOUTH_ALONE)
+    mouth = OscMouth(receiver.address, performer)
     try:
-        yield mouth
+        yield performer
     finally:
         mouth.close()
 
 
-def heard(phoneme: Phoneme, intensity: float = 1.0, n: int = 2) -> Analysis:
-    block = FRAMES.part(slice(n))
-    codes, loud = np.full(n, phoneme, np.uint8), np.full(n, intensity, np.float32)
-    return replace(block, phonemes=codes, recognised=codes, intensities=loud)
+def hear(performer: Performer, phoneme: Phoneme, intensity: float = 1.0) -> None:
+    now = time.monotonic()
+    performer.hear([TimedFrame(now - FRAME_PERIOD, phoneme, intensity)], now, live=True)
 
 
 @contextmanager
-def speaking(mouth: OscMouth, phoneme: Phoneme, intensity: float = 1.0) -> Iterator[None]:
+def speaking(performer: Performer, phoneme: Phoneme, intensity: float = 1.0) -> Iterator[None]:
     """Have it hear a phoneme as a microphone would, until the end."""
     done = threading.Event()
 
     def speak() -> None:
-        while not done.wait(0.01):
-            mouth.add_analysis(heard(phoneme, intensity))
+        while not done.wait(FRAME_PERIOD):
+            hear(performer, phoneme, intensity)
 
     thread = threading.Thread(target=speak)
     thread.start()
@@ -82,18 +79,18 @@ def test_a_vtuber_program_opens_the_mouth_for_a_and_shuts_it_at_the_end(receiver
 def test_what_is_asked_for_wins_over_what_is_heard_until_it_is_asked_no_more(receiver: Receiver) -> None:
     with mouth_to(receiver) as mouth, speaking(mouth, Phoneme.A):
         wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "what is heard")
-        mouth.ask({Phoneme.U: 0.5, Phoneme.I: 0.25})
+        mouth.set_phonemes({Phoneme.U: 0.5, Phoneme.I: 0.25}, 0.0)
         wait_for(lambda: receiver.weights()["A"] < 0.01 < receiver.weights()["U"], "what is asked for")
         wait_for(lambda: ("u", 0.5) in receiver.of("/phoneme"), "its name")
         wait_for(lambda: receiver.weights()["U"] == pytest.approx(2 * receiver.weights()["I"], rel=0.02), "halves")
-        mouth.ask({})
+        mouth.set_phonemes({}, 0.0)
         wait_for(lambda: receiver.weights()["A"] > 0.7 and receiver.weights()["U"] < 0.01, "what is heard again")
         assert receiver.of("/phoneme")[-1][0] == "a"
 
 
 def test_a_mouth_that_is_asked_to_open_is_shut_at_the_end(receiver: Receiver) -> None:
     with mouth_to(receiver) as mouth:
-        mouth.ask({Phoneme.A: 1.0})
+        mouth.set_phonemes({Phoneme.A: 1.0}, 0.0)
         wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an open mouth")
     wait_for(lambda: receiver.weights()["A"] < 1e-6, "a shut mouth")
     assert receiver.of("/phoneme")[-1][0] == "silence"
@@ -103,7 +100,7 @@ def test_silence_that_is_asked_for_has_no_intensity(receiver: Receiver) -> None:
     with mouth_to(receiver) as mouth, speaking(mouth, Phoneme.A, 0.7):
         wait_for(lambda: ("a", pytest.approx(0.7)) in receiver.of("/phoneme"), "what is heard")
         n = len(receiver.of("/phoneme"))
-        mouth.ask({Phoneme.SILENCE: 1.0})
+        mouth.set_phonemes({Phoneme.SILENCE: 1.0}, 0.0)
         wait_for(lambda: "silence" in dict(receiver.of("/phoneme")[n:]), "what is asked for")
     assert {loud for name, loud in receiver.of("/phoneme") if name == "silence"} == {0.0}
 
@@ -130,10 +127,7 @@ def test_a_face_with_many_movestates_fits_into_packets_of_a_network(
     assert set(receiver.weights()) < set(load_table("arkit").movestates)
 
 
-def test_the_mouth_closes_when_the_microphone_gives_nothing_any_more(
-    receiver: Receiver, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(osc, "QUIET", 0.1)
+def test_the_mouth_closes_when_the_microphone_gives_nothing_any_more(receiver: Receiver) -> None:
     with mouth_to(receiver) as mouth:
         with speaking(mouth, Phoneme.A):
             wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an open mouth")
@@ -148,7 +142,7 @@ def test_a_phoneme_that_stays_is_said_again_for_those_who_come_late(receiver: Re
 
 
 def test_nobody_waits_for_the_network(monkeypatch: pytest.MonkeyPatch) -> None:
-    """While a packet hangs in the network, a minute of frames is taken in, in no time at all."""
+    """While a packet hangs in the network, all that is heard is taken in."""
     hanging, released = threading.Event(), threading.Event()
 
     class Hanging:
@@ -161,11 +155,12 @@ def test_nobody_waits_for_the_network(monkeypatch: pytest.MonkeyPatch) -> None:
             pass
 
     monkeypatch.setattr(osc, "_opened", lambda _address: (Hanging(), None))
-    mouth = OscMouth(OscAddress("127.0.0.1", 9), load_table("vrm"))
+    performer = Performer(load_table("vrm"), MOUTH_ALONE)
+    mouth = OscMouth(OscAddress("127.0.0.1", 9), performer)
     assert hanging.wait(60)
     for _ in range(3000):
-        mouth.add_analysis(heard(Phoneme.A))
-    assert len(mouth._frames) == osc.MOST_WAITING
+        hear(performer, Phoneme.A)
+    assert performer.pop_said()[-1] == (Phoneme.A, 1.0)
     released.set()
     mouth.close()
 
@@ -174,7 +169,7 @@ def test_a_receiver_that_is_not_there_harms_nobody() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    mouth = OscMouth(OscAddress("127.0.0.1", port), load_table("vrm"))
+    mouth = OscMouth(OscAddress("127.0.0.1", port), Performer(load_table("vrm")))
     wait_for(lambda: mouth.n_sent > 3 or mouth.failure != "", "messages")
     mouth.close()
     assert not mouth._thread.is_alive()
@@ -189,9 +184,11 @@ def test_a_network_that_is_down_is_said_in_one_sentence(monkeypatch: pytest.Monk
             pass
 
     monkeypatch.setattr(osc, "_opened", lambda _address: (Down(), None))
-    mouth = OscMouth(OscAddress("10.0.0.1", 9), load_table("vrm"))
+    told: list[str] = []
+    mouth = OscMouth(OscAddress("10.0.0.1", 9), Performer(load_table("vrm")), on_failure=told.append)
     wait_for(lambda: mouth.failure != "", "the failure")
     mouth.close()
+    assert told == [mouth.failure]
     assert mouth.failure == "the OSC receiver cannot be reached (Network is unreachable); check its address"
 
 
@@ -219,15 +216,15 @@ def test_a_name_that_nobody_knows_is_refused(monkeypatch: pytest.MonkeyPatch) ->
     with pytest.raises(
         MouthError, match=r"the OSC receiver nowhere is unknown .*; check its name, or give its number"
     ):
-        OscMouth(OscAddress("nowhere", 9000), load_table("vrm"))
+        OscMouth(OscAddress("nowhere", 9000), Performer(load_table("vrm")))
 
 
 def test_the_speech_goes_on_beside_a_shape_as_far_as_it_is_let(receiver: Receiver) -> None:
     with mouth_to(receiver) as mouth, speaking(mouth, Phoneme.A):
         wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an a")
-        mouth.ask({Phoneme.U: 0.4}, 1.0)
+        mouth.set_phonemes({Phoneme.U: 0.4}, 1.0)
         wait_for(lambda: receiver.weights()["U"] > 0.35 and receiver.weights()["A"] > 0.7, "both")
-        mouth.ask({Phoneme.U: 0.6}, 0.4)
+        mouth.set_phonemes({Phoneme.U: 0.6}, 0.4)
         wait_for(lambda: receiver.weights()["U"] > 0.55 and 0.27 < receiver.weights()["A"] < 0.45, "shares of both")
-        mouth.ask({Phoneme.U: 0.6})
+        mouth.set_phonemes({Phoneme.U: 0.6}, 0.0)
         wait_for(lambda: receiver.weights()["U"] > 0.55 and receiver.weights()["A"] < 0.01, "the shape alone")

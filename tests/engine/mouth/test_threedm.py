@@ -13,7 +13,7 @@ from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_at
-from tests.meshes import figure_of_cube
+from tests.meshes import morph_mesh_of_cube
 
 HUGE = 0xFFFF_FFFF
 NAN = float("nan")
@@ -93,8 +93,8 @@ class TestTheLayout:
 
     @pytest.mark.parametrize("kind", [".3dm", ".3dma", ".glb"])
     def test_what_is_saved_is_loaded(self, tmp_path: Path, kind: str):
-        figure = figure_of_cube()
-        face = morph_targets_of(figure.mesh, figure.states)
+        morph_mesh = morph_mesh_of_cube()
+        face = morph_targets_of(morph_mesh.mesh, morph_mesh.states)
         save_morph_targets(face, tmp_path / f"face{kind}")
         assert same(load_morph_targets(tmp_path / f"face{kind}"), face)
         assert [path.name for path in tmp_path.iterdir()] == [f"face{kind}"]
@@ -183,7 +183,7 @@ def test_a_huge_file_is_refused_before_it_is_read(tmp_path: Path, kind: str):
     path = tmp_path / f"huge{kind}"
     with path.open("wb") as content:
         content.truncate(10**12)
-    with pytest.raises(MeshError, match=rf"^huge{kind}: such a file has at most \d+ MB, this 1000000 MB"):
+    with pytest.raises(MeshError, match=rf"^huge{kind}: such a file has at most \d+ MB, this has [0-9.]+ MB"):
         load_morph_targets(path)
 
 

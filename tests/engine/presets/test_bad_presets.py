@@ -17,34 +17,54 @@ GOOD = preset_to_toml(Preset(variables=(Variable("mine", 100.0, 200.0),)))
 
 # name: (what stands in the file, what is put there instead, what the refusal says)
 CHANGES = {
-    "unknown key": ("quantise = 4", "quantise = 4\nquantize = 4", r"\[front_end\] does not know quantize"),
-    "unknown key at the top": ("notes = ", "author = 'me'\nnotes = ", "does not know author"),
-    "unknown threshold": ("sz_s1 =", "sz_s2 = 1\nsz_s1 =", r"\[phoneme_data\] does not know sz_s2"),
-    "missing key": ("quantise = 4", "", r"\[front_end\] lacks quantise"),
+    "unknown key": (
+        "quantise = 4",
+        "quantise = 4\nquantize = 4",
+        r"\[front_end\] does not know 'quantize'; .* quantise,",
+    ),
+    "unknown key at the top": ("notes = ", "author = 'me'\nnotes = ", "a preset does not know 'author'; known are"),
+    "unknown threshold": ("sz_s1 =", "sz_s2 = 1\nsz_s1 =", r"\[phoneme_data\] does not know 'sz_s2'"),
+    "missing key": ("quantise = 4", "", r"\[front_end\] lacks quantise; add it"),
     "missing threshold": ("sz_s1 =", "# sz_s1 =", r"\[phoneme_data\] lacks sz_s1"),
     "missing table": ("[intensity]", "[intensities]", "intensit"),
     "table that is a number": ("[intensity]", "", "intensity"),
-    "number as text": ("sz_s1 = 15.0", "sz_s1 = '15'", "sz_s1 must be a number, found '15'"),
-    "number as switch": ("sz_s1 = 15.0", "sz_s1 = true", "sz_s1 must be a number, found True"),
-    "number as list": ("sz_s1 = 15.0", "sz_s1 = [15]", r"sz_s1 must be a number, found \[15\]"),
-    "number as date": ("sz_s1 = 15.0", "sz_s1 = 2005-01-01", "sz_s1 must be a number, found datetime"),
+    "number as text": ("sz_s1 = 15.0", "sz_s1 = '15'", "sz_s1 must be a number within ±3.4e38, found '15'"),
+    "number as switch": ("sz_s1 = 15.0", "sz_s1 = true", "sz_s1 must be a number within ±3.4e38, found True"),
+    "number as list": ("sz_s1 = 15.0", "sz_s1 = [15]", r"sz_s1 must be a number within ±3.4e38, found \[15\]"),
+    "number as date": ("sz_s1 = 15.0", "sz_s1 = 2005-01-01", "sz_s1 must be a number within ±3.4e38, found datetime"),
     "switch as text": ("statistics = true", "statistics = 'yes'", "statistics must be true or false, found 'yes'"),
     "switch as number": ("statistics = true", "statistics = 1", "statistics must be true or false, found 1"),
-    "broken quantisation": ("quantise = 4", "quantise = 4.0", "quantise must be a whole number, found 4.0"),
+    "broken quantisation": (
+        "quantise = 4",
+        "quantise = 4.0",
+        "quantise must be a whole .* found 4.0; correct it",
+    ),
     "impossible quantisation": ("quantise = 4", "quantise = 3", "quantise must be one of 1, 2, 4, got 3"),
-    "broken number of bands": ("mel_bands = 40", "mel_bands = 40.5", "mel_bands must be a whole number, found 40.5"),
+    "broken number of bands": (
+        "mel_bands = 40",
+        "mel_bands = 40.5",
+        "mel_bands must be a whole .* found 40.5",
+    ),
     "too many bands": ("mel_bands = 40", "mel_bands = 400", r"mel_bands must lie in 4\.\.80 bands, got 400"),
-    "text as number": ('decimation = "plain"', "decimation = 4", "decimation must be text, found 4"),
+    "text as number": (
+        'decimation = "plain"',
+        "decimation = 4",
+        "decimation must be one of plain, .*, found 4",
+    ),
     "bad choice": ('"plain"', '"folded"', "decimation must be one of plain, anti_aliased, found 'folded'"),
     "bad window": ('"hamming"', '"hammock"', "window_function must be one of rectangle, .*, found 'hammock'"),
     "bad filter": ('"high_pass"', '"de-noise"', "filters must be one of quantise, .*, found 'de-noise'"),
     "filter as number": ('"high_pass"', "7", "filters must be one of quantise, .*, found 7"),
     "out of range": ("minimum_hold = 0.02", "minimum_hold = 3", r"minimum_hold must lie in 0\.\.1 s, got 3"),
     "smoothing out of range": ("time_smooth = 0.0", "time_smooth = 1.5", r"time_smooth must lie in 0\.\.1, got 1\.5"),
-    "not a number": ("minimum_hold = 0.02", "minimum_hold = nan", "minimum_hold must be a finite number"),
-    "infinite threshold": ("sz_s1 = 15.0", "sz_s1 = inf", "sz_s1 must be a finite number .*, found inf"),
-    "too large": ("sz_s1 = 15.0", "sz_s1 = 1e39", r"sz_s1 must be a finite number .*, found 1e\+39"),
-    "huge": ("sz_s1 = 15.0", "sz_s1 = " + "9" * 400, "sz_s1 must be a finite number .*, found an endless number"),
+    "not a number": (
+        "minimum_hold = 0.02",
+        "minimum_hold = nan",
+        "minimum_hold must be a number .* found nan",
+    ),
+    "infinite threshold": ("sz_s1 = 15.0", "sz_s1 = inf", "sz_s1 must be a number within .*, found inf"),
+    "too large": ("sz_s1 = 15.0", "sz_s1 = 1e39", r"sz_s1 must be a number within .*, found 1e\+39"),
+    "huge": ("sz_s1 = 15.0", "sz_s1 = " + "9" * 400, "sz_s1 must be a number within .*, found an endless number"),
     "endless": ("sz_s1 = 15.0", "sz_s1 = " + "9" * 5000, "this is no TOML file"),
     "endless in hexadecimal": ("notes = ", "notes = 0x" + "f" * 9000 + "\n#", "notes must be text, found an endless"),
     "deep": ("notes = ", "deep = " + "[" * 100_000 + "\n#", "this is no TOML file"),
@@ -55,12 +75,12 @@ CHANGES = {
     "unknown successor": (
         '[successors]\nsilence = "',
         '[successors]\nsilence = "x',
-        r"\[successors\] knows no phoneme",
+        r"\[successors\] silence must be one of silence, .*, found 'x",
     ),
     "successor as number": (
         "[successors]\nsilence = ",
         "[successors]\nsilence = 3 #",
-        r"\[successors\] knows no .* 3;",
+        r"\[successors\] silence must be one of .* found 3;",
     ),
     "variable of a built-in name": ('name = "mine"', 'name = "energy"', "energy exists already"),
     "variable with a bad name": ('name = "mine"', 'name = "Mine!"', "name must be lower-case .*, got 'Mine!'"),
@@ -69,9 +89,9 @@ CHANGES = {
     "variable with an unknown key": (
         "low = 100.0",
         "colour = 'red', low = 100.0",
-        r"\[variables\] does not know colour",
+        r"\[variables\] does not know 'colour'",
     ),
-    "variable with a text as range": ("low = 100.0", "low = '100'", "low must be a number, found '100'"),
+    "variable with a text as range": ("low = 100.0", "low = '100'", "low must be a number .* found '100'"),
     "variable with an upside-down range": ("low = 100.0", "low = 300", r"mine must range .* got 300\.\.200 Hz"),
     "variable of a bad kind": (
         'kind = "sum"',
@@ -139,7 +159,7 @@ class TestFilesThatAreNone:
     def test_a_binary_file(self, tmp_path: Path, suffix: str):
         path = tmp_path / f"x{suffix}"
         path.write_bytes(bytes(range(256)))
-        assert "not a text file; choose a .toml or .phonemedata file" in self.refusal(path)
+        assert "no text file; choose a .toml or .phonemedata file" in self.refusal(path)
 
     def test_an_empty_file(self, tmp_path: Path, suffix: str):
         path = tmp_path / f"x{suffix}"
@@ -150,7 +170,7 @@ class TestFilesThatAreNone:
         path = tmp_path / f"x{suffix}"
         with path.open("wb") as file:
             file.truncate(10**12)
-        assert "smaller than 1 MB" in self.refusal(path)
+        assert "has at most 1 MB" in self.refusal(path)
 
 
 def test_a_broken_phoneme_data_file_says_where(tmp_path: Path):

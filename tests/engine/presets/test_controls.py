@@ -13,8 +13,8 @@ from phonemeengine.presets.controls import Control, Moment, controls_of, unused_
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS
-from phonemeengine.recognition.recogniser import recogniser_of
 from phonemeengine.recognition.scores import deficits_of, scores_in
+from phonemeengine.recognition.spec import recogniser_of
 from phonemeengine.settings import SAMPLE_RATE, Filter
 from tests.conftest import ROOT
 from tests.sounds import Sound, noise, silence, vowel
@@ -28,7 +28,7 @@ NAMES = ("thesis", "extended", "templates", "learned")
 
 
 def controls(preset: Preset) -> dict[str, Control]:
-    groups = controls_of(preset, recogniser_of(preset.recogniser, preset.tuning))
+    groups = controls_of(preset, recogniser_of(preset.recogniser, preset.config))
     return {control.name: control for group in groups for control in group.controls}
 
 

@@ -11,7 +11,6 @@ from phonemeengine.errors import PresetError
 from phonemeengine.presets import files
 from phonemeengine.presets.files import (
     FACTORY,
-    FACTORY_PRESET_OF,
     FACTORY_PRESETS,
     beyond_phoneme_data,
     factory_preset,
@@ -20,7 +19,7 @@ from phonemeengine.presets.files import (
     save_preset,
 )
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.recogniser import RECOGNISERS
+from phonemeengine.recognition.spec import BUILT_IN
 from phonemeengine.settings import AnalysisSettings, Filter
 from tests.sounds import noise, vowel
 
@@ -31,7 +30,7 @@ ALL = [*FACTORY_PRESETS, FACTORY / "thesis.phonemedata"]
 
 def test_all_factory_presets_are_listed():
     assert {path.name for path in FACTORY_PRESETS} == {path.name for path in FACTORY.glob("*.toml")}
-    assert FACTORY_PRESET_OF.keys() == RECOGNISERS.keys()
+    assert {spec.factory_preset for spec in BUILT_IN.values()} <= {path.name for path in FACTORY_PRESETS}
 
 
 @pytest.mark.parametrize("path", ALL, ids=lambda path: path.name)
@@ -123,8 +122,7 @@ def test_a_preset_can_be_given_by_path_text_or_name(tmp_path, monkeypatch):
 
 
 def test_every_recogniser_of_the_program_has_a_factory_preset():
-    for name in RECOGNISERS:
+    for name in BUILT_IN:
         preset = factory_preset(name)
         assert preset is not None
         assert preset.recogniser == name
-    assert factory_preset("loudness") is None

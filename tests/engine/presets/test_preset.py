@@ -152,12 +152,10 @@ def test_a_file_that_cannot_be_written_leaves_the_old_one(tmp_path: Path, monkey
     path = tmp_path / "mine.toml"
     save_preset(Preset("old"), path)
 
-    def full(self: Path, data: bytes) -> int:
-        with self.open("wb") as file:
-            file.write(data[:10])
+    def full(_part: Path, _target: Path) -> Path:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(Path, "write_bytes", full)
+    monkeypatch.setattr(Path, "replace", full)
     with pytest.raises(PresetError, match=r"mine\.toml: cannot be written \(No space left on device\)"):
         save_preset(Preset("new"), path)
     assert load_preset(path).name == "old"

@@ -18,7 +18,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import FORMAT, Model, load_model, save_model
-from phonemeengine.recognition.recogniser import RecogniserConfig, recogniser_of
+from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
 from tests.models import band_of, tone_model
 from tests.sounds import silence, tone
@@ -123,7 +123,7 @@ def test_scores_are_probabilities_and_columns_of_the_features(model):
 def test_the_decision_is_told_by_the_likeliest_phonemes(model):
     preset = preset_of(model)
     analysis = heard(preset)[0]
-    trace = recogniser_of("learned", preset.tuning).explain(analysis.features, 35)
+    trace = recogniser_of("learned", preset.config).explain(analysis.features, 35)
     assert trace.phoneme is Phoneme.A
     first, second = trace.comparisons[:2]
     assert (first.rule, first.variable, first.sign) == ("a", "p_a", ">")
@@ -177,7 +177,7 @@ def test_a_filter_switched_while_frames_wait_loses_none(model):
 
 
 def test_the_recogniser_without_a_model_is_refused_with_what_to_do():
-    with pytest.raises(PresetError, match="needs a model, and this preset names none; begin with the preset learned"):
+    with pytest.raises(PresetError, match="needs a model, and this preset has none; begin with the preset learned"):
         recogniser_of("learned", RecogniserConfig())
 
 

@@ -35,7 +35,7 @@ def frame(*values: float) -> Features:
 
 
 def named(rules: list[Rule], features: Features) -> Phoneme:
-    return Phoneme(int(RuleRecogniser(rules, Thresholds()).recognise(features).phonemes[0]))
+    return Phoneme(int(RuleRecogniser(rules, Thresholds()).phonemes_of(features)[0]))
 
 
 def eased(rule: Rule, share: float) -> Rule:
@@ -109,5 +109,5 @@ def test_a_frame_without_the_rules_variables_is_explained_without_reasons():
 
 
 def test_a_preset_whose_rules_are_missing_is_refused_in_one_sentence():
-    with pytest.raises(PresetError, match=r'the recogniser "rules" asks rules .* choose another recogniser'):
+    with pytest.raises(PresetError, match=r"the recogniser 'rules' needs rules.*begin with the preset extended"):
         Preset(recogniser="rules")

@@ -1,6 +1,5 @@
 """Recognisers of other packages: found without being imported, asked like the program's own, and never believed."""
 
-import os
 import subprocess
 import sys
 from dataclasses import replace
@@ -16,18 +15,20 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recogniser import RECOGNISERS, RecogniserConfig, recogniser_names, recogniser_of
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
-from phonemeengine.settings import HOP, Filter
-from tests.fakes.plug_ins import Shelf
+from phonemeengine.recognition.spec import BUILT_IN, RecogniserConfig, recogniser_names, recogniser_of
+from phonemeengine.settings import HOP, WINDOW, Filter
+from tests.fakes.plug_ins import Shelf, environment_with
 from tests.sounds import silence, tone
 
 OPENS_AT_A_TENTH = Thresholds(silence_energy=0.1)
 COURSE = (0.05, 0.2, 0.07, 0.04, 0.07, 0.3, 0.06)
 A, S = Phoneme.A, Phoneme.SILENCE
+UNHEARD = np.zeros((8, WINDOW), np.float32)
+"""Windows for recognisers that do not listen to them."""
 LISTED = """
 import sys
-from phonemeengine.recognition.recogniser import recogniser_names
+from phonemeengine.recognition.spec import recogniser_names
 print(*recogniser_names(), "phonemeanalyser_loudness" in sys.modules)
 """
 
@@ -38,7 +39,7 @@ def energies(*values: float) -> Features:
 
 def made_and_asked(name: str, thresholds: Thresholds) -> None:
     recogniser = recogniser_of(name, RecogniserConfig(thresholds))
-    recogniser.recognise(energies(0, 0, 0))
+    recogniser.recognise(UNHEARD[:3], energies(0, 0, 0))
     assert recogniser.used_thresholds is not None
 
 
@@ -56,21 +57,23 @@ def refusal(name: str = "own", thresholds: Thresholds = OPENS_AT_A_TENTH) -> str
 
 def test_an_installed_recogniser_is_listed_but_not_imported(example_site: Path):
     done = subprocess.run(
-        [sys.executable, "-c", LISTED], env={**os.environ, "PYTHONPATH": str(example_site)},
+        [sys.executable, "-c", LISTED], env=environment_with(example_site),
         capture_output=True, text=True, timeout=240, check=True,
     )  # fmt: skip
-    assert done.stdout.split() == [*RECOGNISERS, "loudness", "False"]
+    assert done.stdout.split() == [*BUILT_IN, "brightness", "loudness", "False"]
 
 
 def test_without_plug_ins_there_are_the_programs_own():
-    assert recogniser_names() == tuple(RECOGNISERS)
+    assert recogniser_names() == tuple(BUILT_IN)
     assert recogniser_names()[0] == "thesis"
 
 
 @pytest.mark.parametrize("cut", range(len(COURSE) + 1))
 def test_the_example_opens_at_its_threshold_and_stays_open_to_half_of_it(cut: int, loudness: Path):
     recogniser = recogniser_of("loudness", RecogniserConfig(OPENS_AT_A_TENTH))
-    parts = [recogniser.recognise(energies(*part)).phonemes for part in (COURSE[:cut], COURSE[cut:])]
+    parts = [
+        recogniser.recognise(UNHEARD[: len(part)], energies(*part)).phonemes for part in (COURSE[:cut], COURSE[cut:])
+    ]
     assert np.concatenate(parts).tolist() == [S, A, A, S, S, A, A]
 
 
@@ -114,14 +117,14 @@ def test_a_recogniser_says_which_thresholds_it_uses(loudness: Path, shelf: Shelf
 
 def test_a_plug_in_cannot_take_the_name_of_the_thesis(shelf: Shelf):
     shelf.offer("", name="thesis")
-    assert recogniser_names() == tuple(RECOGNISERS)
+    assert recogniser_names() == tuple(BUILT_IN)
     assert isinstance(recogniser_of("thesis", RecogniserConfig(Thresholds())), ThesisRules)
 
 
 def test_two_packages_that_offer_one_name_are_refused_with_both(shelf: Shelf):
     shelf.offer("", package="one-package")
     shelf.offer("", package="other-package")
-    assert recogniser_names() == (*RECOGNISERS, "own")
+    assert recogniser_names() == (*BUILT_IN, "own")
     with pytest.raises(RecogniserError, match="'own' is offered twice, by one-package and other-package; uninstall"):
         recogniser_of("own", RecogniserConfig(Thresholds()))
 
@@ -148,11 +151,11 @@ BROKEN = {
     ),
     "thresholds that are none": ("class Own(Plain):\n    used_thresholds = 5", "cannot name its thresholds ("),
     "a recogniser that fails": (
-        "class Own(Plain):\n    def recognise(self, features):\n        raise ValueError()",
+        "class Own(Plain):\n    def recognise(self, windows, features):\n        raise ValueError()",
         "cannot recognise (ValueError)",
     ),
     "a long complaint": (
-        "class Own(Plain):\n    def recognise(self, features):\n        raise ValueError('x' * 5000)",
+        "class Own(Plain):\n    def recognise(self, windows, features):\n        raise ValueError('x' * 5000)",
         "xxx…)",
     ),
     "nothing to recognise with": ("class Own:\n    def __init__(self, thresholds): pass", "cannot recognise (A"),
@@ -186,7 +189,7 @@ def test_a_broken_plug_in_is_one_sentence_with_its_name_and_package(source: str,
 
 @pytest.mark.parametrize(("codes", "what"), WRONG_CODES.items())
 def test_codes_that_are_no_phonemes_of_the_frames_are_refused(codes: str, what: str, shelf: Shelf):
-    shelf.offer(f"class Own(Plain):\n    def recognise(self, features):\n        return {codes}")
+    shelf.offer(f"class Own(Plain):\n    def recognise(self, windows, features):\n        return {codes}")
     assert refusal() == f"the recogniser 'own' of the package own-package {what}; choose another recogniser"
 
 
@@ -199,10 +202,10 @@ def test_a_reason_that_cannot_be_shown_is_refused(trace: str, what: str, shelf: 
 
 
 def test_a_plug_in_cannot_change_what_was_measured(shelf: Shelf):
-    shelf.offer("class Own(Plain):\n    def recognise(self, features):\n        features.values[:] = 0")
+    shelf.offer("class Own(Plain):\n    def recognise(self, windows, features):\n        features.values[:] = 0")
     features = energies(1.0, 2.0, 3.0)
     with pytest.raises(RecogniserError, match="read-only"):
-        recogniser_of("own", RecogniserConfig(Thresholds())).recognise(features)
+        recogniser_of("own", RecogniserConfig(Thresholds())).recognise(UNHEARD[:3], features)
     assert features["energy"].tolist() == [1, 2, 3]
     assert features.values.flags.writeable
 
@@ -210,11 +213,11 @@ def test_a_plug_in_cannot_change_what_was_measured(shelf: Shelf):
 def test_a_plug_in_that_writes_into_one_array_again_and_again_does_not_change_the_past(shelf: Shelf):
     shelf.offer(
         "class Own(Plain):\n    codes = np.zeros(2, np.uint8)\n"
-        "    def recognise(self, features):\n        self.codes += 1\n        return self.codes"
+        "    def recognise(self, windows, features):\n        self.codes += 1\n        return self.codes"
     )
     recogniser = recogniser_of("own", RecogniserConfig(Thresholds()))
-    first = recogniser.recognise(energies(1, 1)).phonemes
-    assert recogniser.recognise(energies(1, 1)).phonemes.tolist() == [2, 2]
+    first = recogniser.recognise(UNHEARD[:2], energies(1, 1)).phonemes
+    assert recogniser.recognise(UNHEARD[:2], energies(1, 1)).phonemes.tolist() == [2, 2]
     assert first.tolist() == [1, 1]
 
 

@@ -11,8 +11,8 @@ from phonemeengine.errors import PresetError, SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recogniser import RecogniserConfig, recogniser_of
 from phonemeengine.recognition.rules import ThesisRules
+from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
 
 THRESHOLD_NAMES = tuple(f.name for f in fields(Thresholds))
 ROUND = Thresholds(**dict.fromkeys(THRESHOLD_NAMES, 0.5))
@@ -48,7 +48,7 @@ def features_of(**values: float) -> Features:
 
 
 def recognised(thresholds: Thresholds, **values: float) -> Phoneme:
-    return Phoneme(int(ThesisRules(thresholds).recognise(features_of(**values)).phonemes[0]))
+    return Phoneme(int(ThesisRules(thresholds).phonemes_of(features_of(**values))[0]))
 
 
 def by_the_book(v: dict[str, float], t: dict[str, float]) -> Phoneme:  # noqa: C901, PLR0911
@@ -115,7 +115,7 @@ def test_the_table_of_rules_says_what_the_book_says(rows: list[tuple[float, ...]
     rules = ThesisRules(thresholds)
     limits = {name: getattr(thresholds, name) for name in THRESHOLD_NAMES}
     expected = [by_the_book(features.frame(k), limits) for k in range(len(rows))]
-    np.testing.assert_array_equal(rules.recognise(features).phonemes, expected)
+    np.testing.assert_array_equal(rules.phonemes_of(features), expected)
     assert [rules.explain(features, k).phoneme for k in range(len(rows))] == expected
 
 
@@ -123,7 +123,7 @@ def test_the_table_of_rules_says_what_the_book_says(rows: list[tuple[float, ...]
 def test_the_order_of_the_variables_does_not_matter(order: list[str], row: tuple[float, ...]):
     values = dict(zip(VARIABLES, row, strict=True))
     shuffled = Features((*order, "mine"), np.array([[*(values[n] for n in order), 7]], np.float32))
-    assert ThesisRules(ROUND).recognise(shuffled).phonemes[0] == recognised(ROUND, **values)
+    assert ThesisRules(ROUND).phonemes_of(shuffled)[0] == recognised(ROUND, **values)
 
 
 @given(row=st.tuples(*[numbers] * len(VARIABLES)), thresholds=thresholds_at_random)
@@ -175,7 +175,7 @@ def test_the_trace_of_an_sch_asks_for_silence_then_sz_then_sch():
 
 def test_a_block_without_frames_has_no_phonemes():
     nothing = Features(VARIABLES, np.zeros((0, len(VARIABLES)), np.float32))
-    assert len(ThesisRules(ROUND).recognise(nothing).phonemes) == 0
+    assert len(ThesisRules(ROUND).phonemes_of(nothing)) == 0
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), float("-inf"), 1e39])

@@ -17,8 +17,8 @@ from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.recogniser import RecogniserConfig, recogniser_of
 from phonemeengine.recognition.scores import SCORES
+from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import Sound, silence, vowel
@@ -113,15 +113,15 @@ def test_a_preset_file_keeps_the_templates(utterance: Utterance):
 @pytest.mark.parametrize(
     ("found", "put", "words"),
     [
-        ("silence_below = -50.0", "silence_below = nan", "silence_below must lie in"),
+        ("silence_below = -50.0", "silence_below = nan", "silence_below must be a number"),
         ("silence_below = -50.0", "silence_below = 3.0", "silence_below must lie in"),
-        ("silence_below = -50.0", 'silence_below = "low"', "silence_below of .templates. must be a number"),
+        ("silence_below = -50.0", 'silence_below = "low"', ".templates. silence_below must be a number"),
         ("silence_below = -50.0", "", "lacks silence_below"),
         ("a = [\n    1.0,", "a = [\n", "a must have 12 numbers in templates, got 11"),
-        ("a = [\n    1.0,", "a = [\n    inf,", "a must hold finite numbers"),
-        ("a = [\n    1.0,", "a = [\n    true,", "a of .templates. must be a list of numbers"),
-        ("a = [\n    1.0,", f"a = [\n    1{400 * '0'},", "a of .templates. must hold finite numbers"),
-        ("a = [\n    1.0,", "silence = [\n    1.0,", "does not know silence"),
+        ("a = [\n    1.0,", "a = [\n    inf,", ".templates. a must be a list of numbers within"),
+        ("a = [\n    1.0,", "a = [\n    true,", ".templates. a must be a list of numbers"),
+        ("a = [\n    1.0,", f"a = [\n    1{400 * '0'},", ".templates. a must be a list of numbers within"),
+        ("a = [\n    1.0,", "silence = [\n    1.0,", "does not know 'silence'"),
         ("spread = [\n    1.0,", "spread = [\n    0.0,", "the spread must be above 0"),
     ],
 )

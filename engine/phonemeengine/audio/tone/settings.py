@@ -68,7 +68,7 @@ def _spoken(*frequencies: float) -> tuple[Formant, ...]:
     return (*measured, Formant(3300.0, 250.0), Formant(3750.0, 200.0))
 
 
-VOWELS: dict[str, tuple[Formant, ...]] = {
+VOWEL_FORMANTS: dict[str, tuple[Formant, ...]] = {
     "a": _spoken(795, 1301, 2565),
     "e": _spoken(407, 2017, 2554),
     "i": _spoken(294, 2208, 2766),
@@ -110,7 +110,7 @@ class Tone:
     high: float = 10_000.0
     sweep_seconds: float = 10.0
     f0: float = 120.0
-    formants: tuple[Formant, ...] = VOWELS["a"]
+    formants: tuple[Formant, ...] = VOWEL_FORMANTS["a"]
 
     def __post_init__(self) -> None:
         for name, limits in TONE_LIMITS.items():
@@ -124,5 +124,5 @@ class Tone:
 
 
 def vowel_of(formants: tuple[Formant, ...]) -> str | None:
-    """Return the name under which formants stand in `VOWELS`, or None."""
-    return next((name for name, known in VOWELS.items() if known == formants), None)
+    """Return the name under which formants stand in `VOWEL_FORMANTS`, or None."""
+    return next((name for name, known in VOWEL_FORMANTS.items() if known == formants), None)

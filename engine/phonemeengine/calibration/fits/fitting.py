@@ -8,7 +8,7 @@ not better on its own recordings. What that one had been fitted to is not left o
 already, such as a factory preset on the recordings that it was made from, the figures flatter.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,14 +18,16 @@ from phonemeengine.calibration.fits.cross_validation import cross_validate, grou
 from phonemeengine.calibration.fits.limit_search import LimitSearch
 from phonemeengine.calibration.fits.threshold_search import ThresholdSearch
 from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
+from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.errors import CorpusError
+from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.rules import RULES, Condition, Rule
+from phonemeengine.recognition.spec import spec_of
 
 MOST_FOLDS = 8
 """Speakers, or takes, are left out in at most so many groups; up to so many speakers each one by itself."""
@@ -33,8 +35,6 @@ N_STARTS = 16
 """Random starts of the search for all recordings."""
 N_FOLD_STARTS = 8
 """Random starts where something is left out."""
-FITTED = ("thesis", "rules")
-"""The recognisers that have something to fit."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ class FitReport:
 
 
 def fit_preset(
-    workbench: LabelledFeatures,
+    labelled: LabelledFeatures,
     preset: Preset,
     progress: Progress = no_progress,
     *,
@@ -72,13 +72,13 @@ def fit_preset(
 ) -> FitReport:
     """Search for better thresholds, or for better limits of the preset's own rules.
 
-    Another thread may go on asking the workbench meanwhile.
+    Another thread may go on asking it meanwhile.
 
     Parameters
     ----------
-    workbench : the recordings, measured with the preset's front end.
+    labelled : the recordings, measured with the preset's front end.
     preset : what to begin with.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
     seed : of every random choice.
     leave_out : whether to fit anew without each speaker, or take, which takes most of the time.
 
@@ -88,10 +88,10 @@ def fit_preset(
         anew.
     Cancelled : `progress` did not want to go on.
     """
-    workbench = workbench.clone_for_thread()
-    fitter = _Fitter(workbench, preset, seed)
-    everything = np.ones(len(workbench.utterances), bool)
-    left_out, names = _left_out(workbench)
+    labelled = labelled.clone_for_thread()
+    fitter = _Fitter(labelled, preset, seed)
+    everything = np.ones(len(labelled.utterances), bool)
+    left_out, names = _left_out(labelled)
     groups = groups_of(names, MOST_FOLDS) if left_out and leave_out else []
     first = 1 / (1 + len(groups) * N_FOLD_STARTS / N_STARTS)
     fitted = fitter.fit(everything, N_STARTS, subrange(progress, 0.0, first))
@@ -99,76 +99,146 @@ def fit_preset(
     report_progress(progress, 1.0)
     return FitReport(
         preset=fitted,
-        before=workbench.confusion(preset).scores(),
-        after=workbench.confusion(fitted).scores(),
+        before=labelled.confusion(preset).scores(),
+        after=fitter.confusion(fitted).scores(),
         held_out=unseen.scores() if unseen is not None else None,
         left_out=left_out,
     )
 
 
+@dataclass(frozen=True)
+class FitTask:
+    """What a preset is fitted to, and how hard to look for something better.
+
+    Attributes
+    ----------
+    features : what was measured in all recordings, one after the other.
+    phonemes : uint8, shape (n_frames,): what is said in them.
+    begins : bool, shape (n_frames,): where recordings begin.
+    macro_f1_of : gives how right a preset is in these recordings.
+    n_starts : random starts of a search that has some.
+    seed : of every random choice.
+    """
+
+    features: Features
+    phonemes: UInt8Array
+    begins: BoolArray
+    macro_f1_of: Callable[[Preset], float]
+    n_starts: int
+    seed: int
+
+    def better_of(self, found: Preset, before: Preset) -> Preset:
+        """Return what was found, if it answers better in these recordings."""
+        return found if self.macro_f1_of(found) > self.macro_f1_of(before) else before
+
+
+Fit = Callable[[Preset, FitTask, Progress], Preset]
+"""How a recogniser's numbers are fitted: from a preset and recordings to a preset, which need not be better."""
+
+
 class _Fitter:
     """Fits one preset to some of the recordings."""
 
-    def __init__(self, workbench: LabelledFeatures, preset: Preset, seed: int) -> None:
-        if preset.recogniser not in FITTED:
+    def __init__(self, labelled: LabelledFeatures, preset: Preset, seed: int) -> None:
+        spec = spec_of(preset.recogniser)
+        if not spec.fit:
             raise CorpusError(
                 f"the recogniser {preset.recogniser!r} has no thresholds to fit; choose a preset with thesis rules "
                 "or rules of its own"
             )
-        if not np.any(workbench.labels.phonemes != Phoneme.UNIDENTIFIED):
+        self._fit: Fit = spec.load(spec.fit)
+        if not np.any(labelled.labels.phonemes != Phoneme.UNIDENTIFIED):
             raise CorpusError("there is nothing to fit to; load recordings with labelled phonemes")
-        self._workbench = workbench
+        self._labelled = labelled
         self._preset = preset
         self._seed = seed
 
     def fit(self, chosen: BoolArray, n_starts: int, progress: Progress) -> Preset:
         """Fit to the chosen recordings; gives the preset as it was where nothing better was found."""
-        features, truth, first = self._frames_of(chosen)
-        recordings = tuple(np.flatnonzero(chosen).tolist())
-        best = self._preset
-        if best.recogniser == "thesis":
-            search = ThresholdSearch(features, truth, first)
-            fit = search.best_of(n_starts, np.random.default_rng(self._seed), subrange(progress, 0.0, 0.5))
-            found = replace(best, thresholds=fit.thresholds, successors=fit.successors)
-            best = self._better(found, best, recordings)
-        limits = LimitSearch(features, truth, first, best.thresholds, best.successors)
-        rules = _with_numbers(best) if best.recogniser == "thesis" else best.rules
-        moved = limits.improve(rules, subrange(progress, 0.5 if best.recogniser == "thesis" else 0.0, 1.0))
-        return self._better(_with_rules(best, moved), best, recordings)
+        task = self._task(chosen, n_starts)
+        found = self._fit(self._preset, task, progress)
+        if not isinstance(found, Preset):
+            raise RecogniserError(
+                f"the recogniser {self._preset.recogniser!r} must fit a preset, got a {type(found).__name__}; choose "
+                "another recogniser"
+            )
+        return task.better_of(found, self._preset)
 
-    def _better(self, found: Preset, before: Preset, recordings: tuple[int, ...]) -> Preset:
-        """Return what was found, if it answers better in these recordings."""
-        new, old = (self._workbench.confusion(p).scores(recordings).macro_f1 for p in (found, before))
-        return found if new > old else before
+    def confusion(self, preset: Preset) -> Confusion:
+        """Recognise all recordings with a preset; they are analysed anew where that measures differently."""
+        labelled = self._labelled
+        if labelled.needs_measuring(preset):
+            labelled = LabelledFeatures(labelled.utterances, preset)
+        return labelled.confusion(preset)
 
     def unseen(self, names: Sequence[str], groups: Sequence[Sequence[str]], progress: Progress) -> Confusion:
         """Recognise each recording with what was fitted without its group."""
         shares = iter(subrange(progress, k / len(groups), (k + 1) / len(groups)) for k in range(len(groups)))
         fits = cross_validate(names, groups, lambda chosen: self._answers_fitted_to(chosen, next(shares)))
-        edges = self._workbench.edges
+        edges = self._labelled.edges
         lines = [fit[first:end] for fit, first, end in zip(fits, edges[:-1], edges[1:], strict=True)]
-        return confusion_between(self._workbench.labels, np.concatenate(lines), edges)
+        return confusion_between(self._labelled.labels, np.concatenate(lines), edges)
 
     def _answers_fitted_to(self, chosen: BoolArray, progress: Progress) -> UInt8Array:
-        return self._workbench.answers(self.fit(chosen, N_FOLD_STARTS, progress))
+        return self.confusion(self.fit(chosen, N_FOLD_STARTS, progress)).predicted
 
-    def _frames_of(self, chosen: BoolArray) -> tuple[Features, UInt8Array, BoolArray]:
-        """Return the features, the labels, and where recordings begin, of the chosen recordings."""
-        edges = self._workbench.edges
-        first = np.zeros(edges[-1] + 1, bool)
-        first[edges[:-1]] = True
+    def _task(self, chosen: BoolArray, n_starts: int) -> FitTask:
+        edges = self._labelled.edges
+        begins = np.zeros(edges[-1] + 1, bool)
+        begins[edges[:-1]] = True
         mask = np.repeat(chosen, np.diff(edges))
-        features = self._workbench.features()
-        return (
-            Features(features.names, features.values[mask]),
-            self._workbench.labels.phonemes[mask],
-            first[:-1][mask],
+        features = self._labelled.features()
+        recordings = tuple(np.flatnonzero(chosen).tolist())
+        return FitTask(
+            features=Features(features.names, features.values[mask]),
+            phonemes=self._labelled.labels.phonemes[mask],
+            begins=begins[:-1][mask],
+            macro_f1_of=lambda preset: self.confusion(preset).scores(recordings).macro_f1,
+            n_starts=n_starts,
+            seed=self._seed,
         )
 
 
-def _left_out(workbench: LabelledFeatures) -> tuple[str, list[str]]:
+def fit_thresholds(preset: Preset, task: FitTask, progress: Progress) -> Preset:
+    """Fit the thresholds of the thesis rules: search for them from random starts, then move their limits on."""
+    search = ThresholdSearch(task.features, task.phonemes, task.begins)
+    fit = search.best_of(task.n_starts, np.random.default_rng(task.seed), subrange(progress, 0.0, 0.5))
+    found = task.better_of(replace(preset, thresholds=fit.thresholds, successors=fit.successors), preset)
+    rules = _limits_moved(_with_numbers(found), found, task, subrange(progress, 0.5, 1.0))
+    return task.better_of(_with_thresholds_of(rules, found), found)
+
+
+def fit_limits(preset: Preset, task: FitTask, progress: Progress) -> Preset:
+    """Fit the limits of a preset's own rules."""
+    return replace(preset, rules=_limits_moved(preset.rules, preset, task, progress))
+
+
+def adapt_rules(
+    preset: Preset, takes: Sequence[Utterance], set_silence: Callable[[Preset], Preset], progress: Progress
+) -> tuple[Preset, ...]:
+    """Fit thresholds or limits to the takes of one voice; the milder preset leaves silence to the room.
+
+    It is an `Adapt` of `phonemeengine.calibration.calibrate`.
+    """
+    start = set_silence(preset)
+    labelled = LabelledFeatures(takes, start, progress=subrange(progress, 0.0, 0.2))
+    fitted = fit_preset(labelled, start, subrange(progress, 0.2, 1.0), leave_out=False).preset
+    silence = {name: value for name, value in vars(start.thresholds).items() if name.startswith("silence")}
+    rules = tuple(
+        old if old.phoneme is Phoneme.SILENCE else new for old, new in zip(start.rules, fitted.rules, strict=True)
+    )
+    milder = replace(fitted, thresholds=replace(fitted.thresholds, **silence), rules=rules)
+    return fitted, milder, start
+
+
+def _limits_moved(rules: tuple[Rule, ...], preset: Preset, task: FitTask, progress: Progress) -> tuple[Rule, ...]:
+    search = LimitSearch(task.features, task.phonemes, task.begins, preset.thresholds, preset.successors)
+    return search.improve(rules, progress)
+
+
+def _left_out(labelled: LabelledFeatures) -> tuple[str, list[str]]:
     """Return what is left out in turn, and to what of that kind each recording belongs."""
-    speakers = [u.speaker for u in workbench.utterances]
+    speakers = [u.speaker for u in labelled.utterances]
     if len(set(speakers)) > 1:
         return "speaker", speakers
     takes = [str(k) for k in range(len(speakers))]
@@ -188,10 +258,8 @@ def _with_numbers(preset: Preset) -> tuple[Rule, ...]:
     )
 
 
-def _with_rules(preset: Preset, rules: tuple[Rule, ...]) -> Preset:
-    """Return the preset with these rules: its own, or the thesis rules with other numbers for thresholds."""
-    if preset.recogniser != "thesis":
-        return replace(preset, rules=rules)
+def _with_thresholds_of(rules: tuple[Rule, ...], preset: Preset) -> Preset:
+    """Return the preset with the numbers of thesis rules as thresholds."""
     numbers = {
         named.threshold: c.limit
         for rule, moved in zip(RULES, rules, strict=True)

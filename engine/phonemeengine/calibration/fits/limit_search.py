@@ -58,7 +58,7 @@ class LimitSearch:
         successors: Mapping[Phoneme, Phoneme],
     ) -> None:
         self._values = {name: np.ascontiguousarray(features[name]) for name in features.names}
-        self._sheet = RuleCache(self._values, len(truth))
+        self._rule_cache = RuleCache(self._values, len(truth))
         self._truth = truth
         self._first = first
         self._known = truth != Phoneme.UNIDENTIFIED
@@ -109,9 +109,9 @@ class LimitSearch:
         """Recognise as if all values of a variable were on one side of a limit."""
         kept = []
         for rule in rules:
-            asked = [c for c in rule.conditions if _limit_of(c) != limit]
+            others = [c for c in rule.conditions if _limit_of(c) != limit]
             if all(c.sign == sign for c in rule.conditions if _limit_of(c) == limit):
-                kept.append(Rule(rule.phoneme, tuple(asked)))
+                kept.append(Rule(rule.phoneme, tuple(others)))
         answers = self._recognised(kept)
         return np.where(answers == Phoneme.UNIDENTIFIED, fillers, answers)
 
@@ -126,7 +126,7 @@ class LimitSearch:
         return float(macro_f1_of(confusion_of(self._truth[self._known], answers[self._known]), SCORED_PHONEMES))
 
     def _recognised(self, rules: Sequence[Rule]) -> UInt8Array:
-        return self._sheet.recognised(RuleRecogniser(rules, self._thresholds))
+        return self._rule_cache.recognised(RuleRecogniser(rules, self._thresholds))
 
 
 def _limits_of(rules: Sequence[Rule]) -> list[Limit]:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from phonemeengine.analyser import BLOCK, analyse_blocks
+from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
 from phonemeengine.dsp.filters import denoise, normalise
@@ -13,7 +13,7 @@ from phonemeengine.features.variables import Spectrum
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress, subrange
-from phonemeengine.settings import HOP, AnalysisSettings, Filter
+from phonemeengine.settings import AnalysisSettings, Filter
 
 MOST_FRAMES = 1500
 """Frames that are looked at of each phoneme, evenly spread over all that there are."""
@@ -55,13 +55,13 @@ def sampled_spectra(
     early = replace(settings, filters=settings.filters - _LATE_FILTERS, statistics=False)
     parts = [np.zeros((0, settings.n_bins), np.float32)]
     codes = [np.zeros(0, np.uint8)]
-    for k, (utterance, heard, wanted) in enumerate(zip(utterances, labels, _wanted(labels), strict=True)):
+    for k, (utterance, label, wanted) in enumerate(zip(utterances, labels, _wanted(labels), strict=True)):
         report_progress(progress, k / len(utterances))
         if len(wanted):
             share = subrange(progress, k / len(utterances), (k + 1) / len(utterances))
             spectra = _spectra_at(utterance, wanted, early, share)
             parts.append(spectra)
-            codes.append(heard.phonemes[wanted[: len(spectra)]])
+            codes.append(label.phonemes[wanted[: len(spectra)]])
     report_progress(progress, 1.0)
     filtered = np.concatenate(parts)
     return SpectrumSample(
@@ -87,7 +87,7 @@ def _spectra_at(
     """Return the filtered spectra of those of the wanted frames that the sound has."""
     found = []
     with utterance.opened() as reader:
-        for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), Preset(settings=settings)):
+        for analysis in analyse_file(reader, Preset(settings=settings)):
             report_progress(progress, min(1.0, analysis.start / max(1, int(wanted[-1]))))
             first, end = np.searchsorted(wanted, (analysis.start, analysis.start + len(analysis)))
             found.append(analysis.spectra[wanted[first:end] - analysis.start])

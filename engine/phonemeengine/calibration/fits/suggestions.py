@@ -16,7 +16,7 @@ from phonemeengine.calibration.fits.spectrum_sample import SpectrumSample, sampl
 from phonemeengine.calibration.workbench.distributions import Distribution, distribution_in
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.calibration.workbench.separability import best_threshold, separability
-from phonemeengine.dsp.mel import frequency_of, mel_of
+from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.errors import CorpusError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
@@ -70,7 +70,7 @@ class _Range:
 
 
 def suggested_variables(
-    workbench: LabelledFeatures,
+    labelled: LabelledFeatures,
     preset: Preset,
     one: Phoneme,
     other: Phoneme | None = None,
@@ -83,11 +83,11 @@ def suggested_variables(
 
     Parameters
     ----------
-    workbench : the recordings.
+    labelled : the recordings.
     preset : the front end, and the variables that there are already.
     one : the phoneme.
     other : the phoneme to part it from; None for all other ones of the ten.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
 
     Raises
     ------
@@ -95,7 +95,7 @@ def suggested_variables(
     AudioError : a sound cannot be read any more.
     Cancelled : `progress` did not want to go on.
     """
-    sample = sampled_spectra(workbench.utterances, preset, subrange(progress, 0.0, 0.5))
+    sample = sampled_spectra(labelled.utterances, preset, subrange(progress, 0.0, 0.5))
     return suggestions_from(sample, preset, one, other, subrange(progress, 0.5, 1.0))
 
 
@@ -157,8 +157,8 @@ def _some(spectra: Float32Array) -> Float32Array:
 def _edges_of(preset: Preset) -> list[int]:
     """Return the bins at which ranges begin and end."""
     n_bins = preset.settings.n_bins
-    mels = np.linspace(0, mel_of(n_bins * BIN_WIDTH), N_EDGES + 1)
-    bins = np.unique(np.clip(np.round(frequency_of(mels) / BIN_WIDTH), 1, n_bins))
+    edges = mel_edges(N_EDGES - 1, n_bins * BIN_WIDTH)
+    bins = np.unique(np.clip(np.round(edges / BIN_WIDTH), 1, n_bins))
     return [int(edge) for edge in bins]
 
 

@@ -5,8 +5,8 @@ nor that to the next one blurs the template; each speaker counts alike.
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +20,8 @@ from phonemeengine.dsp.log_mel import log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates, levels_of, rounded_templates
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -52,6 +54,26 @@ def templates_of(utterances: Iterable[Utterance], base: Templates | None = None)
     AudioError : a sound cannot be read.
     """
     return templates_from(log_mels_by_phoneme(utterances), base)
+
+
+def adapt_to_takes(
+    preset: Preset, takes: Sequence[Utterance], set_silence: Callable[[Preset], Preset], progress: Progress
+) -> tuple[Preset, ...]:
+    """Let takes of one voice be a preset's templates: quite, half, or not at all; only the room sets the silence.
+
+    It is an `Adapt` of `phonemeengine.calibration.calibrate`.
+    """
+    report_progress(progress, 0.0)
+    start = set_silence(preset)
+    assert start.templates is not None
+    found = replace(templates_of(takes, start.templates), silence_below=start.templates.silence_below)
+    return replace(start, templates=found), replace(start, templates=_between(start.templates, found)), start
+
+
+def _between(old: Templates, new: Templates) -> Templates:
+    rows = {p: (old.means.get(p, row), row) for p, row in new.means.items()}
+    means = {p: np.array(pair, np.float32).mean(axis=0) for p, pair in rows.items()}
+    return rounded_templates(means, np.array(new.spread, np.float32), new.silence_below)
 
 
 def log_mels_by_phoneme(utterances: Iterable[Utterance]) -> dict[str, LogMelsByPhoneme]:

@@ -68,11 +68,11 @@ _CLASSES = np.array(SCORED_PHONEMES)
 
 
 def _answers_of_marks() -> UInt8Array:
-    marks = np.arange(1 << len(CONDITIONS), dtype=np.uint32)
-    answers = np.full(len(marks), Phoneme.UNIDENTIFIED, np.uint8)
+    masks = np.arange(1 << len(CONDITIONS), dtype=np.uint32)
+    answers = np.full(len(masks), Phoneme.UNIDENTIFIED, np.uint8)
     for rule in reversed(RULES):
         needed = np.uint32(sum(int(_BITS[c]) for c in rule.conditions))
-        answers[(marks & needed) == needed] = rule.phoneme
+        answers[(masks & needed) == needed] = rule.phoneme
     return answers
 
 
@@ -135,12 +135,12 @@ class ThresholdSearch:
         for n in range(MOST_ROUNDS):
             report_progress(progress, n / MOST_ROUNDS)
             table, fillers = self._successors(limits)
-            marks = _marks_of(self._values, limits)
-            ends.append(Fit(_thresholds_of(limits), successors_of(table), self._score(marks, fillers)))
+            masks = _masks_of(self._values, limits)
+            ends.append(Fit(_thresholds_of(limits), successors_of(table), self._score(masks, fillers)))
             if len(ends) > PATIENCE and ends[-1].score < max(e.score for e in ends[:-PATIENCE]) + LEAST_GAIN:
                 break
             for k in generator.permutation(len(CONDITIONS)):
-                marks = self._improve(CONDITIONS[k], limits, marks, fillers)
+                masks = self._improve(CONDITIONS[k], limits, masks, fillers)
         return max(ends, key=lambda end: end.score)
 
     def _start(self, generator: np.random.Generator) -> Limits:
@@ -156,29 +156,29 @@ class ThresholdSearch:
 
     def _successors(self, limits: Limits) -> tuple[UInt8Array, UInt8Array]:
         """Count the table for these limits, and give what fills in at each scored frame."""
-        answers = _ANSWERS[_marks_of(self._all_values, limits)]
+        answers = _ANSWERS[_masks_of(self._all_values, limits)]
         last = last_identified(answers, self._first)[self._known]
         unidentified = answers[self._known] == Phoneme.UNIDENTIFIED
         table = counted_table(last[unidentified], self._truth[unidentified], self._totals)
         return table, (table[last] + N_CODES).astype(np.uint8)
 
-    def _score(self, marks: UInt32Array, fillers: UInt8Array) -> float:
-        answers = _ANSWERS[marks]
-        excluded = [np.count_nonzero(_ANSWERS[marks | bit] != answers) for bit in _BITS.values()]
+    def _score(self, masks: UInt32Array, fillers: UInt8Array) -> float:
+        answers = _ANSWERS[masks]
+        excluded = [np.count_nonzero(_ANSWERS[masks | bit] != answers) for bit in _BITS.values()]
         score = float(self._scores(self._confusion(_filled(answers, fillers))))
         return score - float(self._price_of_idling(np.array(excluded)).sum())
 
     def _price_of_idling(self, excluded: Int64Array) -> Float64Array:
         return PRICE * np.clip(1 - excluded / (LEAST_EXCLUDED * len(self._truth)), 0, 1)
 
-    def _improve(self, c: Condition, limits: Limits, marks: UInt32Array, fillers: UInt8Array) -> UInt32Array:
-        scores = np.where(self._allowed(c, limits), self._scores_of_candidates(c, marks, fillers), -np.inf)
+    def _improve(self, c: Condition, limits: Limits, masks: UInt32Array, fillers: UInt8Array) -> UInt32Array:
+        scores = np.where(self._allowed(c, limits), self._scores_of_candidates(c, masks, fillers), -np.inf)
         now = scores[self._candidates[c] == limits[c]].max(initial=-np.inf)
         k = int(scores.argmax())
         if scores[k] <= now:
-            return marks
+            return masks
         limits[c] = self._candidates[c][k]
-        return (marks & ~_BITS[c]) | _mark_of(c, self._values[c], limits[c])
+        return (masks & ~_BITS[c]) | _mask_of(c, self._values[c], limits[c])
 
     def _allowed(self, c: Condition, limits: Limits) -> BoolArray:
         """Return which candidates keep the order of the thresholds that share a variable."""
@@ -190,9 +190,9 @@ class ThresholdSearch:
         candidates = self._candidates[c]
         return np.asarray((candidates < min(above, default=np.inf)) & (candidates > max(below, default=-np.inf)))
 
-    def _scores_of_candidates(self, c: Condition, marks: UInt32Array, fillers: UInt8Array) -> Float64Array:
+    def _scores_of_candidates(self, c: Condition, masks: UInt32Array, fillers: UInt8Array) -> Float64Array:
         """Return the score with each candidate for one condition, all others as they are."""
-        when_true, when_false = _ANSWERS[marks | _BITS[c]], _ANSWERS[marks & ~_BITS[c]]
+        when_true, when_false = _ANSWERS[masks | _BITS[c]], _ANSWERS[masks & ~_BITS[c]]
         open_ = np.flatnonzero(when_true != when_false)
         when_true, when_false = _filled(when_true, fillers), _filled(when_false, fillers)
         below_true = self._counts_below(c, open_, when_true)
@@ -246,13 +246,13 @@ def _filled(answers: UInt8Array, fillers: UInt8Array) -> UInt8Array:
     return np.where(answers == Phoneme.UNIDENTIFIED, fillers, answers)
 
 
-def _mark_of(c: Condition, values: Float32Array, limit: np.float32) -> UInt32Array:
+def _mask_of(c: Condition, values: Float32Array, limit: np.float32) -> UInt32Array:
     holds = values > limit if c.sign == ">" else values < limit
-    marks: UInt32Array = holds * _BITS[c]
-    return marks
+    masks: UInt32Array = holds * _BITS[c]
+    return masks
 
 
-def _marks_of(values: Mapping[Condition, Float32Array], limits: Limits) -> UInt32Array:
+def _masks_of(values: Mapping[Condition, Float32Array], limits: Limits) -> UInt32Array:
     """Tell for each frame which conditions hold, a bit each."""
-    marks: UInt32Array = np.bitwise_or.reduce([_mark_of(c, values[c], limits[c]) for c in CONDITIONS])
-    return marks
+    masks: UInt32Array = np.bitwise_or.reduce([_mask_of(c, values[c], limits[c]) for c in CONDITIONS])
+    return masks

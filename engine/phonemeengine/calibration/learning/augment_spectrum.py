@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.log_mel import FLOOR, HIGHEST, LOWEST, N_BANDS, SHORT
-from phonemeengine.dsp.mel import frequency_of, mel_of
+from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.settings import SAMPLE_RATE
 
 GAINS = (-18.0, 8.0)
@@ -42,25 +42,25 @@ def augment_spectra(powers: Float32Array, generator: np.random.Generator) -> Flo
     """
     n = len(powers)
     decibels = _curves(n, COLOUR, generator) + _tilts(n, TILT, generator) + generator.uniform(*GAINS, (n, 1, 1))
-    heard = powers * _powers(decibels)
-    heard += _noise(heard, generator)
-    heard *= _limits(n, generator)
+    noisy = powers * _powers(decibels)
+    noisy += _noise(noisy, generator)
+    noisy *= _limits(n, generator)
     floors = generator.uniform(*FLOORS, (n, 1, 1)) + _tilts(n, 5.0, generator)
     floored = generator.random((n, 1, 1)) < FLOORED
-    heard += _powers(floors) * _flicker(heard.shape, generator) * floored
-    logarithms: Float32Array = np.log10(heard + np.float32(FLOOR), dtype=np.float32)
+    noisy += _powers(floors) * _flicker(noisy.shape, generator) * floored
+    logarithms: Float32Array = np.log10(noisy + np.float32(FLOOR), dtype=np.float32)
     _hide(logarithms, generator)
     return logarithms
 
 
-def _noise(heard: Float32Array, generator: np.random.Generator) -> Float32Array:
+def _noise(noisy: Float32Array, generator: np.random.Generator) -> Float32Array:
     """Return steady coloured noise, or babble, at a drawn level below the speech, or none."""
-    n = len(heard)
-    steady = _powers(_tilts(n, 8.0, generator) + _curves(n, COLOUR, generator)) * _flicker(heard.shape, generator)
-    babble = sum(heard[generator.permutation(n)] for _ in range(3))
+    n = len(noisy)
+    steady = _powers(_tilts(n, 8.0, generator) + _curves(n, COLOUR, generator)) * _flicker(noisy.shape, generator)
+    babble = sum(noisy[generator.permutation(n)] for _ in range(3))
     noise = np.where(generator.random((n, 1, 1)) < STEADY, steady, babble)
     noise /= noise.mean(axis=(1, 2), keepdims=True) + np.float32(1e-20)
-    loudest = np.sort(heard.mean(axis=2), axis=1)[:, -heard.shape[1] // 3 :].mean(axis=1)[:, None, None]
+    loudest = np.sort(noisy.mean(axis=2), axis=1)[:, -noisy.shape[1] // 3 :].mean(axis=1)[:, None, None]
     wanted = loudest * _powers(-generator.uniform(*SNRS, (n, 1, 1)))
     return np.asarray(noise * wanted * (generator.random((n, 1, 1)) < NOISY), np.float32)
 
@@ -105,7 +105,7 @@ def _powers(decibels: NDArray[np.floating]) -> Float32Array:
 
 
 def _degrees_of_freedom() -> Float32Array:
-    edges = frequency_of(np.linspace(float(mel_of(LOWEST)), float(mel_of(HIGHEST)), N_BANDS + 2))
+    edges = mel_edges(N_BANDS, HIGHEST, LOWEST)
     bins = (edges[2:] - edges[:-2]) / 2 * SHORT / SAMPLE_RATE
     return np.maximum(1, 0.8 * bins).astype(np.float32)
 

@@ -63,5 +63,5 @@ def _in_a_room(samples: Float32Array, generator: np.random.Generator) -> Float32
     response *= 10 ** (-generator.uniform(*DIRECT) / 20) / np.sqrt(np.sum(response**2))
     response[0] += 1
     n = next_fast_len(len(samples) + len(response))
-    heard: Float32Array = irfft(rfft(samples, n) * rfft(response, n), n)[: len(samples)].astype(np.float32)
-    return heard
+    reverberant: Float32Array = irfft(rfft(samples, n) * rfft(response, n), n)[: len(samples)].astype(np.float32)
+    return reverberant

@@ -1,4 +1,4 @@
-"""All lessons in files: they are too many for the memory of a small machine, and several trainings share them."""
+"""All examples in files: they are too many for the memory of a small machine, and several trainings share them."""
 
 import json
 from collections.abc import Callable, Sequence
@@ -11,12 +11,12 @@ from phonemeengine.calibration.learning.training_examples import TrainingExample
 from phonemeengine.calibration.scores.corpus import Utterance
 from phonemeengine.dsp.log_mel import N_BANDS
 
-OpenSounds = tuple[tuple[TrainingExample, ...], ...]
+Variations = tuple[tuple[TrainingExample, ...], ...]
 
 
 @dataclass(frozen=True)
 class SpeakerExamples:
-    """All lessons of one speaker.
+    """All examples of one speaker.
 
     Attributes
     ----------
@@ -26,7 +26,7 @@ class SpeakerExamples:
     """
 
     name: str
-    recordings: OpenSounds
+    recordings: Variations
     weight: float = 1.0
 
 
@@ -42,7 +42,7 @@ def write_examples(
     folder: Path, utterances: Sequence[Utterance], n_variations: int, seed: int,
     progress: Callable[[int], object] = lambda _n: None,
 ) -> None:  # fmt: skip
-    """Make all lessons and write them into a folder; `progress` is told of each recording.
+    """Make all examples and write them into a folder; `progress` is told of each recording.
 
     Raises
     ------
@@ -54,12 +54,12 @@ def write_examples(
         (folder / "phonemes").open("wb") as phonemes,
         (folder / "certainties").open("wb") as certainties,
     ):
-        for utterance, lessons in zip(utterances, examples_of(utterances, n_variations, seed), strict=True):
-            for lesson in lessons:
-                powers.write(lesson.log_powers.tobytes())
-                phonemes.write(lesson.phonemes.tobytes())
-                certainties.write(lesson.certainties.tobytes())
-            entries.append(_Entry(utterance.voice, tuple(len(lesson) for lesson in lessons)))
+        for utterance, examples in zip(utterances, examples_of(utterances, n_variations, seed), strict=True):
+            for example in examples:
+                powers.write(example.log_powers.tobytes())
+                phonemes.write(example.phonemes.tobytes())
+                certainties.write(example.certainties.tobytes())
+            entries.append(_Entry(utterance.voice, tuple(len(example) for example in examples)))
             progress(1)
     (folder / "index.json").write_text(json.dumps([asdict(entry) for entry in entries]))
 
@@ -72,10 +72,10 @@ def read_examples(folder: Path, weights: dict[str, float]) -> list[SpeakerExampl
     recordings: dict[str, list[tuple[TrainingExample, ...]]] = {}
     first = 0
     for entry in json.loads((folder / "index.json").read_text()):
-        lessons = []
+        examples = []
         for n in entry["lengths"]:
             part = slice(first, first + n)
-            lessons.append(TrainingExample(powers[part], phonemes[part], certainties[part]))
+            examples.append(TrainingExample(powers[part], phonemes[part], certainties[part]))
             first += n
-        recordings.setdefault(entry["voice"], []).append(tuple(lessons))
+        recordings.setdefault(entry["voice"], []).append(tuple(examples))
     return [SpeakerExamples(name, tuple(sounds), weights.get(name, 1.0)) for name, sounds in recordings.items()]

@@ -22,39 +22,39 @@ HEADINGS = {
 }
 
 
-def model_card(name: str, taught: TrainingResult, course: TrainingConfig, n_variations: int) -> str:
+def model_card(name: str, result: TrainingResult, config: TrainingConfig, n_variations: int) -> str:
     """Write the card of a model, as Markdown."""
-    minutes = sum(source.minutes for source in taught.sources)
+    minutes = sum(source.minutes for source in result.sources)
     parts = [
         f"# {name}\n",
-        f"A causal convolutional network over time, {course.width} channels, dilations "
-        f"{', '.join(map(str, (1, *course.dilations)))}; {_n_numbers(taught):,} numbers, kept as float16. Input: "
+        f"A causal convolutional network over time, {config.width} channels, dilations "
+        f"{', '.join(map(str, (1, *config.dilations)))}; {_n_numbers(result):,} numbers, kept as float16. Input: "
         "logarithms of the power in 40 mel bands up to 8 kHz, of the middle 23 ms of each 46 ms frame, every 10 ms. "
         f"Output: eleven classes, with a look-ahead of 0 to 50 ms by choice. It listens with "
         f"{len(WARPS)} vocal tracts (frequencies warped by {', '.join(f'{warp:g}' for warp in WARPS)}) and trusts "
         "those with which it is sure.\n",
         "## Training\n",
-        f"Seed {course.seed}, {course.n_epochs} epochs, batches of {course.n_together} stretches of "
-        f"{course.n_frames / 100:g} s, learning rate {course.rate:g}, dropout {course.dropout:g}. Each recording as "
+        f"Seed {config.seed}, {config.n_epochs} epochs, batches of {config.batch_size} stretches of "
+        f"{config.n_frames / 100:g} s, learning rate {config.rate:g}, dropout {config.dropout:g}. Each recording as "
         f"it is and in {n_variations} variations of tempo, pitch, vocal tract and room; in every batch other levels, "
         "colours, noises, band limits and noise floors. Unidentified sounds must be the likeliest by "
         f"{HESITATION:g} (natural logarithm).\n",
-        f"{minutes:.0f} minutes of {len(taught.sources)} speakers:\n",
-        _table(_by_kind(taught.sources)),
+        f"{minutes:.0f} minutes of {len(result.sources)} speakers:\n",
+        _table(_by_kind(result.sources)),
         "## How well it does on speakers that it was not trained on\n",
-        _validation(taught),
+        _validation(result),
         "## Speech\n",
-        _table(_speakers(taught.sources)),
+        _table(_speakers(result.sources)),
     ]
     return "\n".join(parts)
 
 
-def _validation(taught: TrainingResult) -> str:
-    if taught.everyone is None:
+def _validation(result: TrainingResult) -> str:
+    if result.everyone is None:
         return "Not measured in this training.\n"
-    kinds = {source.name: source.kind for source in taught.sources}
-    rows = [["", "minutes", *HEADINGS.values()], ["all", *_figures(taught.everyone)]]
-    for name, scores in taught.held_out.items():
+    kinds = {source.name: source.kind for source in result.sources}
+    rows = [["", "minutes", *HEADINGS.values()], ["all", *_figures(result.everyone)]]
+    for name, scores in result.held_out.items():
         rows.append([f"{name} ({kinds.get(name, '')})", *_figures(scores)])
     lead = (
         f"Each speaker was left out of one training, and recognised by it, as the preset does: looking "
@@ -91,7 +91,7 @@ def _table(rows: list[list[str]]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _n_numbers(taught: TrainingResult) -> int:
-    arrays = [a for layer in taught.model.layers for a in (layer.weights, layer.bias)]
-    arrays += [a for head in taught.model.heads for a in (head.weights, head.bias)]
+def _n_numbers(result: TrainingResult) -> int:
+    arrays = [a for layer in result.model.layers for a in (layer.weights, layer.bias)]
+    arrays += [a for head in result.model.heads for a in (head.weights, head.bias)]
     return sum(array.size for array in arrays)

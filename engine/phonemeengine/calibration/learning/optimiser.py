@@ -65,7 +65,7 @@ class ExponentialAverage:
         for mean, value in zip(self.means, self._values, strict=True):
             np.add(mean, share * (value - mean), out=mean)
 
-    def put(self) -> None:
+    def apply(self) -> None:
         """Write the averages into the arrays."""
         for mean, value in zip(self.means, self._values, strict=True):
             value[...] = mean

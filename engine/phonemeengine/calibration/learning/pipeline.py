@@ -16,7 +16,7 @@ from phonemeengine.arrays import UInt8Array
 from phonemeengine.calibration.learning.example_cache import read_examples, write_examples
 from phonemeengine.calibration.learning.provenance import LabelSource, sources_of
 from phonemeengine.calibration.learning.training import TrainingConfig, train
-from phonemeengine.calibration.learning.validation import anchors_of, answers_of, folds_of
+from phonemeengine.calibration.learning.validation import anchors_of, folds_of, predictions_of
 from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import Predictions
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
@@ -54,7 +54,7 @@ class TrainingResult:
 
 
 def train_and_validate(
-    corpora: Sequence[Path], course: TrainingConfig, n_variations: int, n_folds: int, told: OnProgress,
+    corpora: Sequence[Path], config: TrainingConfig, n_variations: int, n_folds: int, on_progress: OnProgress,
     channel: Channel = Channel.MIX,
 ) -> TrainingResult:  # fmt: skip
     """Train a model on folders in the corpus format, and validate it on speakers left out.
@@ -62,10 +62,10 @@ def train_and_validate(
     Parameters
     ----------
     corpora : the folders.
-    course : how to train.
+    config : how to train.
     n_variations : of each recording, besides the recording itself.
     n_folds : groups of speakers, each of which is left out once; 0 for no validation.
-    told : is told of the progress.
+    on_progress : is told of the progress.
     channel : what is heard of sounds that have several.
 
     Raises
@@ -75,44 +75,48 @@ def train_and_validate(
     """
     utterances = [u for corpus in corpora for u in read_corpus(corpus, channel=channel)]
     sources = tuple(sources_of(corpora))
-    if sum(source.minutes for source in sources) * 60 < course.n_together * course.n_frames * 0.02:
+    if sum(source.minutes for source in sources) * 60 < config.batch_size * config.n_frames * 0.02:
         raise CorpusError(
             "there is too little speech to train with; give at least ten minutes of it, of many speakers"
         )
     weights = {source.name: source.weight for source in sources}
-    with tempfile.TemporaryDirectory(prefix="lessons-") as folder:
+    with tempfile.TemporaryDirectory(prefix="examples-") as folder:
         n_done = 0
 
         def count(n: int) -> None:
             nonlocal n_done
             n_done += n
-            told("measuring", n_done / len(utterances))
+            on_progress("measuring", n_done / len(utterances))
 
-        write_examples(Path(folder), utterances, n_variations, course.seed, count)
+        write_examples(Path(folder), utterances, n_variations, config.seed, count)
         groups = [[u for u in utterances if u.voice in names] for names in folds_of(list(weights), n_folds)]
-        model, answers = _train_all(Path(folder), weights, groups, course, told)
-    everyone = scores_of(answer.pair for answer in answers) if answers else None
+        model, predictions = _train_all(Path(folder), weights, groups, config, on_progress)
+    everyone = scores_of(prediction.pair for prediction in predictions) if predictions else None
     by_name: dict[str, list[tuple[FrameLabels, UInt8Array]]] = {}
-    for answer in answers:
-        by_name.setdefault(answer.utterance.voice, []).append(answer.pair)
+    for prediction in predictions:
+        by_name.setdefault(prediction.utterance.voice, []).append(prediction.pair)
     return TrainingResult(model, sources, {name: scores_of(pairs) for name, pairs in by_name.items()}, everyone)
 
 
 def _train_all(
-    folder: Path, weights: dict[str, float], groups: list[list[Utterance]], course: TrainingConfig, told: OnProgress
+    folder: Path,
+    weights: dict[str, float],
+    groups: list[list[Utterance]],
+    config: TrainingConfig,
+    on_progress: OnProgress,
 ) -> tuple[Model, list[Predictions]]:
     """Train on everybody, and without each group; as many trainings at a time as there are cores."""
     spawned = multiprocessing.get_context("spawn")
     done = spawned.Array("d", len(groups) + 1)
     with _single_threaded(), ProcessPoolExecutor(os.cpu_count(), spawned, _share, (done,)) as pool:
         jobs = [
-            pool.submit(_train_without, k, folder, weights, left_out, course)
+            pool.submit(_train_without, k, folder, weights, left_out, config)
             for k, left_out in enumerate(([], *groups))
         ]
         while wait(jobs, timeout=0.5).not_done:
-            told("training", sum(done[:]) / len(jobs))
+            on_progress("training", sum(done[:]) / len(jobs))
         results = [job.result() for job in jobs]
-    return results[0][0], [answer for _, answers in results for answer in answers]
+    return results[0][0], [prediction for _, predictions in results for prediction in predictions]
 
 
 _done: Any = None
@@ -125,18 +129,18 @@ def _share(done: Any) -> None:
 
 
 def _train_without(
-    number: int, folder: Path, weights: dict[str, float], left_out: list[Utterance], course: TrainingConfig
+    number: int, folder: Path, weights: dict[str, float], left_out: list[Utterance], config: TrainingConfig
 ) -> tuple[Model, list[Predictions]]:
     """Train on all voices but those left out, and let the model recognise these."""
     strange = {utterance.voice for utterance in left_out}
-    heard = [v for v in read_examples(folder, weights) if v.name not in strange]
+    voices = [v for v in read_examples(folder, weights) if v.name not in strange]
 
     def count(step: int, n_steps: int, _loss: float) -> None:
         _done[number] = step / n_steps
 
-    model = _hesitant(train(heard, course, count))
-    model = replace(model, warps=WARPS, anchors=anchors_of(heard, course.seed)).rounded()
-    return model, answers_of(model, left_out)
+    model = _hesitant(train(voices, config, count))
+    model = replace(model, warps=WARPS, anchors=anchors_of(voices, config.seed)).rounded()
+    return model, predictions_of(model, left_out)
 
 
 def _hesitant(model: Model) -> Model:

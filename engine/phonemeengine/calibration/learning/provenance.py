@@ -49,12 +49,12 @@ def sources_of(corpora: Iterable[Path]) -> list[LabelSource]:
     return [
         LabelSource(
             name,
-            language=told[0].get("language") or UNKNOWN,
-            kind=told[0].get("kind") or UNKNOWN,
-            licence=told[0].get("licence") or UNKNOWN,
-            package=told[0].get("source_package") or UNKNOWN,
-            minutes=sum(float(row.get("duration_s") or 0) for row in told) / 60,
-            n_recordings=len(told),
+            language=entries[0].get("language") or UNKNOWN,
+            kind=entries[0].get("kind") or UNKNOWN,
+            licence=entries[0].get("licence") or UNKNOWN,
+            package=entries[0].get("source_package") or UNKNOWN,
+            minutes=sum(float(row.get("duration_s") or 0) for row in entries) / 60,
+            n_recordings=len(entries),
         )
-        for name, told in sorted(rows.items())
+        for name, entries in sorted(rows.items())
     ]

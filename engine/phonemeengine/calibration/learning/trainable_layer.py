@@ -23,7 +23,7 @@ class TrainableLayer:
     ----------
     n_in, n_out : channels.
     dilation : frames from one tap to the next.
-    adds : whether it adds what it finds to what came in.
+    residual : whether it adds what it finds to what came in.
     dropout : share of the inputs that is dropped.
     generator : of the first weights, and of what is dropped.
 
@@ -35,18 +35,18 @@ class TrainableLayer:
     """
 
     def __init__(
-        self, n_in: int, n_out: int, dilation: int, *, adds: bool, dropout: float, generator: np.random.Generator
+        self, n_in: int, n_out: int, dilation: int, *, residual: bool, dropout: float, generator: np.random.Generator
     ) -> None:
         spread = np.sqrt(2 / (TAPS * n_in))  # K. He et al., arXiv:1502.01852
         self.values = {
             "weights": generator.normal(0, spread, (TAPS * n_in, n_out)).astype(np.float32),
-            "scale": np.full(n_out, 0.5 if adds else 1.0, np.float32),
+            "scale": np.full(n_out, 0.5 if residual else 1.0, np.float32),
             "shift": np.zeros(n_out, np.float32),
         }
         self.gradients: dict[str, Float32Array] = {}
         self.mean, self.variance = np.zeros(n_out, np.float32), np.ones(n_out, np.float32)
         self.dilation = dilation
-        self._adds = adds
+        self._residual = residual
         self._dropout = dropout
         self._generator = generator
 
@@ -54,9 +54,9 @@ class TrainableLayer:
         """Take a batch, shape (n_batch, n_frames, n_in), and remember what `back` needs."""
         n_batch, n_frames, n_in = block.shape
         self._kept = self._keep(block.shape)
-        heard = block if self._kept is None else block * self._kept
+        inputs = block if self._kept is None else block * self._kept
         padded = np.zeros((n_batch, n_frames + (TAPS - 1) * self.dilation, n_in), np.float32)
-        padded[:, (TAPS - 1) * self.dilation :] = heard
+        padded[:, (TAPS - 1) * self.dilation :] = inputs
         starts = [k * self.dilation for k in range(TAPS)]
         self._taps = np.concatenate([padded[:, s : s + n_frames] for s in starts], axis=2).reshape(-1, TAPS * n_in)
         sums = self._taps @ self.values["weights"]
@@ -68,7 +68,7 @@ class TrainableLayer:
         found = np.maximum(self._normal * self.values["scale"] + self.values["shift"], 0)
         self._fires = found > 0
         out: Float32Array = found.reshape(n_batch, n_frames, -1)
-        if self._adds:
+        if self._residual:
             out += block
         return out
 
@@ -85,11 +85,11 @@ class TrainableLayer:
         taps = (sums @ self.values["weights"].T).reshape(n_batch, n_frames, TAPS, -1)
         block: Float32Array = taps[:, :, TAPS - 1].copy()
         for k in range(TAPS - 1):
-            lag = (TAPS - 1 - k) * self.dilation
-            block[:, : n_frames - lag] += taps[:, lag:, k]
+            delay = (TAPS - 1 - k) * self.dilation
+            block[:, : n_frames - delay] += taps[:, delay:, k]
         if self._kept is not None:
             block *= self._kept
-        if self._adds:
+        if self._residual:
             block += gradient
         return block
 

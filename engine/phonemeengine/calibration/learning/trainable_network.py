@@ -31,8 +31,10 @@ class TrainableNetwork:
     def __init__(
         self, width: int, dilations: tuple[int, ...], dropout: float, generator: np.random.Generator
     ) -> None:
-        first = TrainableLayer(N_BANDS, width, 1, adds=False, dropout=0.0, generator=generator)
-        others = [TrainableLayer(width, width, d, adds=True, dropout=dropout, generator=generator) for d in dilations]
+        first = TrainableLayer(N_BANDS, width, 1, residual=False, dropout=0.0, generator=generator)
+        others = [
+            TrainableLayer(width, width, d, residual=True, dropout=dropout, generator=generator) for d in dilations
+        ]
         self._layers = [first, *others]
         spread = np.sqrt(1 / width)
         self._heads = {
@@ -99,12 +101,12 @@ def _loss_of(scores: Float32Array, truth: UInt8Array, weights: Float32Array) -> 
     gradient = np.zeros_like(scores)
     loss = 0.0
     for k in range(N_HEADS):
-        answers, asked = scores[:, k:, k], truth[:, : n_frames - k]
+        logits, labels = scores[:, k:, k], truth[:, : n_frames - k]
         counted = weights[:, : n_frames - k, np.newaxis]
-        logarithms = answers - answers.max(axis=2, keepdims=True)
+        logarithms = logits - logits.max(axis=2, keepdims=True)
         logarithms -= np.log(np.exp(logarithms).sum(axis=2, keepdims=True))
         wanted = np.full((n, n), SMOOTHING / n, np.float32) + (1 - SMOOTHING) * np.eye(n, dtype=np.float32)
-        wanted = wanted[asked]
+        wanted = wanted[labels]
         share = HEAD_SHARES[k] / max(float(counted.sum()), 1e-9)
         loss -= share * float((counted * wanted * logarithms).sum())
         gradient[:, k:, k] = share * counted * (np.exp(logarithms) - wanted)

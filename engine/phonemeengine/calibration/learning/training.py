@@ -1,4 +1,4 @@
-"""The training of the learned recogniser: lessons in, a model out."""
+"""The training of the learned recogniser: examples in, a model out."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ class TrainingConfig:
     ----------
     width, dilations, dropout : of the network.
     n_epochs : times that everything is gone through.
-    n_together, n_frames : size of a batch: so many stretches of so many frames.
+    batch_size, n_frames : size of a batch: so many stretches of so many frames.
     rate : the highest learning rate.
     seed : of all chance.
     """
@@ -35,7 +35,7 @@ class TrainingConfig:
     dilations: tuple[int, ...] = (1, 2, 4, 8, 16, 1, 2, 4)
     dropout: float = 0.1
     n_epochs: int = 16
-    n_together: int = 24
+    batch_size: int = 24
     n_frames: int = 400
     rate: float = 2e-3
     seed: int = 1
@@ -43,28 +43,28 @@ class TrainingConfig:
 
 def train(
     voices: Sequence[SpeakerExamples],
-    course: TrainingConfig,
+    config: TrainingConfig,
     progress: Callable[[int, int, float], object] = lambda *_: None,
 ) -> Model:
     """Train a model; `progress` is told the step, the number of steps and the loss."""
-    generator = np.random.default_rng(course.seed)
-    network = TrainableNetwork(course.width, course.dilations, course.dropout, generator)
+    generator = np.random.default_rng(config.seed)
+    network = TrainableNetwork(config.width, config.dilations, config.dropout, generator)
     importance = _importance(voices)
-    n_steps = course.n_epochs * sum(1 for _ in _batches(voices, course, np.random.default_rng(course.seed)))
-    optimiser = Optimiser(network.values, n_steps, course.rate)
+    n_steps = config.n_epochs * sum(1 for _ in _batches(voices, config, np.random.default_rng(config.seed)))
+    optimiser = Optimiser(network.values, n_steps, config.rate)
     average = ExponentialAverage([*network.values, *network.statistics])
     step = 0
     while step < n_steps:
-        for log_powers, phonemes, certainties in _batches(voices, course, generator):
-            heard = augment_spectra(np.power(np.float32(10), log_powers.astype(np.float32)), generator)
-            loss = network.learn(heard, phonemes, importance[phonemes] * certainties)
+        for log_powers, phonemes, certainties in _batches(voices, config, generator):
+            augmented = augment_spectra(np.power(np.float32(10), log_powers.astype(np.float32)), generator)
+            loss = network.learn(augmented, phonemes, importance[phonemes] * certainties)
             optimiser.step(network.gradients)
             average.update()
             step += 1
             progress(min(step, n_steps), n_steps, loss)
             if step == n_steps:
                 break
-    average.put()
+    average.apply()
     return network.finished()
 
 
@@ -72,23 +72,23 @@ Batch = tuple[NDArray[np.float16], UInt8Array, NDArray[np.float16]]
 
 
 def _batches(
-    voices: Sequence[SpeakerExamples], course: TrainingConfig, generator: np.random.Generator
+    voices: Sequence[SpeakerExamples], config: TrainingConfig, generator: np.random.Generator
 ) -> Iterator[Batch]:
     """Go through everything once: stretches of joined recordings of one voice, all voices mixed."""
-    stretches = [s for voice in voices for s in _stretches(voice, course.n_frames, generator)]
-    order = generator.permutation(len(stretches))
-    for k in range(0, len(stretches) - course.n_together + 1, course.n_together):
-        chosen = [stretches[i] for i in order[k : k + course.n_together]]
+    segments = [s for voice in voices for s in _segments(voice, config.n_frames, generator)]
+    order = generator.permutation(len(segments))
+    for k in range(0, len(segments) - config.batch_size + 1, config.batch_size):
+        chosen = [segments[i] for i in order[k : k + config.batch_size]]
         yield tuple(np.stack(part) for part in zip(*chosen, strict=True))  # type: ignore[misc]
 
 
-def _stretches(voice: SpeakerExamples, n_frames: int, generator: np.random.Generator) -> Iterator[Batch]:
+def _segments(voice: SpeakerExamples, n_frames: int, generator: np.random.Generator) -> Iterator[Batch]:
     n_times = int(voice.weight) + (generator.random() < voice.weight % 1)
     for _ in range(n_times):
         order = generator.permutation(len(voice.recordings))
         drawn = [voice.recordings[i][generator.integers(len(voice.recordings[i]))] for i in order]
         arrays = [
-            np.concatenate([getattr(lesson, name) for lesson in drawn])
+            np.concatenate([getattr(example, name) for example in drawn])
             for name in ("log_powers", "phonemes", "certainties")
         ]
         first = int(generator.integers(0, n_frames // 2))

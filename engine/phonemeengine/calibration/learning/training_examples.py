@@ -17,7 +17,6 @@ from phonemeengine.dsp.log_mel import FLOOR, mel_powers, warped_mel_bank
 from phonemeengine.errors import EngineError
 from phonemeengine.labels.label import Label
 
-BLOCK = 1 << 16
 TOGETHER = 512
 """Frames that are measured at once."""
 
@@ -47,7 +46,7 @@ class TrainingExample:
 def examples_of(
     utterances: Sequence[Utterance], n_variations: int, seed: int
 ) -> Iterator[tuple[TrainingExample, ...]]:
-    """Make the lessons of all utterances: each as it is, and `n_variations` others; in as many processes as cores.
+    """Make the examples of all utterances: each as it is, and `n_variations` others; in as many processes as cores.
 
     Raises
     ------
@@ -55,7 +54,7 @@ def examples_of(
     """
     with ProcessPoolExecutor(os.cpu_count()) as pool:
         tasks = [(utterance, n_variations, seed) for utterance in utterances]
-        for made in pool.map(_lessons, tasks, chunksize=8):
+        for made in pool.map(_examples, tasks, chunksize=8):
             if isinstance(made, EngineError):
                 pool.shutdown(wait=False, cancel_futures=True)
                 raise made
@@ -83,8 +82,8 @@ def example_of(samples: Float32Array, labels: tuple[Label, ...], warp: float = 1
     return TrainingExample(powers[:n].astype(np.float16), phonemes, _certainties_of(labels, n))
 
 
-def _lessons(task: tuple[Utterance, int, int]) -> tuple[TrainingExample, ...] | EngineError:
-    """Make the lessons of one utterance; an error travels back as a value, since it must survive the way."""
+def _examples(task: tuple[Utterance, int, int]) -> tuple[TrainingExample, ...] | EngineError:
+    """Make the examples of one utterance; an error travels back as a value, since it must survive the way."""
     utterance, n_variations, seed = task
     generator = np.random.default_rng([seed, *utterance.path.name.encode()])
     try:
@@ -92,15 +91,15 @@ def _lessons(task: tuple[Utterance, int, int]) -> tuple[TrainingExample, ...] | 
     except EngineError as error:
         return EngineError(str(error))
     variations = [Augmentation(), *(draw_augmentation(generator) for _ in range(n_variations))]
-    return tuple(_varied_lesson(samples, utterance.labels, v, generator) for v in variations)
+    return tuple(_augmented_example(samples, utterance.labels, v, generator) for v in variations)
 
 
 def _sound_of(utterance: Utterance) -> Float32Array:
     with utterance.opened() as reader:
-        return np.concatenate([np.zeros(0, np.float32), *reader.blocks(BLOCK)])
+        return reader.read_mono()
 
 
-def _varied_lesson(
+def _augmented_example(
     samples: Float32Array, labels: tuple[Label, ...], variation: Augmentation, generator: np.random.Generator
 ) -> TrainingExample:
     moved = tuple(

@@ -12,6 +12,7 @@ from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.smoothing import UNREPLACED
+from phonemeengine.recognition.spec import LEARNED
 from phonemeengine.settings import AnalysisSettings
 
 SETTINGS = AnalysisSettings(look_ahead=0.05, minimum_hold=0.01, hysteresis=0.1)
@@ -26,14 +27,14 @@ def folds_of(names: Sequence[str], n_folds: int) -> list[set[str]]:
     return [set(ordered[k::n_folds]) for k in range(n_folds)]
 
 
-def answers_of(model: Model, utterances: Iterable[Utterance]) -> list[Predictions]:
+def predictions_of(model: Model, utterances: Iterable[Utterance]) -> list[Predictions]:
     """Recognise recordings as a user's program does.
 
     Raises
     ------
     AudioError : a sound cannot be read.
     """
-    preset = Preset(recogniser="learned", model=model, settings=SETTINGS, successors=UNREPLACED)
+    preset = Preset(recogniser=LEARNED.name, model=model, settings=SETTINGS, successors=UNREPLACED)
     return [predict(utterance, preset) for utterance in utterances]
 
 
@@ -46,7 +47,7 @@ def anchors_of(voices: Sequence[SpeakerExamples], seed: int) -> Float32Array:
         return np.zeros((0, N_FRAMES, N_BANDS), np.float32)
     found = []
     for k in generator.choice(len(voices), N_ANCHORS, p=weights / weights.sum()):
-        lesson = long[k][generator.integers(len(long[k]))]
-        first = int(generator.integers(len(lesson) - N_FRAMES + 1))
-        found.append(np.asarray(lesson.log_powers[first : first + N_FRAMES], np.float32))
+        example = long[k][generator.integers(len(long[k]))]
+        first = int(generator.integers(len(example) - N_FRAMES + 1))
+        found.append(np.asarray(example.log_powers[first : first + N_FRAMES], np.float32))
     return np.stack(found)

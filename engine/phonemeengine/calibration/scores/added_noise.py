@@ -128,9 +128,9 @@ def speech_level_of(utterance: Utterance) -> float:
     with utterance.opened() as reader:
         for block in reader.blocks(SPEECH_BLOCK):
             is_speech = np.repeat(spoken[frame : frame + len(block) // HOP + 1], HOP)[: len(block)]
-            heard = block[: len(is_speech)][is_speech]
-            power += float(np.sum(heard.astype(float) ** 2))
-            n += len(heard)
+            speech = block[: len(is_speech)][is_speech]
+            power += float(np.sum(speech.astype(float) ** 2))
+            n += len(speech)
             frame += SPEECH_BLOCK // HOP
     return math.sqrt(power / n) if n else 0.0
 

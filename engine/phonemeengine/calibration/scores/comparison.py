@@ -86,13 +86,13 @@ def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_SEGMENTS
     ------
     CorpusError : they were not scored on the same recordings.
     """
-    if [_key(a) for a in one.answers] != [_key(a) for a in other.answers]:
+    if [_key(a) for a in one.predictions] != [_key(a) for a in other.predictions]:
         raise CorpusError(
             f"{one.preset.name} and {other.preset.name} were not scored on the same recordings; score them together"
         )
-    pairs = list(zip(one.answers, other.answers, strict=True))
-    truth = np.concatenate([a.labels.phonemes for a in one.answers])
-    first, second = (np.concatenate([a.right for a in scores.answers]) for scores in (one, other))
+    pairs = list(zip(one.predictions, other.predictions, strict=True))
+    truth = np.concatenate([a.labels.phonemes for a in one.predictions])
+    first, second = (np.concatenate([a.right for a in scores.predictions]) for scores in (one, other))
     differences = sorted((_difference(a, b) for a, b in pairs), key=lambda d: -abs(d.n_one - d.n_other))
     return PresetComparison(
         one=one,

@@ -41,13 +41,13 @@ class Confusion:
     ----------
     counts : int64, shape (11, 11): frames by label (row) and answer (column), both by the code of `Phoneme`.
     labels : what was said in all recordings, one after the other.
-    answers : uint8, shape (n_frames,): what was recognised, after the statistics.
+    predicted : uint8, shape (n_frames,): what was recognised, after the statistics.
     edges : shape (n_recordings + 1,): the first frame of each recording, and the number of all frames.
     """
 
     counts: Int64Array
     labels: FrameLabels
-    answers: UInt8Array
+    predicted: UInt8Array
     edges: IndexArray
 
     @property
@@ -69,7 +69,7 @@ class Confusion:
     @property
     def changes_per_s(self) -> float:
         """Changes of the answer in a second; NaN where nothing was heard."""
-        return self._changes_per_s(self.answers)
+        return self._changes_per_s(self.predicted)
 
     @property
     def label_changes_per_s(self) -> float:
@@ -83,7 +83,7 @@ class Confusion:
 
     def line(self, recording: int) -> UInt8Array:
         """Return the answers in one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
-        return self.answers[self._frames_of(recording)]
+        return self.predicted[self._frames_of(recording)]
 
     def label_line(self, recording: int) -> UInt8Array:
         """Return the labels of one recording: codes of `Phoneme`, one for each 10 ms; uint8, shape (n_frames,)."""
@@ -94,12 +94,12 @@ class Confusion:
         chosen = range(self.n_recordings) if recordings is None else recordings
         spans = [self._frames_of(k) for k in chosen]
         return scores_of(
-            (FrameLabels(self.labels.phonemes[s], self.labels.certain[s]), self.answers[s]) for s in spans
+            (FrameLabels(self.labels.phonemes[s], self.labels.certain[s]), self.predicted[s]) for s in spans
         )
 
     def frames_in(self, truth: Phoneme, answer: Phoneme) -> tuple[ConfusedSegment, ...]:
         """Return where what was labelled `truth` was recognised as `answer`: the frames of a cell, in order."""
-        inside = (self.labels.phonemes == truth) & (self.answers == answer)
+        inside = (self.labels.phonemes == truth) & (self.predicted == answer)
         found = np.flatnonzero(inside)
         first = self._is_first[found]
         begins = found[~inside[found - 1] | first]
@@ -123,7 +123,7 @@ class Confusion:
 
     @cached_property
     def _is_first(self) -> BoolArray:
-        first = np.zeros(len(self.answers), bool)
+        first = np.zeros(len(self.predicted), bool)
         first[self.edges[:-1][self.edges[:-1] < len(first)]] = True
         return first
 

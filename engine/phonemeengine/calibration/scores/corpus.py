@@ -18,7 +18,7 @@ from phonemeengine.audio.files import SUFFIXES, SoundReader
 from phonemeengine.calibration.takes.take_list import LIST
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.files import printable_name
-from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_marks
+from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_raw_labels
 from phonemeengine.labels.label import CORE, Label, RawLabel
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
 from phonemeengine.labels.table import rows_of
@@ -105,11 +105,11 @@ class _Pair:
 
 def read_corpus(
     folder: Path, mapping: PhonemeMap | None = None, *, channel: Channel = Channel.MIX,
-    passed_over: OnSkipped | None = None,
+    on_skipped: OnSkipped | None = None,
 ) -> tuple[Utterance, ...]:  # fmt: skip
     """Read the manifest and all label files of a folder; of the sounds only their lengths.
 
-    `channel` is what will be analysed of sounds that have several. `passed_over` is told of each sound that cannot be
+    `channel` is what will be analysed of sounds that have several. `on_skipped` is told of each sound that cannot be
     read, which is then left out; None refuses it.
 
     Raises
@@ -122,17 +122,17 @@ def read_corpus(
     pairs = (
         _Pair(folder / row["wav"], folder / row["labels"], row["speaker"], row["corpus"], channel) for _, row in rows
     )
-    return _utterances_of(pairs, mapping or PhonemeMap(), folder.name or str(folder), passed_over=passed_over)
+    return _utterances_of(pairs, mapping or PhonemeMap(), folder.name or str(folder), on_skipped=on_skipped)
 
 
 def read_recordings(
-    source: Path,
+    source: str | os.PathLike[str],
     mapping: PhonemeMap | None = None,
     *,
     speaker: str | None = None,
     tier: str | None = None,
     channel: Channel = Channel.MIX,
-    passed_over: OnSkipped | None = None,
+    on_skipped: OnSkipped | None = None,
 ) -> tuple[Utterance, ...]:
     """Read labelled recordings wherever they are.
 
@@ -144,7 +144,7 @@ def read_recordings(
     speaker : who speaks, unless a manifest says it; where it is None, the folder of the sound tells.
     tier : of TextGrids; the first one whose names are phonemes, where it is None.
     channel : what will be analysed of sounds that have several.
-    passed_over : told of each sound that cannot be read, which is then left out; None refuses it.
+    on_skipped : told of each sound that cannot be read, which is then left out; None refuses it.
 
     Raises
     ------
@@ -152,9 +152,9 @@ def read_recordings(
     CorpusError : a label file says something impossible, or there is none.
     AudioError : a sound is missing or cannot be read.
     """
-    mapping = mapping or PhonemeMap()
+    source, mapping = Path(source), mapping or PhonemeMap()
     if (source / MANIFEST).is_file():
-        return read_corpus(source, mapping, channel=channel, passed_over=passed_over)
+        return read_corpus(source, mapping, channel=channel, on_skipped=on_skipped)
     pairs = list(_pairs_beside(source, speaker, channel))
     if not pairs:
         fault = "there is no label file beside this sound" if source.is_file() else "no labelled sound was found here"
@@ -162,7 +162,7 @@ def read_recordings(
             f"{printable_name(source)}: {fault}; "
             "put a .TextGrid, .csv or .txt file of the same name beside each sound"
         )
-    return _utterances_of(pairs, mapping, printable_name(source), tier, passed_over)
+    return _utterances_of(pairs, mapping, printable_name(source), tier, on_skipped)
 
 
 def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
@@ -185,7 +185,7 @@ def _utterances_of(
     mapping: PhonemeMap,
     source: str,
     tier: str | None = None,
-    passed_over: OnSkipped | None = None,
+    on_skipped: OnSkipped | None = None,
 ) -> tuple[Utterance, ...]:
     """Read all label files before any name is given a meaning, so that all unknown ones are told at once."""
     read = []
@@ -193,14 +193,16 @@ def _utterances_of(
         try:
             read.append((pair, *_marks_of(pair, mapping, tier)))
         except AudioError as error:
-            if passed_over is None:
+            if on_skipped is None:
                 raise
-            passed_over(error)
-    names = sum((names_in(marks) for _, marks, _ in read), Counter())
-    senses = mapping.senses_of(names, source)
+            on_skipped(error)
+    names = sum((names_in(raw_labels) for _, raw_labels, _ in read), Counter())
+    phone_classes = mapping.phone_classes_of(names, source)
     return tuple(
-        Utterance(pair.sound, labels_named(marks, senses), pair.speaker, pair.corpus, pair.channel, cut_off)
-        for pair, marks, cut_off in read
+        Utterance(
+            pair.sound, labels_named(raw_labels, phone_classes), pair.speaker, pair.corpus, pair.channel, cut_off
+        )
+        for pair, raw_labels, cut_off in read
     )
 
 
@@ -208,7 +210,7 @@ def _marks_of(pair: _Pair, mapping: PhonemeMap, tier: str | None) -> tuple[tuple
     """Read the marks of a sound, and what its file lacks."""
     with SoundReader(pair.sound, pair.channel) as reader:
         duration, cut_off = reader.duration, reader.cut_off
-    return read_marks(pair.labels, mapping, duration=duration, tier=tier), cut_off
+    return read_raw_labels(pair.labels, mapping, duration=duration, tier=tier), cut_off
 
 
 def _pairs_beside(source: Path, speaker: str | None, channel: Channel) -> Iterator[_Pair]:

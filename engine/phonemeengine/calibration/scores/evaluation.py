@@ -22,12 +22,13 @@ from phonemeengine.calibration.scores.scoring import (
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD, HOP
 
 HUMAN = "human"
 """Parts of a corpus whose names begin so are one kind."""
 ROUNDING = 1e-9
-"""Frames by which a lag may be off because decimal fractions are."""
+"""Frames by which a delay may be off because decimal fractions are."""
 
 
 @dataclass(frozen=True)
@@ -91,70 +92,70 @@ class CorpusScores:
     ----------
     preset : what was recognised with.
     look_ahead : frames for which its recogniser waits.
-    lag : by how much the answers were taken to come late, seconds.
-    answers : those to each recording.
+    delay : by how much the answers were taken to come late, seconds.
+    predictions : what was answered in each recording.
     overall : the figures of all.
     by_kind, by_speaker : those of its parts, by name; parts whose names begin with "human" are one kind.
     """
 
     preset: Preset
     look_ahead: int
-    lag: float
-    answers: tuple[Predictions, ...]
+    delay: float
+    predictions: tuple[Predictions, ...]
     overall: GroupScores
     by_kind: Mapping[str, GroupScores]
     by_speaker: Mapping[str, GroupScores]
 
 
-def score_corpus(
-    utterances: Iterable[Utterance],
+def score(
     preset: Preset,
+    corpus: Iterable[Utterance],
     *,
-    lag: float = 0.0,
+    delay: float = 0.0,
     noise: NoiseAdder | None = None,
-    passed_over: OnSkipped | None = None,
+    on_skipped: OnSkipped | None = None,
 ) -> CorpusScores:
     """Recognise recordings with a preset, and compare the answers with the labels.
 
     Parameters
     ----------
-    utterances : the recordings; they are taken one by one, so that whoever gives them sees how far it is.
     preset : what is recognised with.
-    lag : seconds by which the answers are taken to come late; what a recogniser looks ahead is no lag.
+    corpus : the recordings; they are taken one by one, so that whoever gives them sees how far it is.
+    delay : seconds by which the answers are taken to come late; what a recogniser looks ahead is no delay.
     noise : what is added to each recording before it is analysed.
-    passed_over : told of each sound that cannot be read, which is then left out; None refuses it.
+    on_skipped : told of each sound that cannot be read, which is then left out; None refuses it.
 
     Raises
     ------
-    AudioError : a sound cannot be read, and `passed_over` is None.
+    AudioError : a sound cannot be read, and `on_skipped` is None.
     CorpusError : there is nothing to score.
     EngineError : the preset's recogniser cannot be used.
     """
-    answers = []
-    for utterance in utterances:
+    predictions = []
+    for utterance in corpus:
         try:
-            answers.append(predict(utterance, preset, lag=lag, noise=noise))
+            predictions.append(predict(utterance, preset, delay=delay, noise=noise))
         except AudioError as error:
-            if passed_over is None:
+            if on_skipped is None:
                 raise
-            passed_over(error)
-    if not any(len(heard.phonemes) for heard in answers):
+            on_skipped(error)
+    if not any(len(prediction.phonemes) for prediction in predictions):
         raise CorpusError("there is no labelled sound that can be scored; name recordings that can be read")
     return CorpusScores(
         preset=preset,
         look_ahead=Analyser(preset).recogniser.look_ahead,
-        lag=lag,
-        answers=tuple(answers),
-        overall=group_scores_of(answers),
-        by_kind=_by(lambda heard: kind_of(heard.utterance), answers),
-        by_speaker=_by(lambda heard: f"{kind_of(heard.utterance)}/{heard.utterance.speaker}", answers),
+        delay=delay,
+        predictions=tuple(predictions),
+        overall=group_scores_of(predictions),
+        by_kind=_by(lambda p: kind_of(p.utterance), predictions),
+        by_speaker=_by(lambda p: f"{kind_of(p.utterance)}/{p.utterance.speaker}", predictions),
     )
 
 
 def predict(
-    utterance: Utterance, preset: Preset, *, lag: float = 0.0, noise: NoiseAdder | None = None
+    utterance: Utterance, preset: Preset, *, delay: float = 0.0, noise: NoiseAdder | None = None
 ) -> Predictions:
-    """Recognise one recording; the parameters are those of `score_corpus`.
+    """Recognise one recording; the parameters are those of `score`.
 
     Raises
     ------
@@ -164,27 +165,25 @@ def predict(
     with utterance.opened() as reader:
         blocks = reader.blocks(BLOCK * HOP) if noise is None else noise.blocks(utterance, BLOCK * HOP)
         found = [(a.phonemes, a.intensities) for a in analyse_blocks(blocks, preset)]
-        n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
-    phonemes, intensities = (np.concatenate(part)[:n_heard] for part in zip(*found, strict=True))
-    late, n = math.floor(lag / FRAME_PERIOD + 0.5 + ROUNDING), len(labels.phonemes)
-    return Predictions(utterance, labels, _moved(phonemes, late, n), _moved(intensities, late, n))
+        n_in_sound = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
+    phonemes, intensities = (np.concatenate(part)[:n_in_sound] for part in zip(*found, strict=True))
+    late, n = math.floor(delay / FRAME_PERIOD + 0.5 + ROUNDING), len(labels.phonemes)
+    return Predictions(utterance, labels, _shifted(phonemes, late, n), _shifted(intensities, late, n))
 
 
-def group_scores_of(answers: Sequence[Predictions]) -> GroupScores:
+def group_scores_of(predictions: Sequence[Predictions]) -> GroupScores:
     """Score some recordings together; at least one has a frame."""
-    pairs = [heard.pair for heard in answers]
-    spoken = np.concatenate(
-        [heard.intensities[heard.labels.phonemes != Phoneme.SILENCE] for heard in answers], dtype=float
-    )
+    pairs = [prediction.pair for prediction in predictions]
+    spoken = np.concatenate([p.intensities[p.labels.phonemes != Phoneme.SILENCE] for p in predictions], dtype=float)
     return GroupScores(
         scores=scores_of(pairs),
         confusion=sum(
             (confusion_of(labels.phonemes, guess) for labels, guess in pairs), np.zeros((N_CODES, N_CODES), np.int64)
         ),
-        changes=sum(_changes(guess) for _, guess in pairs),
-        label_changes=sum(_changes(labels.phonemes) for labels, _ in pairs),
+        changes=sum(count_changes(guess) for _, guess in pairs),
+        label_changes=sum(count_changes(labels.phonemes) for labels, _ in pairs),
         intensity=float(spoken.mean()) if len(spoken) else math.nan,
-        n_recordings=len(answers),
+        n_recordings=len(predictions),
     )
 
 
@@ -193,22 +192,18 @@ def kind_of(utterance: Utterance) -> str:
     return HUMAN if utterance.corpus.startswith(HUMAN) else utterance.corpus
 
 
-def _by(name_of: Callable[[Predictions], str], answers: Iterable[Predictions]) -> dict[str, GroupScores]:
+def _by(name_of: Callable[[Predictions], str], predictions: Iterable[Predictions]) -> dict[str, GroupScores]:
     groups: dict[str, list[Predictions]] = {}
-    for heard in answers:
-        if len(heard.phonemes):
-            groups.setdefault(name_of(heard), []).append(heard)
+    for prediction in predictions:
+        if len(prediction.phonemes):
+            groups.setdefault(name_of(prediction), []).append(prediction)
     return {name: group_scores_of(groups[name]) for name in sorted(groups)}
 
 
-def _moved(values: NDArray[Any], late: int, n: int) -> NDArray[Any]:
+def _shifted(values: NDArray[Any], late: int, n: int) -> NDArray[Any]:
     """Give `n` values of which the first is number `late`, zero (silence) where there is none."""
-    moved = np.zeros(n, values.dtype)
+    shifted = np.zeros(n, values.dtype)
     first, last = max(0, late), min(len(values), late + n)
     if last > first:
-        moved[first - late : last - late] = values[first:last]
-    return moved
-
-
-def _changes(codes: UInt8Array) -> int:
-    return int(np.count_nonzero(codes[1:] != codes[:-1]))
+        shifted[first - late : last - late] = values[first:last]
+    return shifted

@@ -11,14 +11,14 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float64Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import VOWELS, Phoneme
+from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD
 
 N_CODES = len(Phoneme)
 SCORED_PHONEMES = tuple(p for p in Phoneme if p is not Phoneme.UNIDENTIFIED)
 """The classes that are scored."""
 
-VOWELS = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U)
 
 _MOUTHS: tuple[tuple[Phoneme, ...], ...] = (
     (Phoneme.SILENCE,),
@@ -68,7 +68,7 @@ def scores_of(pairs: Iterable[tuple[FrameLabels, UInt8Array]]) -> Scores:
     truth = np.concatenate([labels.phonemes for labels, _ in parts])
     guess = np.concatenate([codes for _, codes in parts])
     certain = np.concatenate([labels.certain for labels, _ in parts])
-    known, quiet = truth != Phoneme.UNIDENTIFIED, truth == Phoneme.SILENCE
+    known, silent = truth != Phoneme.UNIDENTIFIED, truth == Phoneme.SILENCE
     right = truth == guess
     mouths, guessed_mouths = MOUTH_CODES[truth], MOUTH_CODES[guess]
     seconds = len(truth) * FRAME_PERIOD
@@ -78,10 +78,10 @@ def scores_of(pairs: Iterable[tuple[FrameLabels, UInt8Array]]) -> Scores:
         vowel_accuracy=_share(right[np.isin(truth, VOWELS) & certain]),
         viseme_accuracy=_share(mouths == guessed_mouths),
         viseme_f1=float(macro_f1_of(confusion_of(mouths, guessed_mouths), range(len(_MOUTHS)))),
-        silence_recall=_share(guess[quiet] == Phoneme.SILENCE),
-        false_silence=_share(guess[~quiet] == Phoneme.SILENCE),
-        changes_per_s=sum(_changes(codes) for _, codes in parts) / seconds,
-        label_changes_per_s=sum(_changes(labels.phonemes) for labels, _ in parts) / seconds,
+        silence_recall=_share(guess[silent] == Phoneme.SILENCE),
+        false_silence=_share(guess[~silent] == Phoneme.SILENCE),
+        changes_per_s=sum(count_changes(codes) for _, codes in parts) / seconds,
+        label_changes_per_s=sum(count_changes(labels.phonemes) for labels, _ in parts) / seconds,
         minutes=seconds / 60,
     )
 
@@ -116,7 +116,3 @@ def _fitted(codes: UInt8Array, n: int) -> UInt8Array:
 
 def _share(hits: BoolArray) -> float:
     return float(hits.mean()) if len(hits) else float("nan")
-
-
-def _changes(codes: UInt8Array) -> int:
-    return int(np.count_nonzero(codes[1:] != codes[:-1]))

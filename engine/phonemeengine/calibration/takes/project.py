@@ -4,8 +4,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
-from types import TracebackType
-from typing import Self
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.takes.label_exports import write_copy
@@ -13,6 +11,7 @@ from phonemeengine.calibration.takes.quality import TakeReport
 from phonemeengine.calibration.takes.storage import TakeFolder
 from phonemeengine.calibration.takes.take import Take
 from phonemeengine.errors import TakeError
+from phonemeengine.lifetime import Closing
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -20,7 +19,7 @@ Edit = tuple[str, Take, Take]
 """What was done, to which take, and what it became."""
 
 
-class TakeProject:
+class TakeProject(Closing):
     """Keeps takes, and changes them so that every change can be undone.
 
     A take that was changed is another value: go on with the one that is given back. No two programs have a project
@@ -67,16 +66,6 @@ class TakeProject:
     def changes(self) -> tuple[str, ...]:
         """What `undo` takes back, one after the other from the last, in words such as ``delete a-3``."""
         return tuple(what for what, _, _ in self._done)
-
-    @property
-    def undoable(self) -> str | None:
-        """What `undo` would take back, such as ``delete a-3``; None where there is nothing."""
-        return self._done[-1][0] if self._done else None
-
-    @property
-    def redoable(self) -> str | None:
-        """What `redo` would do again; None where there is nothing."""
-        return self._undone[-1][0] if self._undone else None
 
     def path_of(self, take: Take) -> Path:
         """Return the sound file of a take."""
@@ -207,14 +196,6 @@ class TakeProject:
     def close(self) -> None:
         """Let others open the project; may be called twice."""
         self._disk.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     def _chosen(self, wanted: Callable[[Take], bool]) -> tuple[Take, ...]:
         return tuple(take for _, take in sorted(self._disk.takes.items()) if wanted(take))

@@ -9,7 +9,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.level import FULL
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.settings import FRAME_PERIOD, HOP
 
 LEAST_SOUND = 0.3
@@ -47,7 +47,6 @@ LEAST_STEADY = 0.1
 """Seconds; where less is steady, the whole sound counts."""
 
 TINY = 1e-20
-VOWELS = frozenset({Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U})
 
 
 class Fault(StrEnum):
@@ -112,21 +111,21 @@ def check_take(samples: Float32Array, noise: float, phoneme: Phoneme) -> TakeRep
     duration = len(samples) / (HOP / FRAME_PERIOD)
     levels = _levels_of(samples)
     is_silence = phoneme is Phoneme.SILENCE
-    heard = slice(0, len(levels)) if is_silence else _heard_in(levels, noise, bridged=phoneme is Phoneme.P)
-    steady = heard if phoneme in {Phoneme.SILENCE, Phoneme.P} else _steady_in(levels, heard)
+    sounding = slice(0, len(levels)) if is_silence else _sounding_in(levels, noise, bridged=phoneme is Phoneme.P)
+    steady = sounding if phoneme in {Phoneme.SILENCE, Phoneme.P} else _steady_in(levels, sounding)
     power = float(np.mean(levels[steady] ** 2)) if steady.stop > steady.start else 0.0
     clean = max(power - noise**2, TINY)
     report = TakeReport(
         faults={},
-        onset=min(heard.start * FRAME_PERIOD, duration),
-        offset=duration if heard.stop == len(levels) else heard.stop * FRAME_PERIOD,
+        onset=min(sounding.start * FRAME_PERIOD, duration),
+        offset=duration if sounding.stop == len(levels) else sounding.stop * FRAME_PERIOD,
         start=min(steady.start * FRAME_PERIOD, duration),
         end=duration if steady.stop == len(levels) else steady.stop * FRAME_PERIOD,
         level=_decibels(power**0.5),
         noise=_decibels(noise) if noise > 0 else -np.inf,
         snr=_decibels(clean**0.5 / noise) if noise > 0 else np.inf,
         clipped=float(np.mean(np.abs(samples) >= FULL)) if len(samples) else 0.0,
-        pauses=_pauses_in(levels, heard) if phoneme is Phoneme.P else (),
+        pauses=_pauses_in(levels, sounding) if phoneme is Phoneme.P else (),
     )
     loudest = float(levels.max(initial=0.0))
     found = _faults_of_silence(report, loudest) if is_silence else _faults_of_sound(report, loudest, phoneme)
@@ -199,7 +198,7 @@ def _levels_of(samples: Float32Array) -> Float64Array:
     return np.sqrt(powers / np.minimum(HOP, len(sound) - starts))
 
 
-def _heard_in(levels: Float64Array, noise: float, *, bridged: bool) -> slice:
+def _sounding_in(levels: Float64Array, noise: float, *, bridged: bool) -> slice:
     """Return the longest stretch of sound, over short pauses; over all of them where they belong to the sound."""
     least = max(
         noise * _ratio(LOUDER_THAN_ROOM), levels.max(initial=0.0) * _ratio(-SOFTEST_PART), _ratio(SILENT_BELOW)
@@ -213,24 +212,26 @@ def _heard_in(levels: Float64Array, noise: float, *, bridged: bool) -> slice:
     return slice(int(longest[0]), int(longest[-1]) + 1)
 
 
-def _pauses_in(levels: Float64Array, heard: slice) -> tuple[tuple[float, float], ...]:
+def _pauses_in(levels: Float64Array, sounding: slice) -> tuple[tuple[float, float], ...]:
     """Return the pauses between puffs, seconds: what is left when every puff has what belongs to it."""
-    loud = np.flatnonzero(levels[heard] > levels[heard].max(initial=0.0) * _ratio(-SOFTEST_PUFF)) + heard.start
+    loud = (
+        np.flatnonzero(levels[sounding] > levels[sounding].max(initial=0.0) * _ratio(-SOFTEST_PUFF)) + sounding.start
+    )
     before, after, least = (round(t / FRAME_PERIOD) for t in (BEFORE_PUFF, AFTER_PUFF, LEAST_PAUSE))
     gaps = zip((loud[:-1] + 1 + after).tolist(), (loud[1:] - before).tolist(), strict=True)
     return tuple((first * FRAME_PERIOD, end * FRAME_PERIOD) for first, end in gaps if end - first >= least)
 
 
-def _steady_in(levels: Float64Array, heard: slice) -> slice:
+def _steady_in(levels: Float64Array, sounding: slice) -> slice:
     """Leave out how a sound begins and ends: some time, and until it is as loud as in its middle."""
     attack = round(ATTACK / FRAME_PERIOD)
-    inner = slice(heard.start + attack, heard.stop - attack)
+    inner = slice(sounding.start + attack, sounding.stop - attack)
     if inner.stop <= inner.start:
-        return heard
+        return sounding
     middle = max(float(np.median(levels[inner])), TINY)
     near = np.flatnonzero(np.abs(20 * np.log10(np.maximum(levels[inner], TINY) / middle)) <= STEADY_WITHIN)
     steady = slice(inner.start + int(near[0]), inner.start + int(near[-1]) + 1)
-    return steady if (steady.stop - steady.start) * FRAME_PERIOD >= LEAST_STEADY else heard
+    return steady if (steady.stop - steady.start) * FRAME_PERIOD >= LEAST_STEADY else sounding
 
 
 def _ratio(decibels: float) -> float:

@@ -1,7 +1,7 @@
 """What a room sounds like while nobody speaks, and what tells it from speech, whatever recognises.
 
 The denoise threshold is set for every recogniser. Silence is told by the thresholds of the thesis rules; a preset
-with rules of its own gets one before them; the learned recogniser and templates get what `room_silence` finds.
+with rules of its own gets one before them; recognisers by templates or scores get what `room_silence` finds.
 """
 
 from collections.abc import Mapping
@@ -9,15 +9,18 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from phonemeengine.analyser import Analyser
+from phonemeengine.analyser import BLOCK, Analyser
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.takes.room_silence import sensitivity_for, silence_level_for
+from phonemeengine.dsp.framing import Framer
 from phonemeengine.errors import TakeError
+from phonemeengine.features.front_end import FrontEnd, concatenate
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Condition, Rule
+from phonemeengine.recognition.spec import Tuning, spec_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, LIMITS, SAMPLE_RATE, WINDOW, Filter
 
 LEAST_SECONDS = 1.0
@@ -102,34 +105,35 @@ class RoomNoise:
     def __str__(self) -> str:
         return f"{20 * np.log10(max(self.level, SILENT)):.0f} dB, heard for {self.seconds:.1f} s"
 
-    def thresholds(self, preset: Preset, speech: Float32Array | None = None) -> Preset:
+    def set_silence(self, preset: Preset, speech: Float32Array | None = None) -> Preset:
         """Return the preset that takes the room for silence, otherwise the same.
 
         Parameters
         ----------
         preset : with the front end that the room was measured with.
-        speech : takes of speech without pauses, one after the other, float32, shape (n,), 44.1 kHz; the learned
-            recogniser and templates go no further than it bears.
+        speech : takes of speech without pauses, one after the other, float32, shape (n,), 44.1 kHz; sensitivities
+            and templates go no further than it bears.
         """
+        tuned_by = spec_of(preset.recogniser).tuned_by
         settings = replace(preset.settings, denoise_threshold=self.bounds["denoise_threshold"].value)
-        if preset.recogniser == "rules":
+        if Tuning.RULES in tuned_by:
             return replace(preset, settings=settings, rules=self._rules_of(preset))
         settings = replace(settings, filters=settings.filters | {Filter.DENOISE})
         preset = self._with_thresholds(replace(preset, settings=settings))
-        if preset.recogniser == "learned":
-            louder = sensitivity_for(self.samples, preset, speech)
-            return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: louder})
-        if preset.recogniser == "templates" and preset.templates is not None:
+        if Tuning.TEMPLATES in tuned_by and preset.templates is not None:
             level = silence_level_for(self.samples, preset.templates.silence_below, speech)
             return replace(preset, templates=replace(preset.templates, silence_below=level))
+        if Tuning.SENSITIVITIES in tuned_by:
+            louder = sensitivity_for(self.samples, preset, speech)
+            return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: louder})
         return preset
 
-    def sureness(self, preset: Preset, speech: Float32Array | None = None) -> SilenceAccuracy:
+    def silence_accuracy(self, preset: Preset, speech: Float32Array | None = None) -> SilenceAccuracy:
         """Return how well a preset tells the room from speech.
 
         Parameters
         ----------
-        preset : as from `thresholds`.
+        preset : as from `set_silence`.
         speech : as there.
         """
         of_speech = None if speech is None or len(speech) < WINDOW else _share_silent(speech, preset)
@@ -214,7 +218,9 @@ def _least_thresholds(preset: Preset) -> dict[str, float]:
 
 def _features_of(samples: Float32Array, preset: Preset) -> Features:
     """Measure the frames whose windows lie in the sound, whatever the preset recognises with."""
-    return Analyser(replace(preset, recogniser="thesis")).push(samples).features
+    front_end = FrontEnd(preset.settings, preset.variables, pitch=False)
+    frames = Framer().cut_frames(samples)
+    return concatenate([front_end.measure(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]).features
 
 
 def _share_silent(samples: Float32Array, preset: Preset) -> ConfidenceInterval:

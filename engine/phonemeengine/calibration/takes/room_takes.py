@@ -12,7 +12,6 @@ from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 
-BLOCK = 1 << 16
 BRIEF = frozenset({Phoneme.P, Phoneme.UNIDENTIFIED})
 """What is no speech to measure by: puffs are mostly the room."""
 
@@ -25,8 +24,8 @@ def room_in(takes: Sequence[Utterance]) -> Float32Array | None:
     AudioError : a sound cannot be read.
     """
     for take in reversed(takes):
-        said = {label.phoneme for label in take.labels if label.certainty == CORE}
-        if said == {Phoneme.SILENCE}:
+        phonemes = {label.phoneme for label in take.labels if label.certainty == CORE}
+        if phonemes == {Phoneme.SILENCE}:
             room = _joined(_stretches(take))
             if len(room) >= LEAST_SECONDS * SAMPLE_RATE:
                 return room
@@ -50,7 +49,7 @@ def _stretches(take: Utterance, without: frozenset[Phoneme] = BRIEF) -> Iterator
     if not wanted:
         return
     with SoundReader(take.path) as reader:
-        sound = _joined(reader.blocks(BLOCK))
+        sound = reader.read_mono()
     for label in wanted:
         yield sound[round(label.start * SAMPLE_RATE) : round(label.end * SAMPLE_RATE)]
 

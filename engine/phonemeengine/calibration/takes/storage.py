@@ -6,7 +6,6 @@ old one, and only after that the old sound goes. Copies of the labels for other 
 """
 
 import filecmp
-import os
 import re
 import shutil
 from collections.abc import Collection
@@ -27,7 +26,7 @@ from phonemeengine.calibration.takes.take_list import (
     write_take_list,
 )
 from phonemeengine.errors import CorpusError, TakeError
-from phonemeengine.files import free_path, printable_name, reason_of
+from phonemeengine.files import atomic_write, free_path, printable_name, reason_of
 from phonemeengine.phonemes import Phoneme
 
 LOCK = "takes.lock"
@@ -175,20 +174,15 @@ class TakeFolder:
     def _copy(self, old: Take, new: Take) -> bool:
         """Copy a sound to its new place; say whether it was not there yet."""
         source, target = self._folder / old.sound, self._folder / new.sound
-        part = target.with_name(target.name + ".part")
         _make_folder(target.parent)
         try:
             if target.exists():
                 if filecmp.cmp(source, target, shallow=False):
                     return False
                 raise TakeError(f"{new.sound}: there is another file of that name; move it out of the project")
-            shutil.copyfile(source, part)
-            with part.open("rb+") as file:
-                os.fsync(file.fileno())
-            part.replace(target)
+            with source.open("rb") as sound, atomic_write(target, durable=True) as file:
+                shutil.copyfileobj(sound, file)
         except OSError as error:
-            with suppress(OSError):
-                part.unlink(missing_ok=True)
             raise TakeError(
                 f"{new.sound}: the take cannot be moved there ({reason_of(error)}); check the project's folder"
             ) from error

@@ -8,7 +8,8 @@ from typing import Any
 
 from phonemeengine.errors import TakeError
 from phonemeengine.labels.label import CORE, Label
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
+from phonemeengine.strict_table import StrictTable, shown
 
 TRIMMED = "trimmed"
 """The certainty of what lies outside the stretch that counts."""
@@ -21,7 +22,6 @@ LONGEST_NAME = 60
 
 _RESERVED = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 _FILE_NAME = re.compile(r"(?P<phoneme>[a-z]+)-(?P<number>\d{1,9})\b")
-_PHONEMES = {phoneme.label: phoneme for phoneme in Phoneme}
 
 
 @dataclass(frozen=True)
@@ -100,8 +100,8 @@ class Take:
         onset, offset = min(self.onset, self.start), max(self.offset, self.end)
         inner = [min(max(time, self.start), self.end) for pause in self.pauses for time in pause]
         borders = (0.0, onset, self.start, *inner, self.end, offset, self.duration)
-        said = (own, *((Phoneme.SILENCE, CORE), own) * len(self.pauses))
-        stretches = zip(borders, borders[1:], (room, other, *said, other, room), strict=False)
+        spoken = (own, *((Phoneme.SILENCE, CORE), own) * len(self.pauses))
+        stretches = zip(borders, borders[1:], (room, other, *spoken, other, room), strict=False)
         return tuple(
             Label(start, end, phoneme.label, phoneme, certainty)
             for start, end, (phoneme, certainty) in stretches
@@ -113,6 +113,10 @@ class Take:
         return {**asdict(self), "phoneme": self.phoneme.label}
 
 
+_FIELDS: dict[str, Any] = {field.name: field.type for field in fields(Take)} | {"pauses": list}
+"""What an entry of a list holds, and of which kind it is."""
+
+
 def take_of(entry: Any) -> Take:
     """Read an entry of a list of takes.
 
@@ -120,27 +124,17 @@ def take_of(entry: Any) -> Take:
     ------
     TakeError : it lacks something, or says something impossible.
     """
-    names = {field.name: field.type for field in fields(Take) if field.name != "pauses"}
-    if not isinstance(entry, dict) or entry.keys() - {"pauses"} != names.keys():
-        raise TakeError(f"an entry must hold {', '.join(names)}, found {entry!r:.60}")
-    if not isinstance(entry["phoneme"], str) or entry["phoneme"] not in _PHONEMES:
-        raise TakeError(f"phoneme must be one of {', '.join(_PHONEMES)}, found {entry['phoneme']!r:.60}")
-    for name, kind in names.items():
-        expected = str if kind is Phoneme else kind
-        value = entry[name]
-        fits = isinstance(value, (int, float) if expected is float else expected)  # type: ignore[arg-type]
-        if not fits or isinstance(value, bool) != (expected is bool):
-            raise TakeError(f"{name} must be {getattr(expected, '__name__', expected)}, found {value!r:.60}")
-    pauses = _pauses_of(entry.get("pauses", []))
-    return Take(**{**entry, "phoneme": _PHONEMES[entry["phoneme"]], "pauses": pauses})
+    if not isinstance(entry, dict):
+        raise TakeError(f"a take must be a table, found {shown(entry)}; correct it")
+    values = StrictTable(entry, "a take", TakeError).read(_FIELDS, ("pauses",))
+    return Take(**values | {"pauses": _pauses_of(entry.get("pauses", []))})
 
 
-def _pauses_of(entry: Any) -> tuple[tuple[float, float], ...]:
+def _pauses_of(entry: list[Any]) -> tuple[tuple[float, float], ...]:
     """Read the pauses of a take; older lists have none."""
-    pairs = entry if isinstance(entry, list) else [entry]
-    if not all(isinstance(p, list) and len(p) == 2 and all(type(t) in {int, float} for t in p) for p in pairs):
-        raise TakeError(f"pauses must be a list of pairs of seconds, found {entry!r:.60}")
-    return tuple((float(start), float(end)) for start, end in pairs)
+    if not all(isinstance(p, list) and len(p) == 2 and all(type(t) in {int, float} for t in p) for p in entry):
+        raise TakeError(f"pauses must be a list of pairs of seconds, found {shown(entry)}; correct it")
+    return tuple((float(start), float(end)) for start, end in entry)
 
 
 def folder_for(speaker: str) -> str:
@@ -152,6 +146,6 @@ def folder_for(speaker: str) -> str:
 def named_in(file: str) -> tuple[Phoneme, int] | None:
     """Return the phoneme and the number that a sound file's name tells; None where it is no take's."""
     found = _FILE_NAME.match(file)
-    if found is None or found["phoneme"] not in _PHONEMES:
+    if found is None or found["phoneme"] not in PHONEMES_BY_LABEL:
         return None
-    return _PHONEMES[found["phoneme"]], int(found["number"])
+    return PHONEMES_BY_LABEL[found["phoneme"]], int(found["number"])

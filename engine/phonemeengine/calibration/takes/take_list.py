@@ -206,8 +206,8 @@ def _take_from(path: Path, sound: str, number: int, row: dict[str, str] | None, 
         labels = read_labels(path.with_suffix(".csv"), duration=duration)
         core = [label for label in labels if label.certainty == CORE]
         start, end = core[0].start, min(core[-1].end, duration)
-        heard = [label for label in labels if label.certainty == CORE or label.phoneme.label == "unidentified"]
-        onset, offset = heard[0].start, min(heard[-1].end, duration)
+        counting = [label for label in labels if label.certainty == CORE or label.phoneme.label == "unidentified"]
+        onset, offset = counting[0].start, min(counting[-1].end, duration)
         pauses = tuple((x.start, x.end) for x in core[1:-1] if x.phoneme is not named[0]) if named else ()
     return Take(
         number=number,

@@ -26,9 +26,9 @@ class BatchSmoother:
     """
 
     def __init__(self, edges: IndexArray) -> None:
-        heard = edges[1:] > edges[:-1]
+        not_empty = edges[1:] > edges[:-1]
         self._n = int(edges[-1])
-        self._firsts, self._ends = edges[:-1][heard], edges[1:][heard]
+        self._firsts, self._ends = edges[:-1][not_empty], edges[1:][not_empty]
         self._first = np.zeros(self._n, bool)
         self._first[self._firsts] = True
 
@@ -102,8 +102,8 @@ class BatchSmoother:
         """
         changed = _leapt(begun, self._ends, following)
         places = np.flatnonzero(changed | self._first)
-        told = np.where(changed[places], codes[places], np.uint8(Phoneme.SILENCE))
-        return np.repeat(told, np.diff(places, append=self._n))
+        shown = np.where(changed[places], codes[places], np.uint8(Phoneme.SILENCE))
+        return np.repeat(shown, np.diff(places, append=self._n))
 
 
 def _leapt(begun: IndexArray, ends: IndexArray, following: IndexArray) -> BoolArray:

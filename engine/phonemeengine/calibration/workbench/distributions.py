@@ -71,10 +71,6 @@ class Distribution:
         """How well the variable separates the ten phonemes: the mean over all pairs, 0.5..1; NaN without a pair."""
         return mean_separability(self.separations, SCORED_PHONEMES)
 
-    def separation_of(self, one: Phoneme, other: Phoneme) -> float:
-        """Return how well a threshold on the variable parts two phonemes, 0.5..1; NaN where one has no frames."""
-        return float(self.separations[one, other])
-
 
 @dataclass(frozen=True)
 class RankedVariable:
@@ -85,7 +81,7 @@ class RankedVariable:
 
 
 def distribution_of(
-    workbench: LabelledFeatures, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
+    labelled: LabelledFeatures, variable: str, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
 ) -> Distribution:
     """Return the distribution of a variable over those frames whose label is certain.
 
@@ -95,9 +91,9 @@ def distribution_of(
     ------
     CorpusError : the variable was not measured.
     """
-    certain = workbench.labels.certain
-    values = workbench.values(variable, sensitivities)
-    return distribution_in(variable, values[certain], workbench.labels.phonemes[certain])
+    certain = labelled.labels.certain
+    values = labelled.values(variable, sensitivities)
+    return distribution_in(variable, values[certain], labelled.labels.phonemes[certain])
 
 
 def distribution_in(variable: str, values: Float32Array, phonemes: UInt8Array) -> Distribution:
@@ -110,7 +106,7 @@ def distribution_in(variable: str, values: Float32Array, phonemes: UInt8Array) -
 
 
 def ranked_variables(
-    workbench: LabelledFeatures, pair: Pair | None = None, progress: Progress = no_progress
+    labelled: LabelledFeatures, pair: Pair | None = None, progress: Progress = no_progress
 ) -> tuple[RankedVariable, ...]:
     """Rank all measured variables by how well they separate the ten phonemes, or one pair; the best one first.
 
@@ -120,14 +116,14 @@ def ranked_variables(
     ------
     Cancelled : `progress` did not want to go on.
     """
-    certain = workbench.labels.certain
-    phonemes = workbench.labels.phonemes[certain]
+    certain = labelled.labels.certain
+    phonemes = labelled.labels.phonemes[certain]
     wanted = SCORED_PHONEMES if pair is None else pair
     chosen = np.isin(phonemes, wanted)
     ranked = []
-    for k, name in enumerate(workbench.variables):
-        report_progress(progress, k / len(workbench.variables))
-        separation = _separation(workbench.values(name)[certain][chosen], phonemes[chosen], wanted)
+    for k, name in enumerate(labelled.variables):
+        report_progress(progress, k / len(labelled.variables))
+        separation = _separation(labelled.values(name)[certain][chosen], phonemes[chosen], wanted)
         ranked.append(RankedVariable(name, separation))
     report_progress(progress, 1.0)
     return tuple(sorted(ranked, key=lambda r: -np.nan_to_num(r.separation, nan=0.0)))

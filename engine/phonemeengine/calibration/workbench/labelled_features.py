@@ -1,13 +1,13 @@
-"""The workbench: labelled recordings, measured once, that answer at once when a threshold changes.
+"""Labelled recordings, measured once, that answer at once when a threshold changes.
 
 It holds no sound, only what was measured, so an hour takes some 30 MB. What a new threshold, rule, sensitivity,
 successor, hold or hysteresis changes is worked out in milliseconds; another front end or another variable means
 measuring anew, which takes seconds and is the caller's to do in the background::
 
-    workbench = LabelledFeatures(utterances, preset, progress=progress)    # in the background
-    confusion = workbench.confusion(edited)                     # at once, while a threshold is dragged
-    if workbench.needs_measuring(edited):
-        workbench = LabelledFeatures(utterances, edited, known=workbench, progress=progress)   # in the background
+    labelled = LabelledFeatures(utterances, preset, progress=progress)    # in the background
+    confusion = labelled.confusion(edited)                     # at once, while a threshold is dragged
+    if labelled.needs_measuring(edited):
+        labelled = LabelledFeatures(utterances, edited, known=labelled, progress=progress)   # in the background
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -48,13 +48,13 @@ class LabelledFeatures:
     """Holds labelled recordings in memory as measured variables.
 
     Making one takes as long as analysing the recordings that `known` has not measured yet; asking it takes
-    milliseconds. One thread may ask it for answers at a time; another one takes a `twin`.
+    milliseconds. One thread may ask it for answers at a time; another one takes a `clone_for_thread`.
 
     Parameters
     ----------
     utterances : the labelled recordings.
     preset : what they are measured with.
-    known : an older workbench; what it measured in the same way is taken from there.
+    known : older ones; what it measured in the same way is taken from there.
     progress : told how far the measuring is.
 
     Raises
@@ -75,14 +75,15 @@ class LabelledFeatures:
         self._utterances = tuple(utterances)
         self._names = names_of(preset)
         self._front_end = front_end_key(preset)
-        self._knowledge = None if rules_in(preset) is not None else recogniser_key(preset)
+        self._measured_with = None if rules_in(preset) is not None else recogniser_key(preset)
         labels = [frame_labels_of(u.labels) for u in self._utterances]
         lengths = [len(part.phonemes) for part in labels]
         self._edges = np.concatenate(([0], np.cumsum(lengths, dtype=np.intp))).astype(np.intp)
         self._labels = FrameLabels(_joined([p.phonemes for p in labels]), _joined([p.certain for p in labels], bool))
-        measurements = self._measure(preset, known, progress)
-        self._calmer = BatchSmoother(self._edges)
-        self._join(list(measurements))
+        # of the files as they are before they are measured: one that changes meanwhile is measured again
+        self._stamps = [_stamp_of(u.path, n) for u, n in zip(self._utterances, lengths, strict=True)]
+        self._smoother = BatchSmoother(self._edges)
+        self._join(list(self._measure(preset, known, progress)))
 
     @property
     def utterances(self) -> tuple[Utterance, ...]:
@@ -133,12 +134,12 @@ class LabelledFeatures:
 
     def clone_for_thread(self) -> "LabelledFeatures":
         """Return the same measurements for another thread; takes no time and hardly any memory."""
-        twin = copy(self)
-        twin._sheet = self._new_sheet()
-        return twin
+        clone = copy(self)
+        clone._rule_cache = self._new_rule_cache()
+        return clone
 
     def needs_measuring(self, preset: Preset) -> bool:
-        """Return whether a preset measures differently, so that a new workbench must be made for it.
+        """Return whether a preset measures differently, so that the recordings must be measured anew.
 
         Thresholds, rules, sensitivities, successors, minimum hold and hysteresis need none. Another front end or
         other variables do, and a recogniser that works without rules, if the recordings were not measured with it.
@@ -152,9 +153,9 @@ class LabelledFeatures:
         ------
         CorpusError : the recordings must be measured anew.
         """
-        return confusion_between(self._labels, self.answers(preset), self._edges)
+        return confusion_between(self._labels, self.predict(preset), self._edges)
 
-    def answers(self, preset: Preset) -> UInt8Array:
+    def predict(self, preset: Preset) -> UInt8Array:
         """Recognise all frames with a preset: what the analyser says of the files, after the statistics.
 
         Raises
@@ -168,9 +169,9 @@ class LabelledFeatures:
         codes = self._recognised(rules, scores)
         if settings.statistics:
             stays = self._may_stay(rules, scores, settings.hysteresis) if settings.hysteresis > 0 else None
-            codes = codes if stays is None else self._calmer.hysteresis(codes, stays)
-            codes = self._calmer.minimum_hold(
-                self._calmer.fill_unidentified(codes, preset.successors), settings.minimum_hold
+            codes = codes if stays is None else self._smoother.hysteresis(codes, stays)
+            codes = self._smoother.minimum_hold(
+                self._smoother.fill_unidentified(codes, preset.successors), settings.minimum_hold
             )
         if len(self._beyond):
             codes = codes.copy()
@@ -179,7 +180,7 @@ class LabelledFeatures:
 
     def _measures_otherwise(self, preset: Preset, rules: RuleRecogniser | None) -> bool:
         return front_end_key(preset) != self._front_end or (
-            rules is None and recogniser_key(preset) != self._knowledge
+            rules is None and recogniser_key(preset) != self._measured_with
         )
 
     def _scores_with(self, preset: Preset) -> Float32Array | None:
@@ -188,28 +189,25 @@ class LabelledFeatures:
 
     def _recognised(self, rules: RuleRecogniser | None, scores: Float32Array | None) -> UInt8Array:
         if rules is not None:
-            return self._sheet.recognised(rules)
-        return self._heard if scores is None else scores.argmax(axis=0).astype(np.uint8)
+            return self._rule_cache.recognised(rules)
+        return self._codes if scores is None else scores.argmax(axis=0).astype(np.uint8)
 
     def _may_stay(
         self, rules: RuleRecogniser | None, scores: Float32Array | None, hysteresis: float
     ) -> BoolArray | None:
         if rules is not None:
-            return self._sheet.may_stay(rules, hysteresis)
+            return self._rule_cache.may_stay(rules, hysteresis)
         return None if scores is None else np.asarray(scores.max(axis=0) - scores <= hysteresis)
 
     def _measure(self, preset: Preset, known: "LabelledFeatures | None", progress: Progress) -> Iterator[Measurement]:
-        """Measure what is not known yet; the stamps are of the files as they were before."""
+        """Measure what is not known yet."""
         report_progress(progress, 0.0)
         again = {} if known is None or known.needs_measuring(preset) else known.measured
-        self._stamps: list[_Stamp] = []
         total = max(1, int(self._edges[-1]))
-        for k, utterance in enumerate(self._utterances):
+        for k, stamp in enumerate(self._stamps):
             first, end = self._edges[k : k + 2].tolist()
-            stamp = _stamp_of(utterance.path, end - first)
-            self._stamps.append(stamp)
             share = subrange(progress, first / total, end / total)
-            yield again.get(stamp) or measure(utterance.path, preset, end - first, share)
+            yield again.get(stamp) or measure(self._utterances[k].path, preset, end - first, share)
         report_progress(progress, 1.0)
 
     def _join(self, measurements: list[Measurement]) -> None:
@@ -218,30 +216,30 @@ class LabelledFeatures:
         self._values = np.zeros((len(self._names), n), np.float32)
         for m, first, end in zip(measurements, self._edges[:-1], self._edges[1:], strict=True):
             self._values[:, first:end] = m.values
-        self._heard = _joined([m.recognised for m in measurements])
-        told = [m.scores for m in measurements if m.scores is not None]
-        self._scores = np.concatenate(told, axis=1) if told and len(told) == len(measurements) else None
+        self._codes = _joined([m.recognised for m in measurements])
+        scores = [m.scores for m in measurements if m.scores is not None]
+        self._scores = np.concatenate(scores, axis=1) if scores and len(scores) == len(measurements) else None
         beyond = [
-            np.arange(first + m.n_heard, end, dtype=np.intp)
+            np.arange(first + m.n_in_sound, end, dtype=np.intp)
             for m, first, end in zip(measurements, self._edges[:-1], self._edges[1:], strict=True)
         ]
         self._beyond = _joined(beyond, np.intp)
-        self._n_heard = [m.n_heard for m in measurements]
-        self._sheet = self._new_sheet()
+        self._n_in_sound = [m.n_in_sound for m in measurements]
+        self._rule_cache = self._new_rule_cache()
 
-    def _new_sheet(self) -> RuleCache:
+    def _new_rule_cache(self) -> RuleCache:
         return RuleCache(dict(zip(self._names, self._values, strict=True)), int(self._edges[-1]))
 
     @property
     def measured(self) -> dict[_Stamp, Measurement]:
-        """What was measured, by the file as it was then, for another workbench."""
+        """What was measured, by the file as it was then, for others."""
         spans = [slice(int(first), int(end)) for first, end in zip(self._edges[:-1], self._edges[1:], strict=True)]
         return {
             stamp: Measurement(
-                self._values[:, span], n_heard, self._heard[span],
+                self._values[:, span], n_in_sound, self._codes[span],
                 None if self._scores is None else self._scores[:, span],
             )
-            for stamp, span, n_heard in zip(self._stamps, spans, self._n_heard, strict=True)
+            for stamp, span, n_in_sound in zip(self._stamps, spans, self._n_in_sound, strict=True)
         }  # fmt: skip
 
 

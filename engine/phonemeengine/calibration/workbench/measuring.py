@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.analyser import BLOCK, analyse_blocks
+from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.features.variables import BUILT_IN_NAMES
@@ -14,10 +14,10 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recogniser import RECOGNISERS, recogniser_of
 from phonemeengine.recognition.rules import RuleRecogniser
 from phonemeengine.recognition.scores import scores_in
-from phonemeengine.settings import FRAME_PERIOD, HOP, AnalysisSettings
+from phonemeengine.recognition.spec import Tuning, spec_of
+from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
 
 AFTER_MEASURING = (
     "statistics", "minimum_hold", "hysteresis", "look_ahead", "intensity_low", "intensity_high",
@@ -34,13 +34,13 @@ class Measurement:
     Attributes
     ----------
     values : float32, shape (n_variables, n_frames): the variables, those of the preset after the built-in ones.
-    n_heard : frames that lie in the sound; what comes after them counts as silence.
+    n_in_sound : frames that lie in the sound; what comes after them counts as silence.
     recognised : uint8, shape (n_frames,): what the recogniser said, before the statistics.
     scores : float32, shape (n_phonemes, n_frames): the probabilities before the sensitivities, or None.
     """
 
     values: Float32Array
-    n_heard: int
+    n_in_sound: int
     recognised: UInt8Array
     scores: Float32Array | None
 
@@ -63,16 +63,16 @@ def front_end_key(preset: Preset) -> object:
 
 def recogniser_key(preset: Preset) -> object:
     """Return all on which the answers of a recogniser without rules depend, but for the sensitivities."""
-    tuning = replace(preset.tuning, rules=(), sensitivities={})
-    if preset.recogniser in RECOGNISERS:
-        tuning = replace(tuning, thresholds=Thresholds())
-    return preset.recogniser, tuning
+    config = replace(preset.config, rules=(), sensitivities={})
+    if Tuning.THRESHOLDS not in spec_of(preset.recogniser).tuned_by:
+        config = replace(config, thresholds=Thresholds())
+    return preset.recogniser, config
 
 
 def rules_in(preset: Preset) -> RuleRecogniser | None:
     """Return the preset's recogniser if it works by rules."""
-    recogniser = recogniser_of(preset.recogniser, preset.tuning)
-    return recogniser if isinstance(recogniser, RuleRecogniser) else None
+    rules_of = spec_of(preset.recogniser).rules
+    return None if rules_of is None else RuleRecogniser(rules_of(preset.config), preset.thresholds)
 
 
 def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_progress) -> Measurement:
@@ -83,7 +83,7 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
     path : the sound file.
     preset : what it is analysed with.
     n_frames : how many frames are wanted; those beyond the sound measure 0.
-    progress : told how far it is.
+    progress : called with the share that is done, 0..1.
 
     Raises
     ------
@@ -96,8 +96,9 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
     recognised = np.zeros(n_frames, np.uint8)
     scores = None
     preset = replace(preset, settings=replace(preset.settings, statistics=False), sensitivities={})
+    has_scores = Tuning.SENSITIVITIES in spec_of(preset.recogniser).tuned_by
     with SoundReader(path) as reader:
-        for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), preset):
+        for analysis in analyse_file(reader, preset):
             report_progress(progress, min(1.0, (analysis.start + len(analysis)) / max(1, n_frames)))
             span = slice(analysis.start, min(analysis.start + len(analysis), n_frames))
             wanted = analysis.part(slice(max(0, span.stop - span.start)))
@@ -105,11 +106,11 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
                 continue
             values[:, span] = wanted.features.values[:, :n_names].T
             recognised[span] = wanted.recognised
-            if (told := scores_in(wanted.features)) is not None:
+            if has_scores and (found := scores_in(wanted.features)) is not None:
                 scores = _silent_scores(n_frames) if scores is None else scores
-                scores[:, span] = told.T
-        n_heard = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
-    return Measurement(values, min(n_heard, n_frames), recognised, scores)
+                scores[:, span] = found.T
+        n_in_sound = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
+    return Measurement(values, min(n_in_sound, n_frames), recognised, scores)
 
 
 def _silent_scores(n_frames: int) -> Float32Array:

@@ -45,15 +45,15 @@ class RuleCache:
     def __init__(self, values: Mapping[str, Float32Array], n_frames: int) -> None:
         self._values = values
         self._n_frames = n_frames
-        self._recognised = _Memory()
-        self._steadied = _Memory()
+        self._holding = _Memory()
+        self._near_misses = _Memory()
 
     def recognised(self, recogniser: RuleRecogniser) -> UInt8Array:
         """Return the codes that `recogniser.recognise` gives, shape (n_frames,)."""
-        self._recognised.begin()
+        self._holding.begin()
         codes = np.full(self._n_frames, Phoneme.UNIDENTIFIED, np.uint8)
         for rule in reversed(recogniser.rules):
-            holds = self._all(self._recognised, _condition_keys(rule, recogniser)).view(np.uint8)
+            holds = self._all(self._holding, _condition_keys(rule, recogniser)).view(np.uint8)
             codes *= 1 - holds  # far quicker than to choose frame by frame
             codes += holds * np.uint8(rule.phoneme)
         return codes
@@ -64,32 +64,32 @@ class RuleCache:
         A phoneme may stay where the comparisons of one of its rules fail by no more than that, and no rule before
         that one holds by more.
         """
-        self._steadied.begin()
+        self._near_misses.begin()
         stays = np.zeros((len(Phoneme), self._n_frames), bool)
         free = np.ones(self._n_frames, bool)
         for rule in recogniser.rules:
-            nearly = self._all(self._steadied, _condition_keys(rule, recogniser, -hysteresis))
+            nearly = self._all(self._near_misses, _condition_keys(rule, recogniser, -hysteresis))
             stays[rule.phoneme] |= nearly & free
-            free &= ~self._all(self._steadied, _condition_keys(rule, recogniser, hysteresis, beyond=True))
+            free &= ~self._all(self._near_misses, _condition_keys(rule, recogniser, hysteresis, beyond=True))
         return stays
 
-    def _all(self, memory: "_Memory", questions: tuple[_ConditionKey, ...]) -> BoolArray:
+    def _all(self, memory: "_Memory", keys: tuple[_ConditionKey, ...]) -> BoolArray:
         """Return where all of these hold."""
-        if not questions:
+        if not keys:
             return np.ones(self._n_frames, bool)
 
         def answered() -> BoolArray:
-            said: BoolArray = np.logical_and.reduce([memory.recall(q, partial(self._answer, q)) for q in questions])
-            return said
+            answer: BoolArray = np.logical_and.reduce([memory.recall(k, partial(self._answer, k)) for k in keys])
+            return answer
 
-        return memory.recall(questions, answered)
+        return memory.recall(keys, answered)
 
-    def _answer(self, question: _ConditionKey) -> BoolArray:
-        values, limit = self._values[question.variable], np.float32(question.limit)
-        if question.least is None:
-            return np.asarray(values > limit if question.sign == ">" else values < limit)
-        margins = (values - limit if question.sign == ">" else limit - values) / np.maximum(np.abs(limit), 1e-9)
-        return np.asarray(margins > question.least if question.beyond else margins >= question.least)
+    def _answer(self, key: _ConditionKey) -> BoolArray:
+        values, limit = self._values[key.variable], np.float32(key.limit)
+        if key.least is None:
+            return np.asarray(values > limit if key.sign == ">" else values < limit)
+        margins = (values - limit if key.sign == ">" else limit - values) / np.maximum(np.abs(limit), 1e-9)
+        return np.asarray(margins > key.least if key.beyond else margins >= key.least)
 
 
 class _Memory:
@@ -105,13 +105,13 @@ class _Memory:
 
     def recall(self, key: Hashable, work_out: Callable[[], BoolArray]) -> BoolArray:
         """Return what was said of the same, or work it out."""
-        said = self._now.get(key)
-        if said is None:
-            said = self._before.get(key)
-        if said is None:
-            said = work_out()
-        self._now[key] = said
-        return said
+        answer = self._now.get(key)
+        if answer is None:
+            answer = self._before.get(key)
+        if answer is None:
+            answer = work_out()
+        self._now[key] = answer
+        return answer
 
 
 def _condition_keys(

@@ -20,9 +20,9 @@ def last_identified(answers: UInt8Array, first: BoolArray) -> UInt8Array:
     first : bool, shape (n_frames,): where a recording begins; before it was silence.
     """
     named = answers != Phoneme.UNIDENTIFIED
-    told = named | first
-    told[:1] = True
-    places = np.flatnonzero(told)
+    settled = named | first
+    settled[:1] = True
+    places = np.flatnonzero(settled)
     newest = np.where(named[places], answers[places], np.uint8(Phoneme.SILENCE))
     return np.repeat(newest, np.diff(places, append=len(answers)))
 

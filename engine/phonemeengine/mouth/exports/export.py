@@ -4,10 +4,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from phonemeengine.mouth.animation import Animation, IdleMotion, animation_of
+from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.cues import Cue, joined_by_shape
+from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 
 
 @dataclass(frozen=True)
@@ -20,15 +21,15 @@ class Export:
     table : the mouth shapes.
     cues : what was said, cleaned; without gaps from 0 to the end.
     rate : frames per second, where the format counts frames.
-    life : what else the face does.
+    idle : what else the face does.
     mesh : the file of the face that shall move, where the format holds one; None for the program's own head.
     """
 
-    speech: Utterance
+    speech: Transcript
     table: MouthTable
     cues: tuple[Cue, ...]
     rate: float
-    life: IdleMotion = field(default_factory=IdleMotion)
+    idle: IdleMotion = field(default_factory=IdleMotion)
     mesh: Path | None = None
 
     @cached_property
@@ -39,4 +40,4 @@ class Export:
     @cached_property
     def animation(self) -> Animation:
         """The movement of the face."""
-        return animation_of(self.speech, self.cues, self.table, self.rate, self.life)
+        return animation_of(self.speech, self.cues, self.table, self.rate, self.idle)

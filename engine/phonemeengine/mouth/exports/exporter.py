@@ -1,16 +1,18 @@
-"""Writing speech in one format, as somebody wishes."""
+"""Writing speech in one format, with options."""
 
+import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from phonemeengine.errors import ExportError
-from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, IdleMotion
+from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.mouth.cues import MINIMUM, cues_of
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import load_table
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 
 
 @dataclass(frozen=True)
@@ -24,15 +26,15 @@ class ExportOptions:
     anticipation : by how much the mouth is ahead of the sound, seconds.
     table : a mouth table's name or file.
     mesh : the file of the face that shall move; else it is the program's own head.
-    life : what else the face does.
+    idle : what else the face does.
     """
 
     rate: float | None = None
     minimum: float = MINIMUM
     anticipation: float | None = None
-    table: str | Path | None = None
-    mesh: Path | None = None
-    life: IdleMotion = field(default_factory=IdleMotion)
+    table: str | os.PathLike[str] | None = None
+    mesh: str | os.PathLike[str] | None = None
+    idle: IdleMotion = field(default_factory=IdleMotion)
 
 
 class Exporter:
@@ -41,38 +43,39 @@ class Exporter:
     Parameters
     ----------
     name : of the format, as in `FORMATS`.
-    wishes : how it shall be written.
+    options : how it shall be written.
 
     Raises
     ------
-    ExportError : there is no such format, or it cannot do what is wished.
+    ExportError : there is no such format, or it cannot do what the options say.
     MouthError : the table cannot be used.
     """
 
-    def __init__(self, name: str, wishes: ExportOptions | None = None) -> None:
+    def __init__(self, name: str, options: ExportOptions | None = None) -> None:
         if name not in FORMATS:
             raise ExportError(f"there is no format {name!r}; choose one of {', '.join(FORMATS)}")
         self.name, self.format = name, FORMATS[name]
-        self._wishes = wishes or ExportOptions()
-        self.life = self._wishes.life
-        self._table = load_table(self._wishes.table or self.format.table)
+        self._options = options or ExportOptions()
+        self.idle = self._options.idle
+        self._mesh = None if self._options.mesh is None else Path(self._options.mesh)
+        self._table = load_table(self._options.table or self.format.table)
         self._rate = self._checked_rate()
         self._check_table()
         self._check_mesh()
-        self.export_of(Utterance("", 0.0))
+        self.export_of(Transcript("", 0.0))
 
-    def export_of(self, speech: Utterance) -> Export:
+    def export_of(self, speech: Transcript) -> Export:
         """Clean the cues of speech, and put together what the format writes."""
-        wishes, anticipation = self._wishes, self._wishes.anticipation
+        options, anticipation = self._options, self._options.anticipation
         cues = cues_of(
             speech.runs,
             self._table,
-            minimum=max(wishes.minimum, 1 / self._rate) if self._rate else wishes.minimum,
+            minimum=max(options.minimum, 1 / self._rate) if self._rate else options.minimum,
             anticipation=self.format.anticipation if anticipation is None else anticipation,
         )
-        return Export(speech, self._table, cues, self._rate, self.life, wishes.mesh)
+        return Export(speech, self._table, cues, self._rate, self.idle, self._mesh)
 
-    def chunks_of(self, speech: Utterance) -> Iterator[bytes]:
+    def chunks_of(self, speech: Transcript) -> Iterator[bytes]:
         """Return the file, in parts as they are made."""
         written = self.format.write(self.export_of(speech))
         if isinstance(written, bytes):
@@ -81,18 +84,18 @@ class Exporter:
             yield from _encoded(written)
 
     def _checked_rate(self) -> float:
-        wished, own = self._wishes.rate, self.format.rate
-        if wished is None:
+        rate, own = self._options.rate, self.format.rate
+        if rate is None:
             return own
         if not own:
             raise ExportError(f"{self.name} counts no frames, so it has no frame rate; leave it out")
-        if not LOWEST_RATE <= wished <= HIGHEST_RATE or (self.format.whole_rate and wished != round(wished)):
+        if not LOWEST_RATE <= rate <= HIGHEST_RATE or (self.format.whole_rate and rate != round(rate)):
             kind = "a whole number" if self.format.whole_rate else "a number"
             raise ExportError(
                 f"the frame rate of {self.name} must be {kind} in {LOWEST_RATE:g}..{HIGHEST_RATE:g} frames per "
-                f"second, got {wished:g}; choose another"
+                f"second, got {rate:g}; choose another"
             )
-        return wished
+        return rate
 
     def _check_table(self) -> None:
         table, known = self._table, self.format
@@ -119,9 +122,8 @@ class Exporter:
             )
 
     def _check_mesh(self) -> None:
-        given = self._wishes.mesh
-        if given is not None and not self.format.moves_mesh:
-            raise ExportError(f"{self.name} moves no mesh; leave {given.name} out, or choose gltf")
+        if self._mesh is not None and not self.format.moves_mesh:
+            raise ExportError(f"{self.name} moves no mesh; leave {self._mesh.name} out, or choose gltf")
 
 
 def _encoded(parts: Iterable[str]) -> Iterator[bytes]:

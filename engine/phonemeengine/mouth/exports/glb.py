@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine.errors import ExportError, MeshError
-from phonemeengine.files import printable_name
+from phonemeengine.files import printable_name, read_file
 from phonemeengine.mouth.files.glb import MAGIC, Table, chunks_of, document_of, glb_of
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.head import HEAD, load_head
@@ -84,13 +84,4 @@ def read_glb(path: Path) -> Glb:
     ------
     ExportError : it cannot be read, is no GLB, or is damaged.
     """
-    name = printable_name(path)
-    try:
-        size = path.stat().st_size
-        content = path.read_bytes() if size <= LARGEST_FILE else b""
-    except (OSError, ValueError) as error:
-        reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
-        raise ExportError(f"{name}: it cannot be read ({reason}); check the file") from error
-    if size > LARGEST_FILE:
-        raise ExportError(f"{name}: a face has at most 1 GB, this has {size / 1e9:.1f} GB; choose another")
-    return Glb(content, name)
+    return Glb(read_file(path, LARGEST_FILE, "a face", ExportError), printable_name(path))

@@ -16,11 +16,9 @@ from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_glb, shipped_glb
-from phonemeengine.mouth.exports.gltf_rotation import turnings_of
 from phonemeengine.mouth.files.glb import chunks_of, document_of
 from phonemeengine.mouth.files.gltf_writing import GENERATOR
 from phonemeengine.mouth.head import HEAD
-from phonemeengine.mouth.head_motion import quaternions_of
 
 FLOAT = 5126
 """glTF's code for float32."""
@@ -97,7 +95,9 @@ def _move(faces: Sequence[tuple[int, Sequence[str]]], animation: Animation, samp
 def _turn(nodes: Sequence[int], animation: Animation, samplers: _Samplers) -> None:
     if not animation.head.any():
         return
-    for turning in turnings_of(samplers.document, nodes, quaternions_of(animation.head)):
+    from phonemeengine.mouth.exports.gltf_rotation import rotations_of, turnings_of  # noqa: PLC0415 - scipy is slow
+
+    for turning in turnings_of(samplers.document, nodes, rotations_of(animation.head)):
         for path, values in turning.tracks().items():
             samplers.add_channel(turning.node, path, values)
 

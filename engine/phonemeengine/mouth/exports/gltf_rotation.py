@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
-from phonemeengine.arrays import Float64Array
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import ExportError
 
 HEAD = re.compile(r"(?:.*[^a-z])?head", re.IGNORECASE)
@@ -45,28 +46,36 @@ class Turning:
         return {"rotation": self.rotations, **moved}
 
 
-def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Float64Array) -> list[Turning]:
+def rotations_of(poses: Float32Array) -> Rotation:
+    """Return poses of the head, shape (n, 3): yaw, pitch and roll in degrees, as rotations.
+
+    The head looks along z, and its left is x. It rolls first, then nods, then turns.
+    """
+    return Rotation.from_euler("YXZ", poses * np.array((1.0, -1.0, -1.0)), degrees=True)
+
+
+def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Rotation) -> list[Turning]:
     """Return what turns a head; nothing where none of its nodes can.
 
     Parameters
     ----------
     document : of the glTF; nodes that turn and state a matrix state its parts from now on.
     faces : numbers of the nodes whose meshes have morph targets.
-    turns : shape (n_frames, 4): how the head is turned in the scene, as quaternions x, y, z, w.
+    turns : how the head is turned in the scene at each frame.
 
     Raises
     ------
     ExportError : the scene is damaged.
     """
     try:
-        scene = _Scene(document)
+        scene = _NodeTree(document)
         with np.errstate(over="raise", invalid="raise"):
             return [turning for node in scene.nodes_that_turn(faces) if (turning := scene.turning_of(node, turns))]
     except (TypeError, KeyError, IndexError, ValueError, AttributeError, ArithmeticError) as error:
         raise ExportError("the mesh is a damaged glTF file; export it anew from your modelling program") from error
 
 
-class _Scene:
+class _NodeTree:
     """The nodes of a document, and which lies below which."""
 
     def __init__(self, document: dict[str, Any]) -> None:
@@ -79,15 +88,14 @@ class _Scene:
         found = {node for face in faces if (node := self._node_of(face)) is not None}
         return sorted(node for node in found if not found & set(list(self._chain(node))[1:]))
 
-    def turning_of(self, number: int, turns: Float64Array) -> Turning | None:
+    def turning_of(self, number: int, turns: Rotation) -> Turning | None:
         """Return how a node turns; None where its axes are not at right angles."""
         node = self._nodes[number]
         if "matrix" in node and not _take_apart(node):
             return None
-        rotation = np.array(node.get("rotation", (0, 0, 0, 1)), float)
-        above = self._rotation_above(number)
-        turned = product(product(inverse(above), turns), above)
-        turning = Turning(number, product(turned, rotation), self._translations_of(node, rotation, turned))
+        rotation, above = _rotation_of(node), self._rotation_above(number)
+        turned = above.inv() * turns * above
+        turning = Turning(number, (turned * rotation).as_quat(), self._translations_of(node, rotation, turned))
         if not all(np.abs(track).max() < LARGEST for track in turning.tracks().values()):
             raise ValueError("a number is too large, or none")
         return turning
@@ -107,22 +115,21 @@ class _Scene:
             node = self._above[node]
         raise ValueError("a node lies below itself")
 
-    def _rotation_above(self, number: int) -> Float64Array:
-        rotation = np.array((0.0, 0.0, 0.0, 1.0))
+    def _rotation_above(self, number: int) -> Rotation:
+        rotation = Rotation.identity()
         for k in list(self._chain(number))[1:]:
             node = self._nodes[k]
-            own = _parts_of(node)[1] if "matrix" in node else np.array(node.get("rotation", (0, 0, 0, 1)), float)
-            rotation = product(own, rotation)
+            rotation = (_parts_of(node)[1] if "matrix" in node else _rotation_of(node)) * rotation
         return rotation
 
-    def _translations_of(self, node: Node, rotation: Float64Array, turned: Float64Array) -> Float64Array | None:
+    def _translations_of(self, node: Node, rotation: Rotation, turned: Rotation) -> Float64Array | None:
         """Keep in its place what a mesh turns about, unless that is the node's origin."""
         pivot = self._pivot_of(node)
         if not pivot.any():
             return None
-        arm = rotated(rotation, pivot * np.array(node.get("scale", (1, 1, 1)), float))
+        arm = rotation.apply(pivot * np.array(node.get("scale", (1, 1, 1)), float))
         stays = np.array(node.get("translation", (0, 0, 0)), float) + arm
-        moved: Float64Array = stays - rotated(turned, arm)
+        moved: Float64Array = stays - turned.apply(arm)
         return moved
 
     def _pivot_of(self, node: Node) -> Float64Array:
@@ -137,50 +144,28 @@ class _Scene:
         return np.array(((low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2))
 
 
-def product(one: Float64Array, other: Float64Array) -> Float64Array:
-    """Return the rotation that does the other first, and then the one; quaternions x, y, z, w, shape (..., 4)."""
-    one, other = np.broadcast_arrays(one, other)
-    (a, u), (b, v) = ((q[..., 3:], q[..., :3]) for q in (one, other))
-    real = a * b - np.sum(u * v, axis=-1, keepdims=True)
-    return np.concatenate((a * v + b * u + np.cross(u, v), real), axis=-1)
-
-
-def inverse(rotation: Float64Array) -> Float64Array:
-    """Return the rotation back."""
-    return np.asarray(rotation * np.array((-1.0, -1.0, -1.0, 1.0)))
-
-
-def rotated(rotation: Float64Array, point: Float64Array) -> Float64Array:
-    """Rotate a point, shape (3,), by quaternions, shape (..., 4)."""
-    pure = np.append(point, 0.0)
-    return product(product(rotation, pure), inverse(rotation))[..., :3]
-
-
 def _take_apart(node: Node) -> bool:
     """Have a node state its translation, rotation and scale instead of its matrix, if it has no shear."""
     translation, rotation, scale, straight = _parts_of(node)
     if straight:
         del node["matrix"]
-        parts = {"translation": translation, "rotation": rotation, "scale": scale}
+        parts = {"translation": translation, "rotation": rotation.as_quat(), "scale": scale}
         node.update({name: values.tolist() for name, values in parts.items()})
     return straight
 
 
-def _parts_of(node: Node) -> tuple[Float64Array, Float64Array, Float64Array, bool]:
+def _rotation_of(node: Node) -> Rotation:
+    """Return the rotation that a node states."""
+    return Rotation.from_quat(np.array(node.get("rotation", (0, 0, 0, 1)), float))
+
+
+def _parts_of(node: Node) -> tuple[Float64Array, Rotation, Float64Array, bool]:
     """Return the translation, rotation and scale of a node's matrix, and whether they are all that is in it."""
     matrix = np.array(node["matrix"], float).reshape(4, 4).T
     scale = np.linalg.norm(matrix[:3, :3], axis=0)
     scale[0] *= -1 if np.linalg.det(matrix[:3, :3]) < 0 else 1
     if not scale.all():
-        return matrix[:3, 3], np.array((0.0, 0.0, 0.0, 1.0)), scale, False
+        return matrix[:3, 3], Rotation.identity(), scale, False
     axes = matrix[:3, :3] / scale
     straight = bool(np.abs(axes.T @ axes - np.eye(3)).max() < ORTHOGONAL)
-    return matrix[:3, 3], _quaternion_of(axes), scale, straight
-
-
-def _quaternion_of(axes: Float64Array) -> Float64Array:
-    """Return the quaternion of a rotation matrix: the eigenvector with the largest eigenvalue (Bar-Itzhack 2000)."""
-    (a, b, c), (d, e, f), (g, h, i) = axes
-    lower = np.diag([a - e - i, e - a - i, i - a - e, a + e + i])
-    lower[1, 0], lower[2, :2], lower[3, :3] = d + b, (g + c, h + f), (h - f, c - g, d - b)
-    return np.asarray(np.linalg.eigh(lower)[1][:, -1])
+    return matrix[:3, 3], Rotation.from_matrix(axes), scale, straight

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.frames import drawings_on_frames, frame_of
-from phonemeengine.mouth.utterance import Utterance
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 
 Phrase = list[tuple[int, int, Cue]]
@@ -31,7 +31,7 @@ def write(export: Export) -> Iterator[str]:
             yield f"\t\t\t\t{frame} {cue.shape}\n"
 
 
-def _sound_of(speech: Utterance) -> str:
+def _sound_of(speech: Transcript) -> str:
     """Return where the sound is; its name alone where that is unknown, or would break the line."""
     place = str(speech.path.resolve()) if speech.path else ""
     return place if place and place.isprintable() else speech.name

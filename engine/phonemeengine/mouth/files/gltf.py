@@ -59,7 +59,7 @@ def parse_gltf(content: bytes, beside: Beside = lambda _name: None) -> MorphMesh
             names = target_names(table)
             for primitive in tables_of(table, "primitives"):
                 gathered.add_primitive(primitive, names, transform)
-        return gathered.figure(name_of(document))
+        return gathered.morph_mesh(name_of(document))
 
 
 def linear_of(colours: Float32Array) -> Float32Array:
@@ -106,7 +106,7 @@ class _Gathered:
             self._push_target(name, target, n, transform)
         self.n += n
 
-    def figure(self, name: str) -> MorphMesh:
+    def morph_mesh(self, name: str) -> MorphMesh:
         if not self.n:
             raise MeshError("there is no mesh in it; export one with it")
         numbers = np.concatenate(self.numbers)
@@ -232,15 +232,15 @@ def _triangles(corners: Int64Array, mode: int) -> Int64Array:
     return strip
 
 
-def _renumbered(figure: MorphMesh, numbers: Int64Array) -> MorphMesh:
+def _renumbered(morph_mesh: MorphMesh, numbers: Int64Array) -> MorphMesh:
     """Return the vertices the numbers that they had; those between are at the origin, and nothing uses them."""
     if len(np.unique(numbers)) < len(numbers):
         raise MeshError(f"its {NUMBER} names a vertex twice; export it again")
-    mesh, n = figure.mesh, int(numbers.max()) + 1
+    mesh, n = morph_mesh.mesh, int(numbers.max()) + 1
     points, colours = np.zeros((n, 3), np.float32), np.ones((n, 3), np.float32)
     points[numbers], colours[numbers] = mesh.positions, mesh.colours
     triangles = numbers[mesh.triangles]
-    states = [movestate_at(state.name, numbers[state.numbers], state.offsets) for state in figure.states]
+    states = [movestate_at(state.name, numbers[state.numbers], state.offsets) for state in morph_mesh.states]
     made = mesh_of(
         points, triangles, name=mesh.name, colours=colours, materials=mesh.materials, material_of=mesh.material_of
     )

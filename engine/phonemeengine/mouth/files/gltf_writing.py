@@ -18,14 +18,14 @@ VERTICES, CORNERS = 34962, 34963
 GENERATOR = "PhonemeAnalyser"
 
 
-def format_glb(figure: MorphMesh) -> bytes:
+def format_glb(morph_mesh: MorphMesh) -> bytes:
     """Write a mesh and its movestates as a .glb file; each movestate is a morph target of its name.
 
     Raises
     ------
     MeshError : the file would be larger than any that is read.
     """
-    mesh, buffer = figure.mesh, _Buffer()
+    mesh, buffer = morph_mesh.mesh, _Buffer()
     attributes = {
         "POSITION": buffer.append(mesh.positions, bounded=True),
         "NORMAL": buffer.append(mesh.normals),
@@ -36,11 +36,11 @@ def format_glb(figure: MorphMesh) -> bytes:
         primitive["indices"] = buffer.append(mesh.triangles.reshape(-1, 1))
     else:
         primitive["mode"] = POINTS
-    _push_targets(primitive, figure.states, len(mesh), buffer)
-    return _glb(primitive, figure.states, mesh, buffer)
+    _push_targets(primitive, morph_mesh.states, len(mesh), buffer)
+    return _glb(primitive, morph_mesh.states, mesh, buffer)
 
 
-def format_points(face: MorphTargets) -> bytes:
+def format_points(targets: MorphTargets) -> bytes:
     """Write the vertices of a face as points with morph targets, where its mesh is not known.
 
     The attribute ``_VERTEX`` keeps their numbers, so that reading the file gives the same movestates.
@@ -49,19 +49,20 @@ def format_points(face: MorphTargets) -> bytes:
     ------
     MeshError : no vertex moves, or the file would be larger than any that is read.
     """
-    if not len(face.numbers):
+    if not len(targets.numbers):
         raise MeshError("no vertex moves, so there is nothing to show; name its mesh with --mesh")
     buffer = _Buffer()
     attributes = {
-        "POSITION": buffer.append(face.positions, bounded=True),
-        NUMBER: buffer.append(face.numbers.astype(np.float32).reshape(-1, 1)),
+        "POSITION": buffer.append(targets.positions, bounded=True),
+        NUMBER: buffer.append(targets.numbers.astype(np.float32).reshape(-1, 1)),
     }
     primitive: Table = {"attributes": attributes, "mode": POINTS}
     within = [
-        Movestate(s.name, np.searchsorted(face.numbers, s.numbers).astype(np.uint32), s.offsets) for s in face.states
+        Movestate(s.name, np.searchsorted(targets.numbers, s.numbers).astype(np.uint32), s.offsets)
+        for s in targets.states
     ]
-    _push_targets(primitive, within, len(face.numbers), buffer)
-    return _glb(primitive, face.states, None, buffer)
+    _push_targets(primitive, within, len(targets.numbers), buffer)
+    return _glb(primitive, targets.states, None, buffer)
 
 
 class _Buffer:

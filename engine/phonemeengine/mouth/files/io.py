@@ -1,13 +1,12 @@
 """Opens and saves files of meshes and movestates; the ending says the format."""
 
 import os
-import tempfile
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
 from phonemeengine.errors import MeshError
+from phonemeengine.files import MEGABYTE, read_file, write_file
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
@@ -16,53 +15,56 @@ from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, morph_targets_of
 
-MEGABYTE = 1 << 20
 LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".x": 16}
 """Megabytes of a file of each kind: so much is read, and no more."""
 LARGEST_BESIDE = 64
-FACES = (".3dm", ".3dma")
-FIGURES = (".obj", ".gltf", ".glb", ".x")
+TARGET_SUFFIXES = (".3dm", ".3dma")
+MESH_SUFFIXES = (".obj", ".gltf", ".glb", ".x")
 
 Beside = Callable[[str], bytes | None]
 
 
-def load_morph_mesh(path: Path) -> MorphMesh:
+def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
     """Load a mesh, and the movestates that its file has: .obj, .gltf, .glb or .x.
 
     Raises
     ------
     MeshError : the file cannot be read or is no mesh; the message begins with the file's name.
     """
-    kind = _kind_of(path, FIGURES)
-    content = _content_of(path, LARGEST[kind])
+    path = Path(path)
+    kind = _kind_of(path, MESH_SUFFIXES)
+    content = read_file(path, LARGEST[kind] * MEGABYTE, "such a file", MeshError)
     try:
-        figure = _figure_of(kind, content, _beside(path.parent))
+        morph_mesh = _morph_mesh_of(kind, content, _beside(path.parent))
     except MeshError as error:
         raise MeshError(f"{path.name}: {error}") from error
-    return MorphMesh(replace(figure.mesh, name=figure.mesh.name or path.stem), figure.states)
+    return MorphMesh(replace(morph_mesh.mesh, name=morph_mesh.mesh.name or path.stem), morph_mesh.states)
 
 
-def load_morph_targets(path: Path) -> MorphTargets:
+def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:
     """Load movestates: .3dm or .3dma, or a mesh with morph targets.
 
     Raises
     ------
     MeshError : the file cannot be read or holds no movestates; the message begins with the file's name.
     """
-    kind = _kind_of(path, (*FACES, *FIGURES))
-    if kind in FIGURES:
-        figure = load_morph_mesh(path)
-        if not figure.states:
+    path = Path(path)
+    kind = _kind_of(path, (*TARGET_SUFFIXES, *MESH_SUFFIXES))
+    if kind in MESH_SUFFIXES:
+        morph_mesh = load_morph_mesh(path)
+        if not morph_mesh.states:
             raise MeshError(f"{path.name}: this is a mesh without morph targets; use 'movestates export'")
-        return morph_targets_of(figure.mesh, figure.states)
-    content = _content_of(path, LARGEST[kind])
+        return morph_targets_of(morph_mesh.mesh, morph_mesh.states)
+    content = read_file(path, LARGEST[kind] * MEGABYTE, "such a file", MeshError)
     try:
         return parse_3dm(content) if kind == ".3dm" else parse_3dma(content)
     except MeshError as error:
         raise MeshError(f"{path.name}: {error}") from error
 
 
-def save_morph_targets(face: MorphTargets, path: Path, figure: MorphMesh | None = None) -> None:
+def save_morph_targets(
+    targets: MorphTargets, path: str | os.PathLike[str], morph_mesh: MorphMesh | None = None
+) -> None:
     """Save movestates: .3dm, .3dma, or .glb, which holds the mesh too if it is given, else just points.
 
     The old file stays until the new one is complete.
@@ -71,20 +73,25 @@ def save_morph_targets(face: MorphTargets, path: Path, figure: MorphMesh | None 
     ------
     MeshError : the file cannot be written; the message begins with its name.
     """
-    kind = _kind_of(path, (*FACES, ".glb"))
+    path = Path(path)
+    kind = _kind_of(path, (*TARGET_SUFFIXES, ".glb"))
     try:
         if kind == ".glb":
-            content = format_points(face) if figure is None else format_glb(MorphMesh(figure.mesh, face.states))
+            content = (
+                format_points(targets)
+                if morph_mesh is None
+                else format_glb(MorphMesh(morph_mesh.mesh, targets.states))
+            )
         else:
-            content = format_3dm(face) if kind == ".3dm" else format_3dma(face)
+            content = format_3dm(targets) if kind == ".3dm" else format_3dma(targets)
     except MeshError as error:
         raise MeshError(f"{path.name}: {error}") from error
     if len(content) > LARGEST[kind] * MEGABYTE:
         raise MeshError(f"{path.name}: would be larger than {LARGEST[kind]} MB; leave out some movestates")
-    _write(path, content)
+    write_file(path, content, MeshError)
 
 
-def _figure_of(kind: str, content: bytes, beside: Beside) -> MorphMesh:
+def _morph_mesh_of(kind: str, content: bytes, beside: Beside) -> MorphMesh:
     if kind == ".obj":
         return parse_obj(content, beside)
     return parse_x(content) if kind == ".x" else parse_gltf(content, beside)
@@ -97,18 +104,6 @@ def _kind_of(path: Path, kinds: tuple[str, ...]) -> str:
     return kind
 
 
-def _content_of(path: Path, largest: int) -> bytes:
-    try:
-        size = path.stat().st_size
-        if size > largest * MEGABYTE:
-            raise MeshError(
-                f"{path.name}: such a file has at most {largest} MB, this {size / 1e6:.0f} MB; make it smaller"
-            )
-        return path.read_bytes()
-    except OSError as error:
-        raise MeshError(f"{path.name}: cannot be read ({error.strerror}); check the file") from error
-
-
 def _beside(folder: Path) -> Beside:
     """Return what reads a file of the same folder, or below it; never one elsewhere."""
 
@@ -119,22 +114,6 @@ def _beside(folder: Path) -> Beside:
                 return None
         except (OSError, ValueError):
             return None
-        return _content_of(path, LARGEST_BESIDE)
+        return read_file(path, LARGEST_BESIDE * MEGABYTE, "a file beside a mesh", MeshError)
 
     return read
-
-
-def _write(path: Path, content: bytes) -> None:
-    name = ""
-    try:
-        handle, name = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".part")
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        Path(name).chmod(0o644)
-        Path(name).replace(path)
-    except OSError as error:
-        raise MeshError(f"{path.name}: cannot be written ({error.strerror}); choose another folder") from error
-    finally:
-        if name:
-            with suppress(OSError):
-                Path(name).unlink(missing_ok=True)

@@ -51,16 +51,6 @@ def parse_obj(content: bytes, beside: Beside = lambda _name: None) -> MorphMesh:
     return MorphMesh(reader.mesh())
 
 
-def format_obj(mesh: Mesh) -> bytes:
-    """Write the positions, normals and triangles of a mesh as an .obj file."""
-    out = io.StringIO()
-    out.write(f"o {mesh.name or 'mesh'}\n")
-    out.writelines(f"v {x!s} {y!s} {z!s}\n" for x, y, z in mesh.positions)
-    out.writelines(f"vn {x!s} {y!s} {z!s}\n" for x, y, z in mesh.normals)
-    out.writelines(f"f {a}//{a} {b}//{b} {c}//{c}\n" for a, b, c in (mesh.triangles + np.uint32(1)).tolist())
-    return out.getvalue().encode()
-
-
 class _ObjReader:
     """Gathers what the lines of a file say."""
 

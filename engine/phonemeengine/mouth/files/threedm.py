@@ -42,13 +42,13 @@ def parse_3dm(content: bytes) -> MorphTargets:
     return checked(MorphTargets(tuple(states), moving.numbers, moving.offsets))
 
 
-def format_3dm(face: MorphTargets) -> bytes:
+def format_3dm(targets: MorphTargets) -> bytes:
     """Write a .3dm file."""
-    parts = [MAGIC, struct.pack("<I", len(face.states))]
-    for state in face.states:
+    parts = [MAGIC, struct.pack("<I", len(targets.states))]
+    for state in targets.states:
         name = state.name.encode()
         parts += [struct.pack("<I", len(name)), name, *_block(state.numbers, state.offsets)]
-    return b"".join((*parts, *_block(face.numbers, face.positions)))
+    return b"".join((*parts, *_block(targets.numbers, targets.positions)))
 
 
 def _block(numbers: UInt32Array, vectors: Float32Array) -> tuple[bytes, bytes, bytes]:

@@ -53,15 +53,15 @@ def parse_3dma(content: bytes) -> MorphTargets:
     return checked(MorphTargets(tuple(states), moving.numbers, moving.offsets))
 
 
-def format_3dma(face: MorphTargets) -> bytes:
+def format_3dma(targets: MorphTargets) -> bytes:
     """Write a .3dma file, each number with the fewest digits that keep its float32 value."""
     out = io.BytesIO()
-    out.write(f"{TITLE}\n{STATES}: {len(face.states)}\n".encode())
-    for state in face.states:
+    out.write(f"{TITLE}\n{STATES}: {len(targets.states)}\n".encode())
+    for state in targets.states:
         out.write(f"\n{STATE}: {state.name}\n{VERTICES}: {len(state)}\n".encode())
         out.writelines(_written(state))
-    out.write(f"\n{ALL}: {len(face.numbers)}\n".encode())
-    out.writelines(_written(Movestate(ALL, face.numbers, face.positions)))
+    out.write(f"\n{ALL}: {len(targets.numbers)}\n".encode())
+    out.writelines(_written(Movestate(ALL, targets.numbers, targets.positions)))
     return out.getvalue()
 
 

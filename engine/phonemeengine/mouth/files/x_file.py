@@ -38,7 +38,7 @@ def parse_x(content: bytes) -> MorphMesh:
     reader = _XReader(Tokenizer(content[16:].decode(errors="replace")))
     with np.errstate(all="ignore"):  # what overflows is refused as infinite
         reader.blocks(MATRIX, 0)
-        return reader.figure()
+        return reader.morph_mesh()
 
 
 @dataclass
@@ -70,7 +70,7 @@ class _XReader:
         while (kind := self._words.next_word()) not in {"", "}"}:
             above = self._block(kind, above, depth)
 
-    def figure(self) -> MorphMesh:
+    def morph_mesh(self) -> MorphMesh:
         """Return all meshes as one."""
         if not self._parts:
             raise MeshError("there is no mesh in it; export one with it")

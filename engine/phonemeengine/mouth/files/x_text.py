@@ -22,22 +22,15 @@ class Tokenizer:
     def __init__(self, text: str) -> None:
         self._text = text
         self._at = 0
-        self._waiting: list[str] = []
 
     def next_word(self) -> str:
         """Return the next word; empty at the end."""
-        if self._waiting:
-            return self._waiting.pop()
         while found := WORD.search(self._text, self._at):
             self._at = found.end()
             word = found.group()
             if not word.startswith(("//", "#")):
                 return word
         return ""
-
-    def put_back(self, word: str) -> None:
-        """Let a word be the next once more."""
-        self._waiting.append(word)
 
     def expect(self, word: str) -> None:
         """Take a word that must be the next."""

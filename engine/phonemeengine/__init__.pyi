@@ -1,0 +1,233 @@
+"""The types of the page in ``__init__.py``, for type checkers and editors."""
+
+from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, recognise_window
+from phonemeengine.audio.devices import Device, InputChoice
+from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.level import Level
+from phonemeengine.audio.stream import devices
+from phonemeengine.calibration.alignment import aligned
+from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
+from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
+from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_recordings
+from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions, score
+from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.calibration.sentences import SENTENCES, Sentence, SpokenPhone
+from phonemeengine.calibration.takes.room_noise import ConfidenceInterval, SilenceAccuracy
+from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
+from phonemeengine.errors import (
+    AudioError,
+    CorpusError,
+    CurveError,
+    DeviceError,
+    EngineError,
+    ExportError,
+    MeshError,
+    ModelError,
+    MouthError,
+    PresetError,
+    RecogniserError,
+    RecordingError,
+    SettingsError,
+    TakeError,
+    UnknownPhonemeError,
+)
+from phonemeengine.features.front_end import FrameBlock
+from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Kind, Spectrum, Variable
+from phonemeengine.labels.label import Label
+from phonemeengine.labels.phone_sets import PhoneClass
+from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
+from phonemeengine.live.listener import Listener
+from phonemeengine.live.microphone_analyser import Latency
+from phonemeengine.live.recorder import Recorder
+from phonemeengine.live.sound import Sound
+from phonemeengine.live.status import Status
+from phonemeengine.mouth.blinks import Blinker
+from phonemeengine.mouth.cues import Cue
+from phonemeengine.mouth.exports.exporter import ExportOptions
+from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
+from phonemeengine.mouth.lip_sync import cues, export, transcribe
+from phonemeengine.mouth.mesh import Material, Mesh, mesh_of
+from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, matched, morph_targets_of
+from phonemeengine.mouth.morpher import Detail, Morpher
+from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
+from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
+from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.osc import OscAddress, OscMouth
+from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer, TimedFrame, timed_frames
+from phonemeengine.mouth.table import MouthTable, load_table
+from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.mouth.viseme_override import VisemeOverride
+from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
+from phonemeengine.presets.files import load_preset, save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Cancelled, Progress
+from phonemeengine.recognition.model import Model, OutputHead
+from phonemeengine.recognition.network import Layer
+from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
+from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.rules import Condition, Rule
+from phonemeengine.recognition.segments import Segment
+from phonemeengine.recognition.spec import Recogniser, RecogniserConfig, RecogniserSpec, Tuning
+from phonemeengine.recognition.templates import Templates
+from phonemeengine.recognition.trace import RuleComparison, Trace
+from phonemeengine.settings import (
+    BIN_WIDTH,
+    FRAME_PERIOD,
+    HOP,
+    SAMPLE_RATE,
+    WINDOW,
+    AnalysisSettings,
+    Channel,
+    Decimation,
+    Filter,
+    WindowFunction,
+)
+
+__all__ = [
+    "BIN_WIDTH",
+    "FORMATS",
+    "FRAME_PERIOD",
+    "HOP",
+    "MOUTH_SHAPES",
+    "SAMPLE_RATE",
+    "SENTENCES",
+    "SOUND_SUFFIXES",
+    "WINDOW",
+    "AddedNoise",
+    "Analyser",
+    "Analysis",
+    "AnalysisSettings",
+    "AudioError",
+    "Blinker",
+    "CalibrationResult",
+    "Cancelled",
+    "Channel",
+    "Condition",
+    "ConfidenceInterval",
+    "CorpusError",
+    "CorpusScores",
+    "Cue",
+    "CurveError",
+    "Decimation",
+    "Detail",
+    "Device",
+    "DeviceError",
+    "EngineError",
+    "ExportError",
+    "ExportOptions",
+    "FaceState",
+    "Features",
+    "Filter",
+    "FrameBlock",
+    "FrameLabels",
+    "GroupScores",
+    "HeadMotion",
+    "HeadPose",
+    "IdleMotion",
+    "InputChoice",
+    "Kind",
+    "Label",
+    "Latency",
+    "Layer",
+    "Level",
+    "Listener",
+    "Material",
+    "Mesh",
+    "MeshError",
+    "Mode",
+    "Model",
+    "ModelError",
+    "MorphMesh",
+    "MorphTargets",
+    "Morpher",
+    "MotionSettings",
+    "MouthError",
+    "MouthShape",
+    "MouthTable",
+    "Movestate",
+    "MovestateSet",
+    "NoiseAdder",
+    "NoiseKind",
+    "OscAddress",
+    "OscMouth",
+    "OutputHead",
+    "Performer",
+    "PhoneClass",
+    "Phoneme",
+    "PhonemeData",
+    "PhonemeMap",
+    "Predictions",
+    "Preset",
+    "PresetError",
+    "Progress",
+    "Reading",
+    "Recogniser",
+    "RecogniserConfig",
+    "RecogniserError",
+    "RecogniserSpec",
+    "Recognition",
+    "Recorder",
+    "RecordingError",
+    "Rule",
+    "RuleComparison",
+    "Scores",
+    "Segment",
+    "Sentence",
+    "SettingsError",
+    "SilenceAccuracy",
+    "Sound",
+    "SoundReader",
+    "Spectrum",
+    "SpokenPhone",
+    "Status",
+    "TakeError",
+    "Templates",
+    "Thresholds",
+    "TimedFrame",
+    "Trace",
+    "Transcript",
+    "TransitionTimes",
+    "Tuning",
+    "UnknownPhonemeError",
+    "Utterance",
+    "Variable",
+    "VisemeOverride",
+    "WindowFunction",
+    "__version__",
+    "aligned",
+    "analyse_blocks",
+    "calibrate",
+    "cues",
+    "denoise",
+    "devices",
+    "export",
+    "high_pass_gains",
+    "load_head",
+    "load_morph_mesh",
+    "load_morph_targets",
+    "load_phoneme_map",
+    "load_preset",
+    "load_table",
+    "low_pass_gains",
+    "matched",
+    "mesh_of",
+    "morph_targets_of",
+    "movestate_at",
+    "movestate_of",
+    "normalise",
+    "read_recordings",
+    "recognise_window",
+    "save_morph_targets",
+    "save_preset",
+    "score",
+    "timed_frames",
+    "transcribe",
+]
+
+__version__: str

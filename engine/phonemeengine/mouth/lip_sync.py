@@ -1,0 +1,98 @@
+"""Sound files as mouths, in one call: what is said, cues, and files for other programs."""
+
+import os
+from pathlib import Path
+
+from phonemeengine.analyser import analyse_file
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.errors import ExportError
+from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
+from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
+from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
+from phonemeengine.mouth.transcript import Transcript, transcript_of
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import Channel
+
+
+def transcribe(
+    sound: str | os.PathLike[str], preset: Preset, *, channel: Channel = Channel.MIX, pitch: bool = False
+) -> Transcript:
+    """Return what a sound file says: its stretches of equal phonemes, and how loud it is.
+
+    Parameters
+    ----------
+    sound : the file.
+    preset : what to recognise with.
+    channel : what is recognised of a file of several channels.
+    pitch : measure the fundamental frequency too, by which a head moves.
+
+    Raises
+    ------
+    AudioError : the file cannot be read.
+    """
+    with SoundReader(sound, channel) as reader:
+        analyses = analyse_file(reader, preset, pitch=pitch)
+        return transcript_of(analyses, printable_name(reader.path), reader.duration, reader.path)
+
+
+def cues(
+    sound: str | os.PathLike[str],
+    preset: Preset,
+    table: MouthTable | str | os.PathLike[str] = USUAL_TABLE,
+    *,
+    minimum: float = MINIMUM,
+    anticipation: float = 0.0,
+    channel: Channel = Channel.MIX,
+) -> tuple[Cue, ...]:
+    """Return which shape the mouth has from when to when while a sound file is heard, without gaps.
+
+    Parameters
+    ----------
+    sound, preset, channel : as in `transcribe`.
+    table : the mouth shapes: a table, its file, or the name of one that ships, such as ``rhubarb``.
+    minimum : least duration of a cue, seconds.
+    anticipation : by how much the mouth is ahead of the sound, 0..0.12 s.
+
+    Raises
+    ------
+    AudioError : the file cannot be read.
+    MouthError : the table cannot be used, or a time lies outside its range.
+    """
+    table = table if isinstance(table, MouthTable) else load_table(table)
+    said = transcribe(sound, preset, channel=channel)
+    return cues_of(said.runs, table, minimum=minimum, anticipation=anticipation)
+
+
+def export(
+    sound: str | os.PathLike[str],
+    target: str | os.PathLike[str],
+    form: str,
+    preset: Preset,
+    options: ExportOptions | None = None,
+    *,
+    channel: Channel = Channel.MIX,
+) -> None:
+    """Write what a sound file says, as mouth cues or the movement of a face for another program.
+
+    Parameters
+    ----------
+    sound, preset, channel : as in `transcribe`.
+    target : the new file; an old one stays until the new one is complete.
+    form : name of the format, such as ``rhubarb-json``, ``textgrid``, ``livelink`` or ``gltf``; see `FORMATS`.
+    options : how it shall be written; what suits the format, unless they are given.
+
+    Raises
+    ------
+    AudioError : the sound cannot be read.
+    MouthError : its table cannot be used.
+    ExportError : there is no such format, it cannot do what is asked for, or the file cannot be written.
+    """
+    exporter, target = Exporter(form, options), Path(target)
+    said = transcribe(sound, preset, channel=channel, pitch=exporter.format.moves_head and exporter.idle.head)
+    try:
+        with atomic_write(target) as file:
+            file.writelines(exporter.chunks_of(said))
+    except OSError as error:
+        words = f"{printable_name(target)}: cannot be written ({reason_of(error)}); name another file"
+        raise ExportError(words) from error

@@ -1,0 +1,281 @@
+"""The one driver of a face: phonemes and their times go in, the mouth, blinks and the pose of the head come out.
+
+Whoever moves a face asks the same object: the window, films, exports and the network. What is known of the speech
+before it is heard is cleaned as cues are (see `cues`) and moves the mouth early; what comes live moves it when it is
+heard. The loudness moves it on time.
+
+What comes out depends on what was said to it and when, never on how often anybody looked.
+"""
+
+import math
+import threading
+from collections import deque
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from phonemeengine.analyser import Analysis
+from phonemeengine.arrays import Float32Array
+from phonemeengine.features.front_end import F0
+from phonemeengine.mouth.blinks import Blinker
+from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION, Cue, begins_of, cleaned_cues
+from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
+from phonemeengine.mouth.morpher import Detail, Morpher
+from phonemeengine.mouth.table import MouthTable
+from phonemeengine.mouth.viseme_override import VisemeOverride
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Segment
+from phonemeengine.settings import FRAME_PERIOD
+
+REMEMBERED = 100
+"""Frames that are replayed when another table takes over: one second."""
+CLOSE_AFTER = 0.3
+"""Seconds without a frame after which the mouth of somebody who is listened to closes."""
+STILL = HeadPose()
+
+
+@dataclass(frozen=True)
+class IdleMotion:
+    """What a face does besides speaking, and which of all faces it is.
+
+    Attributes
+    ----------
+    blinks, head : whether it blinks, and whether its head moves.
+    seed : equal seeds make equal faces.
+    detail : how much of the speech its mouth follows.
+    """
+
+    blinks: bool = True
+    head: bool = True
+    seed: int = 0
+    detail: Detail = Detail.PHONEMES
+
+
+MOUTH_ALONE = IdleMotion(blinks=False, head=False)
+"""For those who have eyes and a neck of their own, such as avatars on the network."""
+
+
+class TimedFrame(NamedTuple):
+    """A frame of 10 ms: when it begins on the clock, seconds, and what is heard; f0 in Hz, 0 for none."""
+
+    time: float
+    phoneme: Phoneme
+    intensity: float
+    f0: float = 0.0
+
+
+class FaceState(NamedTuple):
+    """A face at one time.
+
+    Attributes
+    ----------
+    table : whose movestates move.
+    weights : of these, float32, shape (n_movestates,), 1 for the whole movement.
+    blink : how far a blink has closed the lids, 0..1.
+    head : how the head is turned.
+    """
+
+    table: MouthTable
+    weights: Float32Array
+    blink: float
+    head: HeadPose
+
+
+SILENT = TimedFrame(-math.inf, Phoneme.SILENCE, 0.0)
+
+
+def timed_frames(analysis: Analysis, end: float) -> list[TimedFrame]:
+    """Return the frames of an analysis of which the last one ends at a time on the clock, seconds."""
+    start = end - len(analysis) * FRAME_PERIOD
+    columns = (analysis.phonemes, analysis.intensities, analysis.features.values[:, F0])
+    rows = zip(*(column.tolist() for column in columns), strict=True)
+    return [TimedFrame(start + k * FRAME_PERIOD, Phoneme(row[0]), *row[1:]) for k, row in enumerate(rows)]
+
+
+class Performer:
+    """Performs speech with a face: hears what is said as early as it is known, and shows the face at any time.
+
+    Times are seconds of one clock, and those that are looked at never go back. One thread may speak to it while
+    another one looks.
+
+    Parameters
+    ----------
+    table : the mouth shapes, and how the mouth moves between them.
+    idle : what else the face does; blinks and a moving head, where it is None.
+
+    Attributes
+    ----------
+    visemes : the shapes that a person asks for; one thread alone may change them, the one that looks.
+    """
+
+    def __init__(self, table: MouthTable, idle: IdleMotion | None = None) -> None:
+        self.table, self.idle = table, idle or IdleMotion()
+        self.visemes = VisemeOverride(table)
+        self._lock = threading.RLock()
+        self._blinker, self._head = Blinker(self.idle.seed), HeadMotion(self.idle.seed)
+        self._heard: deque[TimedFrame] = deque([SILENT], maxlen=REMEMBERED)
+        self._coming: deque[TimedFrame] = deque()
+        self._changes: deque[TimedFrame] = deque(maxlen=REMEMBERED)
+        self._runs: list[TimedFrame] = []  # the first frame of each run of a phoneme, from the one that is shown on
+        self._movements: deque[tuple[float, TimedFrame]] = deque()  # when the mouth begins to move to which run
+        self._closes_at = math.inf
+        self._restart()
+
+    def configure(self, table: MouthTable, idle: IdleMotion) -> None:
+        """Go on with another table, or with other motion, from where such a face would be."""
+        with self._lock:
+            if table.shapes is not self.table.shapes:
+                self.visemes = VisemeOverride(table)
+            again = (table, idle.detail, idle.seed) != (self.table, self.idle.detail, self.idle.seed)
+            self.table, self.idle = table, idle
+            if again:
+                self._restart()
+
+    # -- what is said to it -------------------------------------------------------------------------------
+
+    def hear(self, frames: Sequence[TimedFrame], now: float = -math.inf, *, live: bool = False) -> None:
+        """Take the next frames.
+
+        Parameters
+        ----------
+        frames : they follow those that were heard before.
+        now : since when they are known: the mouth is not ahead of that. All along, unless told otherwise.
+        live : whether the mouth closes where nothing follows in time.
+        """
+        with self._lock:
+            self._advance(now)
+            self._closes_at = now + CLOSE_AFTER if live else math.inf
+            self._coming.extend(frames)
+            if self._add_runs(frames):
+                self._plan(min(now, frames[0].time))
+
+    def follow(self, cues: Iterable[Cue]) -> None:
+        """Take cues that are cleaned and ahead of the sound already: the mouth moves when they begin."""
+        with self._lock:
+            self._movements.extend((cue.start, _onset_of(cue)) for cue in cues)
+
+    def hear_voice(self, time: float, intensity: float, f0: float) -> None:
+        """Take the loudness alone, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time."""
+        self._coming.append(TimedFrame(time, self._runs[-1].phoneme, intensity, f0))
+
+    def forget_coming(self, now: float) -> None:
+        """Forget what was known of the future, since the sound stops or goes on elsewhere."""
+        with self._lock:
+            self._advance(now)
+            self._closes_at = math.inf
+            self._coming.clear()
+            self._movements.clear()
+            current = self._runs[0]  # the mouth may be ahead of it
+            self._runs = [current._replace(time=min(current.time, now))]
+
+    def close_mouth(self, now: float) -> None:
+        """Close the mouth; what was known of the future does not come."""
+        with self._lock:
+            self.forget_coming(now)
+            self.hear([TimedFrame(now, Phoneme.SILENCE, 0.0)], now)
+
+    def hold(self, now: float, phoneme: Phoneme) -> None:
+        """Hold the shape of a phoneme, at the loudness that there is; what was known of the future does not come."""
+        with self._lock:
+            self.forget_coming(now)
+            if phoneme != self._runs[-1].phoneme:
+                self._runs.append(TimedFrame(now, phoneme, 0.0))
+                self._plan(now)
+
+    def jump_to(self, frames: Sequence[TimedFrame], now: float) -> None:
+        """Stand at once as somebody does who has just said these frames."""
+        with self._lock:
+            self.forget_coming(now)
+            self._heard.clear()
+            self._heard.extend(frames)
+            self._head.hear(now, frames[-1].intensity)
+            self._restart()
+
+    def set_phonemes(self, phonemes: Mapping[Phoneme, float], speech: float) -> None:
+        """Show the shapes of these phonemes, 0..1, beside a share of the speech; of none, the speech alone."""
+        with self._lock:
+            self.visemes.set_phonemes(phonemes, speech)
+
+    # -- what it shows ------------------------------------------------------------------------------------
+
+    def at(self, time: float) -> FaceState:
+        """Return the face at a time."""
+        with self._lock:
+            self._advance(time)
+            weights = self.visemes.apply(self._morpher.weights(time), time)
+            blink = self.visemes.blinks * self._blinker.closure(time) if self.idle.blinks else 0.0
+            return FaceState(self.table, weights, blink, self._head.pose(time) if self.idle.head else STILL)
+
+    def pop_said(self) -> list[tuple[Phoneme, float]]:
+        """Return each phoneme that was heard since the last call with its intensity, and last what is heard now.
+
+        Of shapes that are asked for, the one that is asked for the most.
+        """
+        with self._lock:
+            asked, heard = self.visemes.phonemes, [*self._changes, self._heard[-1]]
+            self._changes.clear()
+            if asked:
+                return [max(asked.items(), key=lambda entry: entry[1])]
+            return [(frame.phoneme, frame.intensity) for frame in heard]
+
+    # -- inside -------------------------------------------------------------------------------------------
+
+    def _restart(self) -> None:
+        """Have a new mouth say what was heard."""
+        self._morpher = Morpher(self.table, detail=self.idle.detail, seed=self.idle.seed)
+        self._runs = [SILENT]
+        self._movements.clear()
+        self._begun = -math.inf
+        self._add_runs([*self._heard, *self._coming])
+        self._plan(-math.inf)
+        for frame in self._heard:
+            self._morpher.set_loudness(frame.time, frame.intensity)
+
+    def _add_runs(self, frames: Iterable[TimedFrame]) -> bool:
+        """Note when which phoneme begins; says whether any does."""
+        n_runs = len(self._runs)
+        for frame in frames:
+            if frame.phoneme != self._runs[-1].phoneme:
+                self._runs.append(frame)
+        return len(self._runs) > n_runs
+
+    def _plan(self, earliest: float) -> None:
+        """Clean what is known after the run that the mouth moves to already, and plan movements from a time on."""
+        runs = zip(self._runs, self._run_ends(), strict=True)
+        segments = (Segment(run.time, end, run.phoneme, run.intensity) for run, end in runs)
+        cues = cleaned_cues(segments, self.table, MINIMUM, n_begun=1)
+        begins = begins_of(cues, self.table, MOST_ANTICIPATION, MINIMUM)
+        movements = zip(begins[1:], cues[1:], strict=True)
+        self._movements = deque((max(begin, earliest, self._begun), _onset_of(cue)) for begin, cue in movements)
+
+    def _run_ends(self) -> list[float]:
+        return [*(run.time for run in self._runs[1:]), math.inf]
+
+    def _advance(self, time: float) -> None:
+        """Have the mouth move, and the head, by what begins until a time."""
+        if self._closes_at <= time:
+            closes_at, self._closes_at = self._closes_at, math.inf
+            self.close_mouth(closes_at)
+        while self._coming and self._coming[0].time <= time:
+            frame = self._coming.popleft()
+            if frame.phoneme != self._heard[-1].phoneme:
+                self._changes.append(frame)
+            self._heard.append(frame)
+            self._morpher.set_loudness(frame.time, frame.intensity)
+            if self.idle.head:
+                self._head.hear(frame.time, frame.intensity, frame.f0)
+        while self._movements and self._movements[0][0] <= time:
+            self._begin(*self._movements.popleft())
+
+    def _begin(self, begin: float, onset: TimedFrame) -> None:
+        """Begin a movement: it is not taken back any more, and the runs before it are over."""
+        self._begun = begin
+        self._morpher.set_phoneme(begin, onset.phoneme)
+        runs = zip(self._runs, self._run_ends(), strict=True)
+        same = (run.phoneme == onset.phoneme and end > onset.time for run, end in runs)
+        past = next((k for k, found in enumerate(same) if found), 0)
+        self._runs[: past + 1] = [onset]
+
+
+def _onset_of(cue: Cue) -> TimedFrame:
+    return TimedFrame(cue.start, cue.phoneme, cue.intensity)

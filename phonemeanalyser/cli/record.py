@@ -1,0 +1,26 @@
+"""``phonemeanalyser record``: a microphone into a file."""
+
+import argparse
+from pathlib import Path
+
+from phonemeanalyser.cli.listen import add_input, input_of, record
+from phonemeengine import load_preset
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is recorded, and where."""
+    parser.add_argument("out", type=Path, metavar="OUT", help="a new .wav or .flac file")
+    add_input(parser)
+    parser.add_argument("--phonemes", action="store_true", help="write the phonemes beside it, as OUT.csv")
+    parser.add_argument(
+        "--fill-gaps", action="store_true", help="silence for the time the microphone was away, besides the mark"
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Record until the time is over, or Ctrl-C."""
+    record(
+        options.out, load_preset(options.preset), input_of(options), options.seconds,
+        with_phonemes=options.phonemes, fill_gaps=options.fill_gaps,
+    )  # fmt: skip
+    return 0

@@ -1,0 +1,31 @@
+"""``phonemeanalyser screenshot``: a picture of the window, without a display."""
+
+import argparse
+import math
+import os
+from pathlib import Path
+
+from phonemeanalyser.cli.arguments import add_channel, add_preset, add_theme, number_in, size_in
+from phonemeanalyser.cli.display import load_desktop
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is to be seen."""
+    parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
+    parser.add_argument("-o", "--out", type=Path, required=True, metavar="PNG")
+    seconds = number_in(0, math.inf, "s")
+    parser.add_argument("--at", type=seconds, metavar="SECONDS", help="analysed up to here (default: the end)")
+    parser.add_argument("--size", type=size_in((640, 480), (7680, 4320)), default=(1280, 800), metavar="WxH")
+    add_theme(parser)
+    add_preset(parser, None)
+    add_channel(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Take the picture."""
+    os.environ["QT_QPA_PLATFORM"] = "offscreen"
+    load_desktop().screenshot(
+        options.file, options.out, at=options.at, size=options.size, theme=options.theme, preset=options.preset,
+        channel=options.channel,
+    )  # fmt: skip
+    return 0

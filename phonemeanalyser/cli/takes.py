@@ -1,0 +1,38 @@
+"""``phonemeanalyser takes``: what a folder of takes holds, and what has been deleted from it."""
+
+import argparse
+import sys
+from collections import Counter
+from pathlib import Path
+
+from phonemeengine import TakeError
+from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.take_list import LIST
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say which folder, and whether it is cleared up."""
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help="the folder of takes, as the window made it")
+    parser.add_argument("--empty-deleted", action="store_true", help="remove deleted takes for ever; asks before")
+    parser.add_argument("--yes", action="store_true", help="remove without asking")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Say what there is; 1 where deleted takes should have been removed, and the user did not want it after all."""
+    if not (options.folder / LIST).is_file():
+        raise TakeError(f"{options.folder}: there is no {LIST} in it, so these are no takes; name another folder")
+    with TakeProject(options.folder) as project:
+        for note in project.notes:
+            print(f"phonemeanalyser: note: {note}", file=sys.stderr)
+        for phoneme, n in sorted(Counter(take.phoneme for take in project.takes).items()):
+            print(f"{phoneme.label:<12}  {n:4}")
+        size = sum(project.path_of(take).stat().st_size for take in project.deleted)
+        print(f"{len(project.takes)} takes, and {len(project.deleted)} deleted ones of {size / 1e6:.1f} MB")
+        return _empty(project, asks=not options.yes) if options.empty_deleted and project.deleted else 0
+
+
+def _empty(project: TakeProject, *, asks: bool) -> int:
+    if asks and input("Remove the deleted takes for ever? [y/N] ").strip().lower() not in {"y", "yes"}:
+        return 1
+    print(f"{project.empty_deleted()} deleted takes are removed")
+    return 0

@@ -1,0 +1,30 @@
+"""``phonemeanalyser [FILE]``: the window."""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+from phonemeanalyser.cli.arguments import add_channel, add_preset
+from phonemeanalyser.cli.display import load_desktop, why_no_window
+from phonemeengine import __version__
+
+DEMO = Path(__file__).parents[1] / "demo" / "demo.flac"
+NO_DISPLAY = 3
+"""Exit code where there is no display."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what the window is opened with."""
+    parser.add_argument("file", type=Path, nargs="?", help="sound file to open (default: the last, or a demo)")
+    add_preset(parser, None, "preset (.toml) or PhonemeData file to begin with")
+    add_channel(parser, None)
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Open the window; returns when it is closed."""
+    if reason := why_no_window(os.environ):
+        print(f"phonemeanalyser: {reason}", file=sys.stderr)
+        return NO_DISPLAY
+    return int(load_desktop().run(options.file, DEMO, options.preset, options.channel))

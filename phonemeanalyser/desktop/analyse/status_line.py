@@ -1,0 +1,80 @@
+"""The line at the bottom: what is in hand, what it is heard on, and how late the picture of a voice is."""
+
+from PySide6.QtWidgets import QLabel
+
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+
+UNNOTICED, ACCEPTED = 0.045, 0.090
+"""Seconds by which a picture may lag behind its sound before it is noticed, and before it is not accepted any more
+(ITU-R BT.1359)."""
+STEADINESS = 0.02
+"""Share of a new measurement in what is shown."""
+
+
+class StatusLine:
+    """Two labels for a status bar."""
+
+    def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
+        self.left, self.right = ElidedLabel(), QLabel()
+        self.latency_ms: float | None = None
+        self._display = 0.0
+        self._session = session
+        self._preset = preset
+        self._theme = theme
+
+    def note_display(self, seconds: float) -> None:
+        """Take note of how long a phoneme took from being known to being painted."""
+        self._display += STEADINESS * (seconds - self._display) if self._display else seconds
+
+    def refresh(self, *, frozen: bool) -> None:
+        """Show how it goes."""
+        session = self._session
+        changed = " (changed)" if self._preset.has_unsaved_changes else ""
+        preset = f"preset {self._preset.preset.name}{changed}"
+        _write(self.left, f" {session.name}: {session.description}   ·   {preset}")
+        self.left.setToolTip(self.left.text().strip())
+        parts = ["views frozen"] if frozen else []
+        parts += [f"{session.n_dropped} frames not shown"] if session.n_dropped else []
+        if session.source is SoundSource.MICROPHONE:
+            parts += self._microphone_parts()
+        else:
+            parts += [f"♪ {session.output_name}" if session.has_card else session.output_name]
+        _write(self.right, "   ·   ".join(part for part in parts if part) + " ")
+
+    def _microphone_parts(self) -> list[str]:
+        microphone = self._session.microphone
+        latency = microphone.latency
+        lost = f"{microphone.listener.lost_seconds:.2f} s lost" if microphone.active else ""
+        if latency is None:
+            self.latency_ms = None
+            self.right.setToolTip("")
+            return [lost]
+        total = latency.total + self._display
+        self.latency_ms = 1000 * total
+        words = {"capture": latency.capture, "window": latency.window, "hop": latency.hop,
+                 **({"look-ahead": latency.look_ahead} if latency.look_ahead else {}),
+                 "analysis": latency.analysis, "display": self._display}  # fmt: skip
+        shares = " + ".join(f"{name} {1000 * seconds:.0f}" for name, seconds in words.items())
+        self.right.setToolTip(
+            "From a sound to its phoneme on the screen, on the average, as measured now. People notice a picture "
+            "that is late by more than 45 ms, and stop accepting it at 90 ms (ITU-R BT.1359)."
+        )
+        judgement, colour = self.judged(total)
+        late = f"<span style='color:{colour}'><b>{1000 * total:.0f} ms late, {judgement}</b></span>"
+        return [lost, f"{late} ({shares})"]
+
+    def judged(self, seconds: float) -> tuple[str, str]:
+        """Return how people take a picture that is late by so much, and in which colour to say it."""
+        if seconds <= UNNOTICED:
+            return "nobody notices", self._theme.good
+        if seconds <= ACCEPTED:
+            return "noticeable", self._theme.text
+        return "too late", self._theme.bad
+
+
+def _write(label: QLabel, text: str) -> None:
+    if text != label.text():
+        label.setText(text)

@@ -1,0 +1,180 @@
+"""The right of the page: how variables are spread, what is taken for what, and what to do about it."""
+
+import math
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QTabWidget, QVBoxLayout, QWidget
+
+from phonemeanalyser.desktop.calibrate.compare_panel import ComparePanel
+from phonemeanalyser.desktop.calibrate.confusion_view import ConfusionView
+from phonemeanalyser.desktop.calibrate.distribution import DistributionView
+from phonemeanalyser.desktop.calibrate.fit_panel import FitPanel
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
+from phonemeanalyser.desktop.calibrate.timeline import TimelineView
+from phonemeanalyser.desktop.calibrate.variables_panel import VariablesPanel
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.scrolled import Scrolled
+
+TABS_WIDTH = 250
+"""In less room than this nobody reads a list."""
+
+
+class WorkbenchView(QWidget):
+    """Lays out distributions, matrix, lists, fit, comparison and lanes.
+
+    Signals
+    -------
+    play_asked : path, start and end of a stretch.
+    picture_asked : the user wants to save a picture of a plot, of this name.
+    """
+
+    play_asked = Signal(Path, float, float)
+    picture_asked = Signal(QPixmap, str)
+
+    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
+        super().__init__()
+        self._calibration = calibration
+        self._theme = theme
+        workbench = calibration.workbench
+        self.variables = VariablesPanel(workbench, theme)
+        self.distribution = DistributionView(workbench, theme)
+        self.confusion = ConfusionView(theme)
+        self.figures, self.cell = QLabel(), QLabel()
+        self.segments = SegmentList("stretches of the cell", "")
+        self.fit = FitPanel(calibration.fit, theme)
+        self.compare = ComparePanel(calibration.comparison, theme)
+        self.tabs = QTabWidget()
+        self.timeline = TimelineView(theme)
+        self.rows, self.columns = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
+        self._lay_out()
+        self._connect()
+        self._show_confusion()
+
+    def _lay_out(self) -> None:
+        upper = QWidget()
+        row = QHBoxLayout(upper)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(0)
+        row.addWidget(self.variables)
+        row.addWidget(self.distribution, 1)
+        listed = QWidget()
+        column = QVBoxLayout(listed)
+        column.setContentsMargins(6, 6, 6, 4)
+        self.cell.setWordWrap(True)
+        column.addWidget(self.cell)
+        column.addWidget(self.segments, 1)
+        for widget, name in ((listed, "Stretches"), (Scrolled(self.fit), "Fit"), (Scrolled(self.compare), "Compare")):
+            self.tabs.addTab(widget, name)
+        self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.tabs.setMinimumWidth(TABS_WIDTH)
+        self.columns.addWidget(self.confusion)
+        self.columns.addWidget(self.tabs)
+        self.columns.setSizes([540, 400])
+        for splitter, widgets in ((self.rows, (upper, self.columns)),):
+            for widget in widgets:
+                splitter.addWidget(widget)
+            splitter.setSizes([320, 300])
+        for splitter in (self.rows, self.columns):
+            splitter.setChildrenCollapsible(False)
+        self.figures.setContentsMargins(8, 3, 8, 3)
+        self.figures.setToolTip(
+            "Macro F1 is the mean over the ten sounds. More changes a second than the labels have are flicker"
+        )
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addWidget(self.rows, 1)
+        whole.addWidget(self.figures)
+        whole.addWidget(self.timeline)
+
+    def _connect(self) -> None:
+        calibration = self._calibration
+        calibration.workbench.confusion_changed.connect(self._show_confusion)
+        calibration.workbench.confusion_changed.connect(self.distribution.show_lines)
+        calibration.workbench.measured.connect(self.fit.show_state)
+        calibration.workbench.measuring.changed.connect(self._show_measuring)
+        calibration.preset.changed.connect(self.fit.show_state)
+        calibration.comparison.changed.connect(self._show_matrix)
+        self.compare.difference.toggled.connect(lambda _on: self._show_matrix())
+        self.confusion.chosen.connect(self._choose_cell)
+        self.timeline.chosen.connect(self._play_segment)
+        for view in (self.segments, self.compare):
+            view.play_asked.connect(calibration.play)
+        self.segments.play_asked.connect(self._show_place)
+        for plot in (self.distribution, self.confusion, self.timeline):
+            plot.menu.save_asked.connect(self.picture_asked)
+
+    # -- what is shown ------------------------------------------------------------------------------------
+
+    def _show_confusion(self) -> None:
+        workbench = self._calibration.workbench
+        self.timeline.show_confusion(workbench.confusion, [u.path.stem for u in workbench.utterances])
+        self._show_matrix()
+        self._show_figures()
+        self._show_cell()
+
+    def _show_matrix(self) -> None:
+        own, comparison = self._calibration.workbench.confusion, self._calibration.comparison
+        against = (
+            comparison.confusion if self.compare.difference.isChecked() and comparison.result is not None else None
+        )
+        self.confusion.show_counts(own.counts if own else None, against.counts if against else None)
+
+    def _show_measuring(self) -> None:
+        measuring = self._calibration.workbench.measuring
+        if measuring.busy:
+            self.figures.setText(f"measuring … {100 * measuring.progress:.0f} %")
+
+    def _show_figures(self) -> None:
+        confusion = self._calibration.workbench.confusion
+        if confusion is None:
+            self.figures.setText(f"<span style='color:{self._theme.faint}'>nothing is loaded yet</span>")
+            return
+        changes, of_labels = confusion.changes_per_s, confusion.label_changes_per_s
+        calm = of_labels > 0 and changes <= 1.5 * of_labels
+        colour = self._theme.good if calm else self._theme.bad
+        ratio = f" ({changes / of_labels:.1f} ×)" if of_labels > 0 else ""
+        seconds = len(confusion.predicted) / 100
+        self.figures.setText(
+            f"accuracy <b>{_percent(confusion.accuracy)}</b> &nbsp; "
+            f"macro F1 <b>{_percent(confusion.macro_f1)}</b> &nbsp; "
+            f"changes a second <b style='color:{colour}'>{changes:.1f}</b>, labels {of_labels:.1f}{ratio} &nbsp; "
+            f"<span style='color:{self._theme.faint}'>{seconds / 60:.1f} min in {confusion.n_recordings} recordings"
+            "</span>"
+        )
+
+    # -- what is chosen -----------------------------------------------------------------------------------
+
+    def _choose_cell(self, _truth: int, _answer: int) -> None:
+        self.tabs.setCurrentIndex(0)
+        self._show_cell()
+
+    def _show_cell(self) -> None:
+        workbench, cell = self._calibration.workbench, self.confusion.cell
+        if cell is None or workbench.confusion is None:
+            self.cell.setText("Click a cell of the matrix to list what is in it.")
+            self.segments.show_rows(())
+            return
+        truth, answer = self.confusion.phonemes_of(cell)
+        found = workbench.segments_in(truth, answer)
+        seconds = sum(p.end - p.start for p in found)
+        self.cell.setText(
+            f"<b>{truth.label}</b> recognised as <b>{answer.label}</b>: {len(found)} stretches, {seconds:.2f} s"
+        )
+        paths = [u.path for u in workbench.utterances]
+        self.segments.show_rows([SegmentRow(paths[p.recording], p.start, p.end) for p in found[:1000]])
+
+    def _play_segment(self, recording: int, start: float, end: float) -> None:
+        self._calibration.play(self._calibration.workbench.utterances[recording].path, start, end)
+
+    def _show_place(self, path: Path, start: float, _end: float) -> None:
+        paths = [u.path for u in self._calibration.workbench.utterances]
+        if path in paths:
+            self.timeline.show_frame(paths.index(path), start)
+
+
+def _percent(share: float) -> str:
+    return "–" if math.isnan(share) else f"{share:.1%}"

@@ -1,0 +1,89 @@
+"""How loud the microphone is: peak, held peak, and a light for clipping."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QPainter
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from phonemeanalyser.desktop.painting import set_size
+from phonemeanalyser.desktop.theme import Theme
+from phonemeengine.audio.level import Level
+
+LOWEST_DB, LOUD_DB = -60.0, -6.0
+MARKS_DB = (-48, -36, -24, -12, 0)
+LIGHT_WIDTH = 92
+FORGOTTEN = 60.0
+"""Seconds after which a clipping is not told any more."""
+
+
+class LevelMeterView(QWidget):
+    """Paints the level from -60 to 0 dB below full scale.
+
+    Parameters
+    ----------
+    read_level : tells what it is now.
+    """
+
+    def __init__(self, read_level: Callable[[], Level], theme: Theme) -> None:
+        super().__init__()
+        self._read_level = read_level
+        self._theme = theme
+        self.setMinimumSize(200, 28)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setAccessibleName("level of the microphone")
+        self.setToolTip(
+            "Peak level in dB below full scale, with the highest of the last 1.5 s; speak up to -12 dB or so. "
+            "The light tells for a minute that the microphone was too loud"
+        )
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint bar, held peak, scale and light."""
+        painter = QPainter(self)
+        level = self._read_level()
+        track = QRectF(2, 4, self.width() - LIGHT_WIDTH - 8, 10)
+        painter.fillRect(track, QColor(self._theme.line))
+        x = self._x_of(level.peak, track)
+        loud = level.peak >= 10 ** (LOUD_DB / 20)
+        painter.fillRect(
+            QRectF(track.left(), 4, x - track.left(), 10), QColor(self._theme.bad if loud else self._theme.good)
+        )
+        painter.fillRect(QRectF(self._x_of(level.held, track) - 1, 3, 2, 12), QColor(self._theme.text))
+        self._paint_scale(painter, track)
+        self._paint_light(painter, level.clipped_ago)
+
+    def _paint_scale(self, painter: QPainter, track: QRectF) -> None:
+        set_size(painter, 9)
+        painter.setPen(QColor(self._theme.faint))
+        for mark in MARKS_DB:
+            x = self._x_of(10 ** (mark / 20), track)
+            painter.fillRect(QRectF(x, 14, 1, 3), QColor(self._theme.faint))
+            text = "0 dB" if mark == 0 else str(mark)
+            painter.drawText(QRectF(x - 30, 16, 31 if mark == 0 else 60, 12), self._align(mark), text)
+
+    def _align(self, mark: int) -> Qt.AlignmentFlag:
+        return Qt.AlignmentFlag.AlignRight if mark == 0 else Qt.AlignmentFlag.AlignHCenter
+
+    def _paint_light(self, painter: QPainter, ago: float | None) -> None:
+        recent = ago is not None and ago < FORGOTTEN
+        box = QRectF(self.width() - LIGHT_WIDTH, 3, LIGHT_WIDTH - 2, 22)
+        fresh = recent and ago is not None and ago < 1.0
+        painter.fillRect(box, QColor(self._theme.bad if fresh else self._theme.raised))
+        faded = self._theme.bad if recent else self._theme.faint
+        painter.setPen(QColor(self._theme.on_colour if fresh else faded))
+        set_size(painter, 10)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words_of(ago))
+
+    def _x_of(self, amplitude: float, track: QRectF) -> float:
+        decibels = 20 * math.log10(max(amplitude, 1e-6))
+        share = (decibels - LOWEST_DB) / -LOWEST_DB
+        return track.left() + track.width() * min(max(share, 0.0), 1.0)
+
+
+def words_of(ago: float | None) -> str:
+    """Return how long ago a sample was clipped."""
+    if ago is None or ago >= FORGOTTEN:
+        return "no clipping"
+    return "CLIPPED" if ago < 1 else f"clipped {ago:.0f} s ago"

@@ -1,0 +1,411 @@
+"""What recordings say of the preset: distributions, the matrix while a threshold is dragged, fit and comparison."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from phonemeanalyser.desktop import dialogs
+from phonemeanalyser.desktop.calibrate.confusion_view import SAID, TAKEN
+from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
+from phonemeanalyser.desktop.calibrate.workbench_view import WorkbenchView
+from phonemeengine.calibration.scores.corpus import read_recordings
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.features.variables import Kind
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.recognition.rules import Condition, Rule
+from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, corpus
+from tests.desktop.hands import LEFT, click, copied, press
+from tests.desktop.hands import choose as choose_entry
+from tests.desktop.studio import Booth, choose
+from tests.fakes.microphones import HandDrivenMicrophone
+
+Open = Callable[..., Booth]
+
+
+@pytest.fixture
+def calibrator(open_booth: Open, mic: HandDrivenMicrophone) -> Calibrator:
+    return Calibrator(open_booth(mic), mic)
+
+
+@pytest.fixture
+def loaded(calibrator: Calibrator, tmp_path: Path) -> Calibrator:
+    """Two speakers' recordings are loaded."""
+    calibrator.model.recordings.load([corpus(tmp_path / "corpus")])
+    calibrator.settle()
+    return calibrator
+
+
+def bench_of(calibrator: Calibrator) -> WorkbenchView:
+    return calibrator.page.workbench
+
+
+def show(calibrator: Calibrator, variable: str) -> None:
+    """Choose a variable in the list."""
+    table = bench_of(calibrator).variables.table
+    row = next(k for k in range(table.rowCount()) if table.item(k, 0).text() == variable)
+    table.scrollToItem(table.item(row, 0))
+    QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(row, 0)).center())
+    calibrator.settle()
+
+
+def drag_line(calibrator: Calibrator, name: str, to: float, *, release: bool = True) -> None:
+    """Drag a threshold to a value."""
+    view = bench_of(calibrator).distribution
+    line = next(line for line in view.lines if line.name == name)
+    start, end, y = round(view.x_of(line.value)), round(view.x_of(to)), view.height() // 2
+    QTest.mousePress(view, LEFT, pos=QPoint(start, y))
+    for x in np.linspace(start, end, 6)[1:]:
+        QTest.mouseMove(view, QPoint(round(x), y))
+    if release:
+        QTest.mouseRelease(view, LEFT, pos=QPoint(end, y))
+
+
+# -- loading ------------------------------------------------------------------------------------------
+
+
+def test_recordings_are_measured_and_counted_as_the_engine_counts_them(loaded: Calibrator, tmp_path: Path):
+    preset = loaded.booth.desktop.preset.preset
+    expected = LabelledFeatures(read_recordings(tmp_path / "corpus"), preset).confusion(preset)
+    bench = bench_of(loaded)
+    np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
+    assert f"{expected.macro_f1:.1%}" in bench.figures.text()
+    assert f"labels {expected.label_changes_per_s:.1f}" in bench.figures.text()
+    assert loaded.page.takes.recordings.text() == "2 by 2 speakers"
+
+
+def test_takes_count_beside_the_recordings_and_the_cross_forgets_these(loaded: Calibrator):
+    loaded.keep(Phoneme.A)
+    assert len(loaded.model.workbench.utterances) == 3
+    click(loaded.page.takes.clear)
+    loaded.settle()
+    assert len(loaded.model.workbench.utterances) == 1
+
+
+def test_unknown_names_are_asked_for_and_then_read(calibrator: Calibrator, tmp_path: Path):
+    folder = corpus(tmp_path / "corpus", {Phoneme.SZ: "hiss", Phoneme.I: "iota"})
+    asked = []
+
+    def answer() -> None:
+        dialog = QApplication.activeModalWidget()
+        assert isinstance(dialog, MappingDialog)
+        asked.extend(dialog.boxes)
+        for name, phoneme in (("hiss", Phoneme.SZ), ("iota", Phoneme.I)):
+            box = dialog.boxes[name]
+            box.setCurrentIndex(box.findData(phoneme))
+        QTest.keyClick(dialog, Qt.Key.Key_Return)
+
+    timer = QTimer()
+    timer.timeout.connect(lambda: isinstance(QApplication.activeModalWidget(), MappingDialog) and answer())
+    timer.start(50)
+    calibrator.model.recordings.load([folder])
+    calibrator.until(lambda: calibrator.model.recordings.utterances)
+    timer.stop()
+    assert sorted(asked) == ["hiss", "iota"]
+    phonemes = {label.phoneme for u in calibrator.model.recordings.utterances for label in u.labels}
+    assert phonemes == {Phoneme.SILENCE, Phoneme.A, Phoneme.I, Phoneme.SZ, Phoneme.U}
+
+
+def test_a_folder_without_labels_is_said_in_one_sentence(calibrator: Calibrator, tmp_path: Path):
+    (tmp_path / "empty").mkdir()
+    calibrator.model.recordings.load([tmp_path / "empty"])
+    calibrator.settle()
+    assert "no labelled sound was found here" in calibrator.booth.banner
+
+
+# -- distributions ------------------------------------------------------------------------------------
+
+
+def test_the_matrix_follows_a_threshold_while_it_is_dragged(loaded: Calibrator, tmp_path: Path):
+    show(loaded, "m_szsch1")
+    preset, bench = loaded.booth.desktop.preset, bench_of(loaded)
+    before, counts = preset.preset, bench.confusion.counts
+    highest = float(loaded.model.workbench.distribution.edges[-1])
+    drag_line(loaded, "szsch_szsch1", highest, release=False)
+    loaded.settle()
+    during = preset.preset
+    assert during.thresholds.szsch_szsch1 == pytest.approx(highest, rel=0.02)
+    assert not np.array_equal(bench.confusion.counts, counts)
+    expected = LabelledFeatures(read_recordings(tmp_path / "corpus"), during).confusion(during)
+    np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
+    np.testing.assert_array_equal(bench.timeline.lanes.confusion.predicted, expected.predicted)
+    QTest.mouseRelease(bench.distribution, LEFT)
+    press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
+    loaded.settle()
+    assert preset.preset == before  # one drag, one undo
+    np.testing.assert_array_equal(bench.confusion.counts, counts)
+
+
+def test_arrow_keys_move_the_chosen_threshold(loaded: Calibrator):
+    show(loaded, "m_szsch1")
+    spread, preset = bench_of(loaded).distribution, loaded.booth.desktop.preset
+    spread.setFocus()
+    before = {line.name: line.value for line in spread.lines}
+    QTest.keyClick(spread, Qt.Key.Key_Right)
+    after = {line.name: line.value for line in spread.lines}
+    (moved,) = [name for name in before if after[name] != before[name]]
+    assert after[moved] > before[moved]
+    assert getattr(preset.preset.thresholds, moved) == after[moved]
+
+
+def test_limits_of_own_rules_are_lines_that_can_be_dragged(loaded: Calibrator):
+    preset = loaded.booth.desktop.preset
+    own = (
+        Rule(Phoneme.SZ, (Condition("zero_crossings", ">", limit=300.0),)),
+        Rule(Phoneme.A, (Condition("zero_crossings", "<", limit=300.0), Condition("energy", ">", limit=0.1))),
+    )
+    preset.edit(replace(preset.preset, recogniser="rules", rules=own), "own rules")
+    loaded.settle()
+    show(loaded, "zero_crossings")
+    spread = bench_of(loaded).distribution
+    assert [line.value for line in spread.lines] == [300.0]
+    assert [line.label for line in spread.lines] == ["sz, a"]
+    drag_line(loaded, spread.lines[0].name, 150.0)
+    limits = {c.limit for rule in preset.preset.rules for c in rule.conditions if c.variable == "zero_crossings"}
+    (limit,) = limits  # both comparisons move together
+    assert limit == pytest.approx(150.0, rel=0.05)
+
+
+def test_a_sensitivity_is_a_line_that_can_be_dragged_and_the_matrix_follows(loaded: Calibrator):
+    preset = loaded.booth.desktop.preset
+    preset.set_recogniser("templates")
+    loaded.settle()
+    show(loaded, "deficit_a")
+    distribution = loaded.model.workbench.distribution
+    assert distribution is not None
+    assert distribution.spreads[Phoneme.A].median < min(
+        s.median for p, s in distribution.spreads.items() if p is not Phoneme.A
+    )
+    before = loaded.model.workbench.confusion
+    drag_line(loaded, "sensitivity_a", 8.0)
+    loaded.settle()
+    assert preset.preset.sensitivities[Phoneme.A] == pytest.approx(8.0, abs=0.5)
+    after = loaded.model.workbench.confusion
+    assert before is not None
+    assert after is not None
+    assert np.count_nonzero(after.predicted == Phoneme.A) > np.count_nonzero(before.predicted == Phoneme.A)
+
+
+def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrator):
+    variables, preset = bench_of(loaded).variables, loaded.booth.desktop.preset
+    choose(variables.one, "i")
+    choose(variables.other, "u")
+    click(variables.search)
+    loaded.until(lambda: loaded.model.workbench.suggestions)
+    loaded.settle()
+    best = loaded.model.workbench.suggestions[0].variable
+    assert variables.table.item(0, 0).text() == f"+ {best.low:.0f}–{best.high:.0f} Hz {best.kind}"
+    table = variables.table
+    QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
+    click(variables.add)
+    loaded.settle()
+    assert preset.preset.variables == (best,)
+    assert best.kind in set(Kind)
+    assert best.name in {r.variable for r in loaded.model.workbench.ranking}
+    press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
+    assert preset.preset.variables == ()
+
+
+def test_a_suggestion_shows_its_range_and_its_distribution_before_it_is_added(loaded: Calibrator):
+    bench, variables, spread = loaded.model.workbench, bench_of(loaded).variables, bench_of(loaded).distribution
+    choose(variables.one, "i")
+    choose(variables.other, "u")
+    click(variables.search)
+    loaded.until(lambda: bench.suggestions)
+    loaded.settle()
+    best = bench.suggestions[0]
+    assert bench.shown is best.distribution
+    assert f"{best.variable.kind} of {best.variable.low:.0f}–{best.variable.high:.0f} Hz" in variables.words.text()
+    assert spread.lines == []
+    assert spread.x_of(0) < spread.x_of(best.threshold) < spread.width()
+    rows = copied(spread.menu, QPoint(9, 9))
+    assert rows[0][2] == f"minimum of {best.variable.name} (amplitude)"
+    sounds = {row[0]: float(row[4]) for row in rows[1:]}  # medians
+    assert min(sounds["i"], sounds["u"]) < best.threshold < max(sounds["i"], sounds["u"])
+    table = variables.table
+    row = next(k for k in range(table.rowCount()) if table.item(k, 0).text() == "m_p2")
+    table.setCurrentCell(row, 0)
+    loaded.settle()
+    assert bench.shown is bench.distribution
+    assert not variables.words.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("preset", "can"), [("thesis.toml", False), ("templates.toml", False), ("extended.toml", True)]
+)
+def test_a_suggestion_says_where_the_recogniser_cannot_use_it(loaded: Calibrator, preset: str, can: bool):
+    loaded.booth.desktop.preset.load(FACTORY / preset)
+    loaded.settle()
+    variables = bench_of(loaded).variables
+    choose(variables.one, "i")
+    choose(variables.other, "u")
+    click(variables.search)
+    loaded.until(lambda: loaded.model.workbench.suggestions)
+    loaded.settle()
+    assert variables.words.isVisible()
+    recogniser = loaded.booth.desktop.preset.preset.recogniser
+    assert (f"The recogniser {recogniser} cannot use variables of your own" in variables.words.text()) is not can
+
+
+# -- the plots' menus ---------------------------------------------------------------------------------
+
+
+def test_matrix_and_lanes_are_copied_as_tables_and_saved_as_pictures(loaded: Calibrator, monkeypatch, tmp_path):
+    bench = bench_of(loaded)
+    rows = copied(bench.confusion.menu, QPoint(9, 9))
+    assert rows[0][:2] == ["said", "recognised as silence (frames of 10 ms)"]
+    assert sum(int(cell) for row in rows[1:] for cell in row[1:]) == bench.confusion.counts.sum()
+    rows = copied(bench.timeline.menu, QPoint(9, 9))
+    assert rows[0] == ["recording", "time (s)", "said", "recognised"]
+    assert len(rows) > 50
+    monkeypatch.setattr(
+        dialogs.QFileDialog, "getSaveFileName", lambda *a, **_k: (str(tmp_path / Path(a[2]).name), "")
+    )
+    for plot in (bench.distribution, bench.confusion, bench.timeline):
+        choose_entry(plot.menu, "Save Picture…")
+    saved = sorted(path.name for path in tmp_path.glob("*.png"))
+    assert saved == ["confusion matrix.png", "distribution.png", "said and recognised.png"]
+
+
+# -- the matrix ---------------------------------------------------------------------------------------
+
+
+def test_a_cell_lists_its_stretches_and_a_click_plays_one_to_its_end(loaded: Calibrator):
+    bench = bench_of(loaded)
+    counts = bench.confusion.counts
+    truth, answer = max(
+        ((t, a) for t in SAID for a in TAKEN if t is not Phoneme.SILENCE), key=lambda cell: counts[cell]
+    )
+    box = bench.confusion.cell_rect(SAID.index(truth), TAKEN.index(answer))
+    QTest.mouseClick(bench.confusion, LEFT, pos=box.center().toPoint())
+    rows = bench.segments.rows
+    assert sum(round((row.end - row.start) * 100) for row in rows) == counts[truth, answer]
+    table = bench.segments
+    QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
+    session = loaded.booth.desktop.session
+    assert session.path == rows[0].path
+    assert session.playing
+    loaded.until(lambda: not session.playing)
+    assert rows[0].end <= session.position < rows[0].end + 0.4
+
+
+def test_a_click_in_the_lanes_plays_what_was_said_there(loaded: Calibrator):
+    bench, session = bench_of(loaded), loaded.booth.desktop.session
+    lanes = bench.timeline.lanes
+    second = lanes.confusion.edges[1]
+    lanes.scale = 1.0
+    bench.timeline.show_frame(1, 0.5)
+    x = 76 + (second + 50 - lanes.first) * lanes.scale
+    QTest.mouseClick(bench.timeline, LEFT, pos=QPoint(round(x), 20))
+    assert session.path == loaded.model.workbench.utterances[1].path
+    assert session.position == pytest.approx(0.15, abs=0.06)  # a begins at 0.3 s
+
+
+# -- fit and comparison -------------------------------------------------------------------------------
+
+
+def test_a_fit_is_shown_accepted_and_undone(loaded: Calibrator):
+    fit, preset = bench_of(loaded).fit, loaded.booth.desktop.preset
+    bench_of(loaded).tabs.setCurrentIndex(1)
+    before = preset.preset
+    click(fit.begin, 10)
+    assert fit.stop.isVisible()
+    loaded.settle()
+    report = loaded.model.fit.report
+    assert report is not None
+    assert report.gains
+    assert fit.figures.item(0, 1).text() == f"{report.after.macro_f1:.1%}"
+    assert fit.figures.item(0, 2).text() == f"{report.held_out.macro_f1:.1%}"
+    assert preset.preset == before
+    click(fit.accept, 10)
+    loaded.settle()
+    assert preset.preset.thresholds == report.preset.thresholds
+    assert loaded.model.workbench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
+    press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
+    assert preset.preset == before
+
+
+def test_a_recogniser_of_another_package_is_fitted_where_it_can_be(
+    loaded: Calibrator, loudness: Path, brightness: Path
+):
+    fit, preset = bench_of(loaded).fit, loaded.booth.desktop.preset
+    preset.set_recogniser("loudness")
+    assert "The recogniser loudness has no thresholds" in loaded.model.fit.why_not
+    preset.set_recogniser("brightness")
+    preset.tune("szsch_szsch1", 1000.0)
+    loaded.settle()
+    bench_of(loaded).tabs.setCurrentIndex(1)
+    click(fit.begin, 10)
+    loaded.settle()
+    report = loaded.model.fit.report
+    assert report is not None
+    assert report.after.macro_f1 > report.before.macro_f1
+    click(fit.accept, 10)
+    loaded.settle()
+    assert preset.preset.thresholds == report.preset.thresholds
+    assert loaded.model.workbench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
+
+
+def test_a_fit_that_is_cancelled_changes_nothing(loaded: Calibrator):
+    fit, before = bench_of(loaded).fit, loaded.booth.desktop.preset.preset
+    bench_of(loaded).tabs.setCurrentIndex(1)
+    click(fit.begin, 10)
+    click(fit.stop, 10)
+    loaded.settle()
+    assert loaded.model.fit.report is None
+    assert fit.begin.isEnabled()
+    assert loaded.booth.desktop.preset.preset == before
+
+
+def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(loaded: Calibrator):
+    compare = bench_of(loaded).compare
+    bench_of(loaded).tabs.setCurrentIndex(2)
+    choose_preset(compare.box, "thesis-anti-aliased")
+    loaded.until(lambda: loaded.model.comparison.result is not None)
+    loaded.settle()
+    other = load_preset(FACTORY / "thesis-anti-aliased.toml")
+    expected = LabelledFeatures(loaded.model.workbench.utterances, other).confusion(other)
+    np.testing.assert_array_equal(loaded.model.comparison.confusion.counts, expected.counts)
+    assert compare.figures.item(0, 1).text() == f"{expected.macro_f1:.1%}"
+    own = loaded.model.workbench.confusion
+    right = own.predicted == own.labels.phonemes
+    others = expected.predicted == own.labels.phonemes
+    assert int(loaded.model.comparison.result.only_one.sum()) == int(np.sum(right & ~others))
+    click(compare.difference)
+    share = bench_of(loaded).confusion.share(0, 0)
+    shares = [c.counts[0, 0] / c.counts[0].sum() for c in (own, expected)]
+    assert share == pytest.approx(shares[0] - shares[1])
+    before = loaded.model.comparison.result
+    loaded.booth.desktop.preset.tune("silence_energy", 0.0)
+    loaded.until(lambda: loaded.model.comparison.result is not before)
+
+
+def choose_preset(box: object, name: str) -> None:
+    """Choose with the keyboard, without passing over "another file"."""
+    box.setFocus()
+    while box.currentText() != name:
+        QTest.keyClick(box, Qt.Key.Key_Down)
+
+
+# -- room ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("size", [(1280, 600), (1280, 800), (1920, 1080)], ids=str)
+def test_the_page_fits_and_nothing_lies_outside(loaded: Calibrator, size: tuple[int, int]):
+    window = loaded.booth.window
+    window.resize(*size)
+    QTest.qWait(50)
+    assert (window.width(), window.height()) == size
+    page = bench_of(loaded)
+    assert page.confusion.height() >= 190
+    assert page.distribution.height() >= 170
+    assert page.timeline.lanes.height() >= 55
+    for part in (page.confusion, page.distribution, page.tabs, page.variables, page.timeline, loaded.page.takes.wave):
+        assert part.isVisible()
+        assert part.parentWidget().rect().contains(part.geometry())

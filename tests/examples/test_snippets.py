@@ -1,0 +1,47 @@
+"""Every line of Python in the README and the documentation runs."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import ROOT
+
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md"))]
+DEMO = Path("phonemeanalyser") / "demo"
+
+
+def python_in(page: Path) -> str:
+    """The Python of a page, each line where it is in the page, so that an error names the place."""
+    lines, inside = [], False
+    for line in page.read_text(encoding="utf-8").splitlines():
+        is_fence = line.lstrip().startswith("```")
+        lines.append(line if inside and not is_fence else "")
+        if is_fence:
+            inside = not inside and line.strip() == "```python"
+    return "\n".join(lines)
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if python_in(page).strip()], ids=lambda page: page.name)
+def test_the_python_of_a_page_runs_from_its_beginning_to_its_end(page: Path, tmp_path: Path) -> None:
+    shutil.copytree(ROOT / DEMO, tmp_path / DEMO)
+    (tmp_path / page.name).write_text(python_in(page), encoding="utf-8")
+    path = os.pathsep.join([str(ROOT / "engine"), str(ROOT), os.environ.get("PYTHONPATH", "")])
+    done = subprocess.run(
+        [sys.executable, "-W", "error", page.name], cwd=tmp_path, env=os.environ | {"PYTHONPATH": path},
+        capture_output=True, text=True, timeout=300, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_readme_shows_the_engine_at_work() -> None:
+    assert "from phonemeengine import" in python_in(PAGES[0])
+
+
+def test_only_python_is_taken_from_a_page(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("say\n```sh\nmake\n```\n```python\na = 1\nb = a\n```\nso\n```python\nc = b\n```\n")
+    assert python_in(page).split("\n") == ["", "", "", "", "", "a = 1", "b = a", "", "", "", "c = b", ""]
