@@ -46,9 +46,6 @@ LEAST_LOSS = 0.005
 PATIENCE = 3.0
 """Seconds that a microphone which gives nothing is waited for beyond the time that was asked for."""
 
-LATENCY = 0.12
-"""What commands ask of the microphone, seconds: half the processor time of the window's, for 10 ms more."""
-
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is listened to, and what is told of it."""
@@ -82,7 +79,7 @@ def add_input(parser: argparse.ArgumentParser) -> None:
 
 def input_of(options: argparse.Namespace) -> InputChoice:
     """Return the microphone that the user chose."""
-    return InputChoice(options.device, options.channel.number, options.rate, latency=LATENCY)
+    return InputChoice(options.device, options.channel.number, options.rate)
 
 
 def list_devices() -> None:

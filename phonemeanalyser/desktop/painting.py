@@ -13,8 +13,9 @@ CENTRED = Qt.AlignmentFlag.AlignCenter
 def set_size(painter: QPainter, size: int) -> None:
     """Have letters be so high from now on, pixels."""
     font = painter.font()
-    font.setPixelSize(size)
-    painter.setFont(font)
+    if font.pixelSize() != size:
+        font.setPixelSize(size)
+        painter.setFont(font)
 
 
 def draw_text(

@@ -20,7 +20,7 @@ WARM_UP, MEASURED = 2.0, 10.0
 """Seconds."""
 SOONER, LATER = 1, 30
 """Simulated minutes after which it is measured."""
-LIMIT, GROWTH = 0.30, 1.10
+LIMIT, GROWTH = 0.28, 1.10
 """Most share of one core, and what is still no growth: two measurements differ by some percent."""
 UNDECIDED = 3
 """Frames between what the clock says and what has been shown: a block is shown when its last frame is heard."""

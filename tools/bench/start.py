@@ -19,7 +19,7 @@ def figures() -> list[Figure]:
     """Measure in pairs."""
     with tempfile.TemporaryDirectory() as folder:
         program, bare = interleaved(N_ROUNDS, lambda: _run([*PROGRAM, folder]), lambda: _run(BARE))
-    return [Figure("first window shown", shown(program), f"bare imports {shown(bare)}", ratio_of(program, bare), 2.0)]
+    return [Figure("first window shown", shown(program), f"bare imports {shown(bare)}", ratio_of(program, bare), 1.8)]
 
 
 def detail() -> Iterator[str]:

@@ -103,16 +103,13 @@ class CardInput:
 
     def read(self, timeout: float) -> Float32Array:
         """Return what came since the last call, shape (n, n_channels); wait for it at most `timeout` seconds."""
-        blocks: list[Float32Array] = []
         try:
-            blocks.append(self._note(*self._arrived.get(timeout=timeout)))
-            while True:
-                blocks.append(self._note(*self._arrived.get_nowait()))
+            blocks = [self._note(*self._arrived.get(timeout=timeout))]
         except queue.Empty:
-            pass
-        if len(blocks) == 1:
-            return blocks[0]
-        return np.concatenate(blocks) if blocks else np.zeros((0, self.n_channels), np.float32)
+            return np.zeros((0, self.n_channels), np.float32)
+        while not self._arrived.empty():
+            blocks.append(self._note(*self._arrived.get_nowait()))
+        return blocks[0] if len(blocks) == 1 else np.concatenate(blocks)
 
     def time_of(self, sample: float) -> float:
         """Return when a sample was captured: what the card keeps back is taken off its arrival."""

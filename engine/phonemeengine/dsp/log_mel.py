@@ -6,6 +6,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.mel import mel_edges, triangular_bank
+from phonemeengine.dsp.spectrum import rfft
 from phonemeengine.settings import SAMPLE_RATE, WINDOW
 
 SHORT = 1024
@@ -50,9 +51,7 @@ def mel_powers(windows: Float32Array, bank: Float32Array) -> Float32Array:
     -------
     float32, shape (n_frames, n_bands); a full-scale sine has the power 1.
     """
-    from scipy.fft import rfft  # noqa: PLC0415 - it costs half a second that a window should not wait for
-
-    bins = rfft(windows[:, _MIDDLE] * _hann(), axis=1)[:, : len(bank)]
+    bins = rfft()(windows[:, _MIDDLE] * _hann(), axis=1)[:, : len(bank)]
     powers = bins.real * bins.real
     powers += bins.imag * bins.imag
     mels: Float32Array = powers.dot(bank)

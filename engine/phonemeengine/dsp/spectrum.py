@@ -78,13 +78,14 @@ class SpectrumAnalyser:
         -------
         float32, shape (n_frames, n_bins).
         """
-        magnitudes: Float32Array = np.abs(_rfft()(waves)[:, : self._n_bins])
+        magnitudes: Float32Array = np.abs(rfft()(waves)[:, : self._n_bins])
         return magnitudes
 
 
 @lru_cache(maxsize=1)
-def _rfft() -> Callable[[Float32Array], NDArray[np.complex64]]:
+def rfft() -> Callable[..., NDArray[np.complex64]]:
+    """Return `scipy.fft.rfft`, which is imported at the first call."""
     from scipy.fft import rfft  # noqa: PLC0415 - see the module's docstring
 
-    function: Callable[[Float32Array], NDArray[np.complex64]] = rfft
+    function: Callable[..., NDArray[np.complex64]] = rfft
     return function

@@ -27,6 +27,7 @@ from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.still_label import StillLabel
 from phonemeengine.arrays import Float32Array
 from phonemeengine.features.variables import BUILT_IN_NAMES, unit_of
 from phonemeengine.phonemes import Phoneme
@@ -57,7 +58,7 @@ class ScrollView(QWidget):
         self.low, self.high = NumberField(), NumberField()
         self.colours = QComboBox()
         self.variable = QComboBox()
-        self._extremes, self._measured = QLabel(), QLabel()
+        self._extremes, self._measured = StillLabel(), StillLabel()
         self._mouse: QPointF | None = None
         self._cursor_label = ReadOut(self._graphics, theme)
         self.menu = PlotMenu(self._graphics, "sonagram", self._values_at, self.reset_zoom)
@@ -101,20 +102,18 @@ class ScrollView(QWidget):
             for name, value in zip(names, shown, strict=True)
         )
         of = f"of {self._history.n_measured(name) * FRAME_PERIOD:.1f} s"
-        for label, words in ((self._extremes, text), (self._measured, of)):
-            if words != label.text():
-                label.setText(words)
+        self._extremes.setText(text)
+        self._measured.setText(of)
 
     def _make_plots(self) -> None:
         layout = self._graphics.ci
         layout.setContentsMargins(0, 0, 6, 0)
         layout.setSpacing(0)
-        self._plots = [layout.addPlot(row=row, col=0) for row in range(3)]
+        self._plots = [layout.addPlot(row=row, col=0, enableMenu=False) for row in range(3)]
         labels = ("frequency (Hz)", "", "variable")
         for plot, item, label in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
             plot.addItem(item)
             plot.hideButtons()
-            plot.setMenuEnabled(False)
             plot.getAxis("left").setWidth(AXIS_WIDTH)
             plot.getAxis("left").enableAutoSIPrefix(False)
             for side in ("left", "bottom"):

@@ -141,9 +141,10 @@ class PhonemeLane(pg.GraphicsObject):
         self._paint_names(painter, codes)
 
     def _paint_names(self, painter: QPainter, codes: UInt8Array) -> None:
-        edges = np.flatnonzero(np.diff(codes, prepend=255, append=255))
+        changes = np.flatnonzero(codes[1:] != codes[:-1]) + 1
+        edges = np.concatenate(([0], changes, [len(codes)]))
         transform = painter.transform()
-        room = np.diff(edges) * FRAME_PERIOD * transform.m11()
+        room = (edges[1:] - edges[:-1]) * FRAME_PERIOD * transform.m11()
         painter.resetTransform()
         painter.setPen(Qt.GlobalColor.white)
         set_size(painter, 11)

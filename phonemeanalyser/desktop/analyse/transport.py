@@ -21,7 +21,11 @@ from phonemeanalyser.desktop.analyse.tone_bar import ToneBar
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.still_label import StillLabel
 from phonemeengine.settings import Channel
+
+LEAST_TIME_WIDTH = 112
+"""Of the time, pixels, so that a short one leaves the slider where it is."""
 
 
 class Pages(QStackedWidget):
@@ -66,7 +70,7 @@ class Transport(QWidget):
         self.tone = ToneBar(theme)
         self.tone.show_tone(session.tone)
         self.pages = Pages()
-        self.time = QLabel()
+        self.time = StillLabel(LEAST_TIME_WIDTH)
         self.volume_label, self.channel_label = QLabel("volume"), QLabel("channel")
         self.volume = QSlider(Qt.Orientation.Horizontal)
         self.channel = QComboBox()
@@ -90,9 +94,10 @@ class Transport(QWidget):
         if recording:
             sign = "●" if session.microphone.listening else "waiting"
             text = f"{sign} {format_clock(session.microphone.recorded_seconds, True)}"
-        if text != self.time.text():
-            self.time.setText(text)
-            self.time.setStyleSheet(f"color: {self._theme.bad}; font-weight: bold" if recording else "")
+        style = f"color: {self._theme.bad}; font-weight: bold" if recording else ""
+        if style != self.time.styleSheet():
+            self.time.setStyleSheet(style)
+        self.time.setText(text)
 
     def _button(self, icon: QStyle.StandardPixmap, tip: str) -> QToolButton:
         button = QToolButton()
@@ -115,7 +120,6 @@ class Transport(QWidget):
             self.source.addItem(source.value, source)
         self.source.setToolTip("Where the sound comes from")
         self.source.setAccessibleName("source")
-        self.time.setMinimumWidth(112)
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         for page in (self.position_slider, self.microphone, self.tone):
             self.pages.addWidget(page)

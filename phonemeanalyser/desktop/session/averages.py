@@ -56,11 +56,12 @@ class AveragesModel(QObject):
 
     def add(self, analysis: Analysis) -> None:
         """Take in a block of frames; those that other filters shaped begin a new mean."""
-        if self.settings is not None and analysis.settings.front_end() != self.settings.front_end():
+        known, given = self.settings, analysis.settings
+        if known is not None and given is not known and given.front_end() != known.front_end():
             self.begin("change of the filters", self._sound)
         if self.settings is None:
             self._from = analysis.start * FRAME_PERIOD
-        self.settings = analysis.settings
+        self.settings = given
         self._average.add(shown_spectra(analysis))
 
     def current(self, name: str = "now") -> AveragedSpectrum:

@@ -46,7 +46,7 @@ class RangeBox(pg.ViewBox):
     """
 
     def __init__(self) -> None:
-        super().__init__()
+        super().__init__(enableMenu=False)
         self.draw: Callable[[float, float], object] | None = None
 
     def mouseDragEvent(self, event: Any, axis: int | None = None) -> None:
@@ -94,7 +94,7 @@ class Plot(QWidget):
     ) -> None:  # fmt: skip
         super().__init__()
         self.theme = theme
-        self.graphics = pg.PlotWidget(viewBox=RangeBox())
+        self.graphics = pg.PlotWidget(viewBox=RangeBox(), enableMenu=False)
         self.item: Any = self.graphics.getPlotItem()
         self.header = QHBoxLayout()
         self._read_out = read_out
@@ -130,7 +130,6 @@ class Plot(QWidget):
         self.item.showGrid(x=True, y=True, alpha=0.12)
         self.item.hideButtons()
         self.item.layout.setContentsMargins(0, 2, 10, 4)
-        self.item.setMenuEnabled(False)
         self.item.addItem(self._cursor, ignoreBounds=True)
         self._cursor.setVisible(False)
 
