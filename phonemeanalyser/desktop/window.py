@@ -129,6 +129,7 @@ class MainWindow(QMainWindow):
         page.guide.save_asked.connect(self.dialogs.save_as)
         page.workbench.compare.file_asked.connect(self._ask_preset_to_compare)
         page.workbench.picture_asked.connect(self.dialogs.ask_save_picture)
+        page.takes.wave.menu.save_asked.connect(self.dialogs.ask_save_picture)
         page.workbench.variables.add_asked.connect(self.dialogs.add_variable)
         self.installEventFilter(page.keys)
         return page

@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.settings import SAMPLE_RATE
 
 HEADING = 15
@@ -42,6 +44,7 @@ class TakeWaveform(QWidget):
         self.setMouseTracking(True)
         self.setAccessibleName("trim the take")
         self.setToolTip("Drag the ends of what counts; arrow keys move the beginning by 10 ms, with Shift the end")
+        self.menu = PlotMenu(self, "take", lambda _at: table_of(self._columns()))
         takes.changed.connect(self._show)
         takes.sound_read.connect(self._show)
 
@@ -70,7 +73,8 @@ class TakeWaveform(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take hold of the nearer end."""
         self.setFocus()
-        self._held = self._end_near(event.position().x())
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._held = self._end_near(event.position().x())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Move the end that is held."""
@@ -113,6 +117,10 @@ class TakeWaveform(QWidget):
             stop = max(min(self._duration, seconds), start + LEAST)
         self.ends = max(0.0, start), min(stop, self._duration)
         self.update()
+
+    def _columns(self) -> dict[str, Float32Array | Float64Array]:
+        sound = self._takes.sound
+        return {"time (s)": np.arange(len(sound)) / SAMPLE_RATE, "amplitude": sound}
 
     def _paint_sound(self, painter: QPainter, left: float, right: float) -> None:
         sound, width = self._takes.sound, max(1, self.width())

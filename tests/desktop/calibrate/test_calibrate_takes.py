@@ -19,7 +19,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, in_room, said
-from tests.desktop.hands import DEMO, LEFT, answer, choose, click, drag, edits, press
+from tests.desktop.hands import DEMO, LEFT, answer, choose, click, copied, drag, edits, press
 from tests.desktop.studio import Booth
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.sounds import silence
@@ -328,6 +328,22 @@ def test_a_take_is_relabelled_in_the_box(calibrator: Calibrator):
     QTest.keyClick(box, Qt.Key.Key_Down)  # a is followed by e
     calibrator.settle()
     assert [take.phoneme for take in calibrator.takes] == [Phoneme.E]
+
+
+def test_a_take_is_copied_as_a_table_and_its_ends_stay_where_the_right_button_is_pressed(calibrator: Calibrator):
+    calibrator.keep(Phoneme.A)
+    click_row(calibrator, 0)
+    calibrator.settle()
+    wave, (take,) = calibrator.page.takes.wave, calibrator.takes
+    QTest.mousePress(wave, Qt.MouseButton.RightButton, pos=QPoint(round(wave._x_of(take.start)), 30))
+    QTest.mouseMove(wave, QPoint(wave.width() // 2, 30))
+    QTest.mouseRelease(wave, Qt.MouseButton.RightButton, pos=QPoint(wave.width() // 2, 30))
+    calibrator.settle()
+    assert calibrator.takes == (take,)
+    rows = copied(wave.menu, QPoint(9, 9))
+    assert rows[0] == ["time (s)", "amplitude"]
+    assert len(rows) == 1 + round(take.duration * SAMPLE_RATE)
+    assert [action.text() for action in wave.menu.actions()] == ["Copy Values", "Copy Picture", "Save Picture…"]
 
 
 def test_the_ends_of_a_take_are_dragged(calibrator: Calibrator):
