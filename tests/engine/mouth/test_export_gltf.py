@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from pygltflib import GLTF2
 
@@ -160,6 +160,7 @@ def test_a_face_that_is_not_there_is_refused(tmp_path: Path) -> None:
 
 @settings(max_examples=200, deadline=None)
 @given(st.integers(0, len(GOOD) - 1), st.binary(min_size=1, max_size=8))
+@example(at=32, instead=b"\xed\xa0\x80")  # half a letter in a name
 def test_no_damage_to_a_face_is_more_than_refused(
     tmp_path_factory: pytest.TempPathFactory, at: int, instead: bytes
 ) -> None:

@@ -65,7 +65,8 @@ def document_of(text: bytes, largest: int) -> Table:
 
 def glb_of(document: Table, parts: Iterable[bytes]) -> bytes:
     """Return a .glb file of a document, and of parts that follow each other in its buffer 0."""
-    text = json.dumps(document, ensure_ascii=False, separators=(",", ":")).encode()
+    words = json.dumps(document, ensure_ascii=False, separators=(",", ":"))
+    text = words.encode(errors="replace")  # damaged names may hold halves of letters
     chunks = _chunk(JSON_CHUNK, text, b" ") + _chunk(BINARY_CHUNK, b"".join(parts), b"\0")
     return MAGIC + struct.pack("<II", VERSION, HEADER + len(chunks)) + chunks
 
