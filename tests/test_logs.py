@@ -78,9 +78,11 @@ def test_the_window_s_log_begins_anew_before_it_grows_large(tmp_path: Path, monk
 
 
 def test_a_folder_that_cannot_be_made_troubles_nobody(tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("")
-    with logs.logged_beside(tmp_path / "file" / "settings"):
+    (tmp_path / "file").write_text("kept")
+    with logs.logged_beside(tmp_path / "file" / "settings") as path:
         ENGINE.info("heard by nobody")
+    assert not path.exists()
+    assert (tmp_path / "file").read_text() == "kept"
 
 
 def test_a_thread_that_crashes_is_logged(tmp_path: Path, capsys: Capture) -> None:

@@ -74,9 +74,7 @@ def test_a_recogniser_of_one_s_own_says_why() -> None:
 
 def test_a_mouth_moves_in_a_game_loop(tmp_path: Path) -> None:
     soundfile.write(tmp_path / "speech.wav", np.tile(SPEECH, 3), SAMPLE_RATE)
-    (*_, last) = run(
-        "pygame_mouth.py", tmp_path / "speech.wav", SDL_VIDEODRIVER="dummy", PYGAME_HIDE_SUPPORT_PROMPT="1"
-    )
+    (*_, last) = run("pygame_mouth.py", tmp_path / "speech.wav", **GAME)
     assert re.fullmatch(r"the jaw was open by [1-9]\d?% at most", last)
 
 

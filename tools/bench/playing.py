@@ -11,8 +11,8 @@ from PySide6.QtCore import QEvent, QObject
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.analyser import Analyser, Analysis
-from phonemeengine.live.player import STEP
-from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.live.player import PART
+from phonemeengine.settings import FRAME_PERIOD, HOP
 from tools.bench.desktop import live_for, shown_desktop, written_speech
 from tools.bench.figures import Absolute, Figure, answer_of, speech
 
@@ -85,8 +85,8 @@ def main() -> None:
 
 def _live_blocks(session: Session) -> list[Analysis]:
     """Give twelve seconds of analyses as they come while a file plays, two frames each."""
-    sound, analyser = speech(12), Analyser(session.preset.in_force, pitch=True)
-    return [analyser.push(sound[k : k + STEP]) for k in range(0, len(sound), STEP)]
+    sound, analyser, size = speech(12), Analyser(session.preset.in_force, pitch=True), PART * HOP
+    return [analyser.push(sound[k : k + size]) for k in range(0, len(sound), size)]
 
 
 def _gather(session: Session, blocks: list[Analysis], minutes: float) -> None:

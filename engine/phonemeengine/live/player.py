@@ -21,8 +21,10 @@ from phonemeengine.live.playback_queue import PlaybackQueue
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
-STEP = 2 * HOP
-"""Samples that are read, played and analysed at a time."""
+STEP = 6 * HOP
+"""Samples that are read, played and analysed at a time: many cost less than one by one."""
+PART = 2
+"""Frames that are handed out at a time: a picture shows no more than them."""
 RETRY_PERIOD = 2.0
 """Seconds between two tries to find a sound card again."""
 STALL_TIMEOUT = 1.0
@@ -215,7 +217,7 @@ class Player:
             return
         self._queue(self._analyser.finish())
         if self.loop:
-            rest = max(0, STEP - self.reader.n_samples)  # a sound of a few samples would leave no time for anything
+            rest = max(0, PART * HOP - self.reader.n_samples)  # a few samples would leave no time for anything
             self._output.write(np.zeros((rest, self.reader.n_channels), np.float32))
             self._begin(0)
         else:
@@ -246,14 +248,14 @@ class Player:
         self._at_end = False
 
     def _queue(self, analysis: Analysis) -> None:
-        """Have a block wait until it is heard; frames from before the segment are dropped."""
+        """Have each part of a block wait until it is heard; frames from before the segment are dropped."""
         written, sample = self._segments[-1]
         analysis = analysis.part(slice(max(0, sample // HOP - analysis.start), None))
-        if len(analysis) == 0:
-            return
-        self._next_frame = analysis.start + len(analysis)
-        due = written + (self._next_frame - 1) * HOP + HOP // 2 - sample
-        self._waiting.append(min(due, self._output.n_written), analysis)
+        for first in range(0, len(analysis), PART):
+            part = analysis.part(slice(first, first + PART))
+            self._next_frame = part.start + len(part)
+            due = written + (self._next_frame - 1) * HOP + HOP // 2 - sample
+            self._waiting.append(min(due, self._output.n_written), part)
 
     def _drop_device(self) -> None:
         """Go on silently, since the card has gone."""

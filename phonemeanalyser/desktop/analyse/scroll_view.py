@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import (
     QComboBox,
-    QGraphicsItem,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -25,7 +24,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.colour_bar import ColourBar
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
-from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, toggle_button
+from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, live_axes, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.still_label import StillLabel
 from phonemeengine.arrays import Float32Array
@@ -109,15 +108,12 @@ class ScrollView(QWidget):
         layout = self._graphics.ci
         layout.setContentsMargins(0, 0, 6, 0)
         layout.setSpacing(0)
-        self._plots = [layout.addPlot(row=row, col=0, enableMenu=False) for row in range(3)]
+        self._plots = [layout.addPlot(row=row, col=0, enableMenu=False, axisItems=live_axes()) for row in range(3)]
         labels = ("frequency (Hz)", "", "variable")
         for plot, item, label in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
             plot.addItem(item)
             plot.hideButtons()
             plot.getAxis("left").setWidth(AXIS_WIDTH)
-            plot.getAxis("left").enableAutoSIPrefix(False)
-            for side in ("left", "bottom"):
-                plot.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
             plot.setLabel("left", label)
             plot.setMouseEnabled(x=True, y=plot is self._plots[0])
             plot.vb.setLimits(xMin=-SPAN, xMax=0)
@@ -134,7 +130,6 @@ class ScrollView(QWidget):
         lane.getAxis("left").setStyle(showValues=False, tickLength=0)
         course.setFixedHeight(COURSE_HEIGHT)
         course.setLabel("bottom", "time before now (s)")
-        course.getAxis("bottom").enableAutoSIPrefix(False)
         for plot in (sonagram, lane):
             plot.hideAxis("bottom")
         for plot in (lane, course):
@@ -255,7 +250,7 @@ class ScrollView(QWidget):
             self._course.setData([], [])
             return
         values = self._history.features(at)[name]
-        self._course.setData((np.arange(len(at)) - len(at) + 0.5) * FRAME_PERIOD, values, connect="finite")
+        self._course.setData((np.arange(len(at)) - len(at) + 0.5) * FRAME_PERIOD, values)
         self._fit_course(name, values)
 
     def _fit_course(self, name: str, drawn: Float32Array) -> None:

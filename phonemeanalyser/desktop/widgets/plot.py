@@ -3,12 +3,16 @@
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import pyqtgraph as pg
+from numpy.typing import ArrayLike
 from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeengine.arrays import Float64Array
 
 READOUTS_PER_SECOND = 30
 
@@ -17,10 +21,34 @@ class LiveCurve(pg.PlotCurveItem):
     """A curve that is drawn anew up to 60 times a second within fixed axes.
 
     Its bounds are those of the axes, so its points need not be measured at every picture. They are kept, and
-    changed only after Qt was told so, since it would paint a new range within the old bounds otherwise.
+    changed only after Qt was told so, since it would paint a new range within the old bounds otherwise. It is painted
+    as polylines, which need no path; where a value is no number, there is a gap.
     """
 
     _bounds = QRectF()
+    _lines: tuple[QPolygonF, ...] = ()
+
+    def __init__(self, pen: QPen) -> None:
+        super().__init__()
+        self.setPen(pen)
+
+    def setData(self, x: ArrayLike = (), y: ArrayLike = ()) -> None:
+        """Draw another curve, both of shape (n,)."""
+        self.xData, self.yData = np.asarray(x, float), np.asarray(y, float)
+        self.path = None
+        known = np.isfinite(self.yData)
+        if known.all():
+            self._lines = (_polyline(self.xData, self.yData),)
+        else:
+            edges = np.flatnonzero(np.diff(known, prepend=False, append=False)).reshape(-1, 2)
+            self._lines = tuple(_polyline(self.xData[a:b], self.yData[a:b]) for a, b in edges.tolist())
+        self.update()
+
+    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+        """Paint what is known."""
+        painter.setPen(self.opts["pen"])
+        for line in self._lines:
+            painter.drawPolyline(line)
 
     def boundingRect(self) -> QRectF:
         """Return the visible part of the plot."""
@@ -35,6 +63,52 @@ class LiveCurve(pg.PlotCurveItem):
     def dataBounds(self, *_asked: Any, **_options: Any) -> tuple[None, None]:
         """Ask for no range, since the axes are fixed."""
         return None, None
+
+
+def _polyline(x: Float64Array, y: Float64Array) -> QPolygonF:
+    line = QPolygonF()
+    line.resize(len(x))
+    if len(x):
+        points = pg.functions.ndarray_from_qpolygonf(line)
+        points[:, 0], points[:, 1] = x, y
+    return line
+
+
+class LiveAxis(pg.AxisItem):
+    """An axis beside what is drawn anew up to 60 times a second: painted and measured only when it changes."""
+
+    _bounds: QRectF | None = None
+
+    def __init__(self, side: str) -> None:
+        super().__init__(side)
+        self.setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # painting an axis costs half a ms
+        self.enableAutoSIPrefix(False)
+
+    def boundingRect(self) -> QRectF:
+        """Return the room of numbers, ticks and grid."""
+        if self._bounds is None:
+            self._bounds = super().boundingRect()
+        return self._bounds
+
+    def setGeometry(self, *geometry: Any) -> None:
+        """Take another place."""
+        self._bounds = None
+        super().setGeometry(*geometry)
+
+    def setGrid(self, grid: float | bool) -> None:
+        """Show a grid, or none."""
+        self._bounds = None
+        super().setGrid(grid)
+
+    def linkedViewChanged(self, *change: Any) -> None:
+        """Show another range, or beside a plot of another size."""
+        self._bounds = None
+        super().linkedViewChanged(*change)
+
+
+def live_axes() -> dict[str, LiveAxis]:
+    """Make the axes of a plot."""
+    return {side: LiveAxis(side) for side in ("left", "bottom")}
 
 
 class RangeBox(pg.ViewBox):
@@ -94,7 +168,7 @@ class Plot(QWidget):
     ) -> None:  # fmt: skip
         super().__init__()
         self.theme = theme
-        self.graphics = pg.PlotWidget(viewBox=RangeBox(), enableMenu=False)
+        self.graphics = pg.PlotWidget(viewBox=RangeBox(), enableMenu=False, axisItems=live_axes())
         self.item: Any = self.graphics.getPlotItem()
         self.header = QHBoxLayout()
         self._read_out = read_out
@@ -122,10 +196,7 @@ class Plot(QWidget):
     def _style(self, axes: tuple[tuple[str, str], tuple[str, str]]) -> None:
         for side, (text, unit) in zip(("bottom", "left"), axes, strict=True):
             self.item.setLabel(side, f"{text} ({unit})" if unit else text)
-            axis = self.item.getAxis(side)
-            axis.enableAutoSIPrefix(False)
-            axis.setStyle(tickTextOffset=2, tickLength=-4)
-            axis.setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # painting an axis costs half a ms
+            self.item.getAxis(side).setStyle(tickTextOffset=2, tickLength=-4)
         self.item.getAxis("left").setWidth(52)
         self.item.showGrid(x=True, y=True, alpha=0.12)
         self.item.hideButtons()

@@ -12,7 +12,7 @@ def test_what_is_drawn_beyond_the_old_range_is_painted(qtbot):
     qtbot.addWidget(plot)
     plot.setYRange(0, 1, padding=0)
     plot.setXRange(0, 1, padding=0)
-    curve = LiveCurve()
+    curve = LiveCurve(pg.mkPen("k"))
     plot.addItem(curve)
     plot.show()
     plot.grab()

@@ -38,7 +38,7 @@ def test_no_frame_comes_before_its_middle_is_heard_nor_two_steps_late(rig: Rig) 
         for heard in rig.player.take_analyses():
             middles = (np.array(frames_of([heard])) + 0.5) * HOP
             assert middles[-1] - 1 <= rig.output.heard or end
-            assert rig.output.heard - middles[0] <= live.STEP + 100
+            assert rig.output.heard - middles[0] <= live.PART * HOP + 100
 
 
 def test_what_is_heard_is_the_file(rig: Rig) -> None:

@@ -9,6 +9,7 @@ import pytest
 import soundfile
 
 from phonemeengine.errors import AudioError
+from phonemeengine.live.player import STEP
 from phonemeengine.live.sound import N_BINS, Sound
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, Channel
@@ -38,7 +39,7 @@ class Game:
         player._wake.set()
 
         def settled() -> bool:
-            held = not player.playing or player._at_end or output.room < 2 * HOP
+            held = not player.playing or player._at_end or output.room < STEP
             return player._error is not None or (not player._commands and player._target is None and held)
 
         wait_for(settled, "the analysis thread")

@@ -138,7 +138,8 @@ def test_any_text_is_refused_as_a_preset_and_never_crashes(text: str):
 @given(where=st.integers(0, len(GOOD)), length=st.integers(1, 30), new=st.text("09.-\"'[]=\nax", max_size=6))
 def test_a_damaged_preset_is_read_or_refused(where: int, length: int, new: str):
     with suppress(PresetError):
-        preset_from_toml(GOOD[:where] + new + GOOD[where + length :], Path())
+        read = preset_from_toml(GOOD[:where] + new + GOOD[where + length :], Path())
+        assert preset_from_toml(preset_to_toml(read), Path()) == read
 
 
 @pytest.mark.parametrize("suffix", [".toml", ".phonemedata", ".txt", ""])
