@@ -24,7 +24,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
-from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop import calibrate
 from phonemeanalyser.desktop.garbage import WindowThreadCollector
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
@@ -66,7 +66,7 @@ class Desktop:
         self._settings = settings
         self.preset = preset or PresetModel()
         self.session = Session(self.preset, open_device, microphone)
-        self.calibration = CalibrationModel(self.session, self.preset)
+        self._calibration: calibrate.CalibrationModel | None = None
         self.talking = TalkModel(self.session)
         self.window = self._make_window()
         self.window.talking_dialogs.restore()
@@ -75,12 +75,13 @@ class Desktop:
     def close(self) -> None:
         """Let sound, window and system go, each before what it listens to; unsaved changes are not asked for."""
         self._app.styleHints().colorSchemeChanged.disconnect(self._scheme)
+        models = [model for model in (self._calibration, self.talking) if model is not None]
         self.session.close()
-        self.calibration.close()
-        self.talking.close()
+        for model in models:
+            model.close()
         self.window.close_without_asking()
-        for model in (self.talking, self.calibration, self.session, self.preset):
-            model.deleteLater()
+        for closed in (*reversed(models), self.session, self.preset):
+            closed.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # in this order; no event loop runs now
         self._settings.sync()
 
@@ -88,6 +89,14 @@ class Desktop:
         """Keep layout and choices for the next start, on the disk."""
         self.window.save_state()
         self._settings.sync()
+
+    @property
+    def calibration(self) -> "calibrate.CalibrationModel":
+        """The calibration; it is made when it is first asked for, which is after the first picture."""
+        if self._calibration is None:
+            self._calibration = calibrate.CalibrationModel(self.session, self.preset)
+            self.window.join_calibration(self._calibration)
+        return self._calibration
 
     @property
     def theme(self) -> Theme:
@@ -106,8 +115,11 @@ class Desktop:
 
     def _make_window(self) -> MainWindow:
         apply_theme(self._app, self.theme)
-        window = MainWindow(self.session, self.preset, self.theme, self._settings, self.calibration, self.talking)
+        session, preset = self.session, self.preset
+        window = MainWindow(session, preset, self.theme, self._settings, lambda: self.calibration, self.talking)
         window.theme_asked.connect(self.set_theme)
+        if self._calibration is not None:
+            window.join_calibration(self._calibration)
         return window
 
     def _follow_system(self) -> None:
@@ -189,6 +201,8 @@ def _data_folder() -> Path:
 
 
 def _begin(desktop: Desktop, file: Path, channel: Channel | None) -> None:
+    """Go on with what the window need not wait for."""
+    _ = desktop.calibration  # which takes up the takes of the last start
     desktop.window.dialogs.open_sound(file)
     if channel is not None:
         desktop.session.set_channel(channel)

@@ -4,10 +4,10 @@ import time
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
+from phonemeanalyser.desktop import calibrate
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport import Transport
-from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.talk.heads import Heads
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack
@@ -30,7 +30,7 @@ class RedrawLoop(QObject):
 
     def __init__(
         self, parent: QObject, session: Session, pages: PageStack, analysis: AnalysisPage,
-        calibration: LazyPage[CalibrationPage], heads: Heads, transport: Transport, status: StatusLine,
+        calibration: "LazyPage[calibrate.CalibrationPage]", heads: Heads, transport: Transport, status: StatusLine,
     ) -> None:  # fmt: skip
         super().__init__(parent)
         self.frozen = False

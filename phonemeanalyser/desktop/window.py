@@ -1,5 +1,6 @@
 """The main window: lays the views out, and joins menus, keys and drops to the models. No signal logic."""
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -7,16 +8,13 @@ from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QWidget
 
-from phonemeanalyser.desktop import commands
+from phonemeanalyser.desktop import calibrate, commands
 from phonemeanalyser.desktop.analyse.filter_column import FilterColumn
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.preset_box import PresetBox
 from phonemeanalyser.desktop.analyse.recogniser_choice import RecogniserChoice
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport import Transport
-from phonemeanalyser.desktop.calibrate.dialogs import CalibrationDialogs
-from phonemeanalyser.desktop.calibrate.model import CalibrationModel
-from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.docks import Docks
 from phonemeanalyser.desktop.menus import Command, Menus
@@ -54,6 +52,10 @@ HINTS = {
 class MainWindow(QMainWindow):
     """All views over one session and one preset.
 
+    Parameters
+    ----------
+    calibration : makes the model of the calibration, if there is none yet, and has it joined to the window.
+
     Signals
     -------
     theme_asked : the user chose ``system``, ``light`` or ``dark``.
@@ -62,23 +64,23 @@ class MainWindow(QMainWindow):
     theme_asked = Signal(str)
 
     def __init__(
-        self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings, calibration: CalibrationModel,
-        talking: TalkModel,
+        self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings,
+        calibration: "Callable[[], calibrate.CalibrationModel]", talking: TalkModel,
     ) -> None:  # fmt: skip
         super().__init__()
         self.theme = theme
         self.dialogs = Dialogs(self, session, preset, settings)
-        self.calibration_dialogs = CalibrationDialogs(self, calibration, settings)
         self.menus = Menus(self)
         self.talking_dialogs = TalkDialogs(self, talking, settings)
         self._docks = Docks(self)
-        self._calibration = calibration
+        self._ask_calibration = calibration
+        self._calibration: calibrate.CalibrationModel | None = None
+        self._calibration_dialogs: calibrate.CalibrationDialogs | None = None
         self._talking = talking
         self._session = session
         self._preset = preset
         self._settings = settings
         self._retired = False
-        self.calibration_dialogs.restore()
         self._make_views()
         self._lay_out()
         self._make_menus()
@@ -110,8 +112,17 @@ class MainWindow(QMainWindow):
             self, session, self.pages, self.analysis, self._late_calibration, self.heads, self.transport, self.status
         )
 
+    def join_calibration(self, model: "calibrate.CalibrationModel") -> None:
+        """Take up the takes of the last start, and show what the calibration says, whatever page is seen."""
+        self._calibration = model
+        self._calibration_dialogs = calibrate.CalibrationDialogs(self, model, self._settings)
+        model.error.connect(self.banner.show_error)
+        model.info.connect(self.banner.show_info)
+        model.guide.changed.connect(self._lend_keys)
+        self._calibration_dialogs.restore()
+
     @property
-    def calibration(self) -> CalibrationPage:
+    def calibration(self) -> "calibrate.CalibrationPage":
         """The page of the calibration."""
         return self._late_calibration.get()
 
@@ -120,14 +131,16 @@ class MainWindow(QMainWindow):
         """The page of the head."""
         return self._late_talk.get()
 
-    def _make_calibration_page(self) -> CalibrationPage:
+    def _make_calibration_page(self) -> "calibrate.CalibrationPage":
         head = self.heads.add("guide", HeadView(self._talking, self.theme))
-        page, dialogs = CalibrationPage(self._calibration, head, self.theme), self.calibration_dialogs
+        page = calibrate.CalibrationPage(self._ask_calibration(), head, self.theme)
+        dialogs = self._calibration_dialogs
+        assert dialogs is not None
         page.takes.project_asked.connect(dialogs.ask_project)
         page.takes.empty_asked.connect(dialogs.ask_empty_deleted)
         page.takes.import_asked.connect(dialogs.ask_recordings)
         page.guide.save_asked.connect(self.dialogs.save_as)
-        page.workbench.compare.file_asked.connect(self._ask_preset_to_compare)
+        page.workbench.compare.file_asked.connect(partial(self._ask_preset_to_compare, dialogs))
         page.workbench.picture_asked.connect(self.dialogs.ask_save_picture)
         page.takes.wave.menu.save_asked.connect(self.dialogs.ask_save_picture)
         page.workbench.variables.add_asked.connect(self.dialogs.add_variable)
@@ -149,8 +162,8 @@ class MainWindow(QMainWindow):
         if self.dialogs.ask_sound():
             self._session.play()
 
-    def _ask_preset_to_compare(self) -> None:
-        path = self.calibration_dialogs.ask_preset()
+    def _ask_preset_to_compare(self, dialogs: "calibrate.CalibrationDialogs") -> None:
+        path = dialogs.ask_preset()
         if path is not None:
             self.calibration.workbench.compare.offer(path)
 
@@ -198,7 +211,7 @@ class MainWindow(QMainWindow):
         self.menus.add_edit(preset.undo_stack)
         add("&Play", *commands.play_commands(session))
         measure = Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency)
-        room = Command("Measure the Room (2 s of Quiet)", "", self._calibration.measure_room)
+        room = Command("Measure the Room (2 s of Quiet)", "", lambda: self._ask_calibration().measure_room())
         add("&Record", *commands.record_commands(session, dialogs), measure, room)
         freeze = Command("Freeze Views", "F", self.set_frozen, checkable=True)
         mark = Command("New Variable…", "V", self.analysis.averaged.measure.toggle)
@@ -246,10 +259,8 @@ class MainWindow(QMainWindow):
         dialogs.variable_added.connect(self.analysis.scroll_view.variable.setCurrentText)
         self.banner.shown.connect(self._banner_bar.setVisible)
         self.switch.chosen.connect(self.show_page)
-        for model in (self._calibration, self._talking, session):
+        for model in (self._talking, session):
             model.error.connect(self.banner.show_error)
-        self._calibration.info.connect(self.banner.show_info)
-        self._calibration.guide.changed.connect(self._lend_keys)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         session.opened.connect(self._show_names)
         session.cleared.connect(self.redraw.refresh_all)
@@ -286,7 +297,7 @@ class MainWindow(QMainWindow):
     def _lend_keys(self) -> None:
         """Leave keys to what the user is in the middle of: the guide, or a region that becomes a variable."""
         page = self.pages.currentIndex()
-        guided = page == CALIBRATE and self._calibration.guide.running
+        guided = page == CALIBRATE and self._calibration is not None and self._calibration.guide.running
         marking = page == ANALYSE and self.analysis.averaged.measure.isChecked()
         self.menus.lend_key("Stop", lent=guided or marking)
         self.menus.lend_key("Record", lent=guided)
@@ -369,7 +380,8 @@ class MainWindow(QMainWindow):
         """Keep layout and choices for the next start."""
         if self.pages.currentIndex() == ANALYSE:
             self.state.save_docks()
-        self.calibration_dialogs.save()
+        if self._calibration_dialogs is not None:
+            self._calibration_dialogs.save()
         self.talking_dialogs.save()
         self.state.save(self._session, self.analysis.scroll_view)
 

@@ -22,9 +22,10 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.features.variables import Variable
-from phonemeengine.live import listener
+from phonemeengine.live import listener, player
 from phonemeengine.presets.files import THESIS_PRESET, save_preset
 from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import WINDOW
 from tests.desktop.hands import shown
 from tests.desktop.studio import DESK, Booth, Studio
 from tests.fakes.microphones import HandDrivenMicrophone
@@ -32,7 +33,7 @@ from tests.fakes.outputs import Outputs
 
 PATIENCE_MS = 60_000
 STEP = 700
-AHEAD = STEP + 2000  # half a window and a block beyond what is heard next
+AHEAD = STEP + WINDOW // 2 + player.STEP  # half a window and a block beyond what is heard next
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -1,5 +1,8 @@
 """What the window makes at the start, and what it leaves for later."""
 
+import subprocess
+import sys
+
 from PySide6.QtCore import Qt
 
 from phonemeanalyser.desktop.app import FirstPaint
@@ -41,3 +44,15 @@ def test_the_sound_is_opened_after_the_window_has_been_painted(desktop, qtbot):
     desktop.window.repaint()
     qtbot.wait(50)
     assert said == [True]
+
+
+def test_the_first_picture_does_not_wait_for_the_calibration(tmp_path):
+    program = (
+        "import sys; from PySide6.QtCore import QSettings; from phonemeanalyser.desktop.app import Desktop, "
+        "make_application; app = make_application(); settings = QSettings(sys.argv[1], QSettings.Format.IniFormat); "
+        "desktop = Desktop(app, settings); desktop.window.show(); name = 'phonemeanalyser.desktop.calibrate.model'; "
+        "print(name in sys.modules); desktop.calibration; print(name in sys.modules); desktop.close()"
+    )
+    words = [sys.executable, "-c", program, str(tmp_path / "settings.ini")]
+    done = subprocess.run(words, capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["False", "True"]

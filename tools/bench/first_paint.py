@@ -3,13 +3,16 @@
 Imports nothing that the program would not: what this module costs is counted as the program's.
 """
 
+import gc
 import os
 import sys
 
-from PySide6.QtCore import QEvent, QObject, QSettings, QTimer
+gc.disable()  # as the program does before it imports Qt
 
-from phonemeanalyser.cli.main import main
-from phonemeanalyser.desktop.app import make_application
+from PySide6.QtCore import QEvent, QObject, QSettings, QTimer  # noqa: E402
+
+from phonemeanalyser.cli.main import main  # noqa: E402
+from phonemeanalyser.desktop.app import make_application  # noqa: E402
 
 
 class Watch(QObject):

@@ -37,7 +37,8 @@ def colours_of(name: str) -> UInt32Array:
 class SonagramItem(pg.GraphicsObject):
     """The last minute of spectra as an image.
 
-    The image is a ring: only new columns are coloured, and it is painted in two pieces.
+    The image is a ring: only new columns are coloured, and it is painted in two pieces; in one, until it has gone
+    round once.
 
     Attributes
     ----------
@@ -54,7 +55,6 @@ class SonagramItem(pg.GraphicsObject):
         self._colours = colours_of(COLOUR_MAPS[0])
         self._in_decibels = True
         self._low, self._high = -60.0, 0.0
-        self.recolour()
 
     def set_colours(self, colours: UInt32Array, in_decibels: bool, low: float, high: float) -> None:
         """Choose colours, and the amplitudes (0..1 or dB) of the darkest and the brightest."""
@@ -63,7 +63,6 @@ class SonagramItem(pg.GraphicsObject):
 
     def recolour(self) -> None:
         """Draw everything remembered anew."""
-        self._pixels[:] = self._nothing
         self._colour(0, self.n_drawn)
 
     def forget(self, column: int) -> None:
@@ -88,8 +87,8 @@ class SonagramItem(pg.GraphicsObject):
         split = self.n_drawn % CAPACITY
         rows = min(MOST_BINS, int(self.viewRect().bottom() / BIN_WIDTH) + 2)
         height = rows * BIN_WIDTH
-        older = CAPACITY - split
-        x = -SPAN
+        older = CAPACITY - split if self.n_drawn >= CAPACITY else 0
+        x = -(older + split) * FRAME_PERIOD
         for first, n in ((split, older), (0, split)):
             visible = x + n * FRAME_PERIOD > self.viewRect().left()
             if n and visible:

@@ -27,7 +27,7 @@ def heard(desktop, window, qtbot):
     """Wait until some more frames were heard, and give the spectra of the newest ones."""
 
     def wait(n: int = 30) -> np.ndarray:
-        until = desktop.session.history.n + n + 10  # what was written before a change is still to be heard
+        until = desktop.session.history.n + n + 40  # what was written before a change is still to be heard
         qtbot.waitUntil(lambda: desktop.session.history.n >= until)
         window.redraw.refresh_all()
         return desktop.session.history.newest.spectra

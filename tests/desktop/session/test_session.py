@@ -104,13 +104,13 @@ def test_an_edit_while_it_plays_acts_on_what_comes(
     session: Session, model: PresetModel, sound: Path, play: Callable[[float], None], outputs: Outputs, qtbot: QtBot
 ) -> None:
     session.open(sound)
-    outputs.last.ahead = SAMPLE_RATE // 10
+    outputs.last.ahead = SAMPLE_RATE // 5
     play(0.2)
     for name in ("silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1"):
         model.tune(name, 1e6)
     settled(session, qtbot)
     play(10)
-    late = session.history.recognised[np.arange(35, N_FRAMES)]
+    late = session.history.recognised[np.arange(45, N_FRAMES)]
     assert not late.any()
     assert session.history.recognised[np.arange(10, 20)].any()
 
@@ -119,7 +119,7 @@ def test_a_new_variable_is_measured_while_it_plays(
     session: Session, model: PresetModel, sound: Path, play: Callable[[float], None], outputs: Outputs
 ) -> None:
     session.open(sound)
-    outputs.last.ahead = SAMPLE_RATE // 10
+    outputs.last.ahead = SAMPLE_RATE // 5
     play(0.1)
     model.add_variable(Variable("mine", 100, 5000))
     session.seek(0.2)
