@@ -273,12 +273,12 @@ def _entry_of(name: str) -> EntryPoint:
     entries = plug_ins().get(name, ())
     if not entries:
         raise PresetError(
-            f"there is no recogniser named {name!r}; known are {', '.join(recogniser_names())}; install the package "
-            "that brings it, or choose another preset"
+            f"there is no recogniser named {name!r:.60}; known are {', '.join(recogniser_names())}; install the "
+            "package that brings it, or choose another preset"
         )
     if len(entries) > 1:
         packages = " and ".join(package_of(entry) for entry in entries)
-        raise RecogniserError(f"the recogniser {name!r} is offered twice, by {packages}; uninstall one of them")
+        raise RecogniserError(f"the recogniser {name!r:.60} is offered twice, by {packages}; uninstall one of them")
     return entries[0]
 
 

@@ -95,6 +95,12 @@ class LiveAxis(pg.AxisItem):
         self._bounds = None
         super().setGeometry(*geometry)
 
+    def resizeEvent(self, event: Any = None) -> None:
+        """Leave the name of an upright axis out where it would be cut."""
+        super().resizeEvent(event)
+        if self.orientation == "left" and self.label is not None:
+            self.label.setVisible(self.label.boundingRect().width() <= self.size().height())
+
     def setGrid(self, grid: float | bool) -> None:
         """Show a grid, or none."""
         self._bounds = None

@@ -32,7 +32,7 @@ def parse_3dm(content: bytes) -> MorphTargets:
     states = []
     for place in range(n_states):
         name = _name_of(pieces.bytes(f"the name of movestate {place}", LONGEST_NAME + 1), place)
-        n = pieces.count(f"the number of vertices of {name!r}", MOST_VERTICES, 16)
+        n = pieces.count(f"the number of vertices of {name!r:.60}", MOST_VERTICES, 16)
         numbers = pieces.array("<u4", n)
         states.append(movestate_at(name, numbers, pieces.vectors(n)))
     n = pieces.count("the number of vertices that move", MOST_VERTICES, 16)
