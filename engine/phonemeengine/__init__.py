@@ -109,7 +109,7 @@ _PAGE = {
     "recognition.recognition": "Recognition",
     "recognition.trace": "RuleComparison Trace",
     # A voice, and how well it is recognised
-    "calibration.scores.corpus": "FrameLabels Utterance read_recordings",
+    "calibration.scores.corpus": "FrameLabels LabelledUtterance read_recordings",
     "labels.label": "Label",
     "labels.phoneme_map": "PhonemeMap load_phoneme_map",
     "labels.phone_sets": "PhoneClass",

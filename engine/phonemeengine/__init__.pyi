@@ -9,7 +9,7 @@ from phonemeengine.audio.stream import devices
 from phonemeengine.calibration.alignment import aligned
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_recordings
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_recordings
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions, score
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.sentences import SENTENCES, Sentence, SpokenPhone
@@ -133,6 +133,7 @@ __all__ = [
     "InputChoice",
     "Kind",
     "Label",
+    "LabelledUtterance",
     "Latency",
     "Layer",
     "Level",
@@ -195,7 +196,6 @@ __all__ = [
     "TransitionTimes",
     "Tuning",
     "UnknownPhonemeError",
-    "Utterance",
     "Variable",
     "VisemeOverride",
     "WindowFunction",
