@@ -76,7 +76,7 @@ _PAGE = {
     "mouth.exports.formats": "FORMATS",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
-    "mouth.performer": "FaceState IdleMotion Performer TimedFrame timed_frames",
+    "mouth.performer": "FaceState IdleMotion MouthTrack Performer TimedFrame timed_frames",
     "mouth.viseme_override": "VisemeOverride",
     "mouth.table": "MouthTable load_table",
     "mouth.motion_settings": "MotionSettings TransitionTimes",
@@ -124,7 +124,8 @@ _PAGE = {
     # What is refused
     "errors": (
         "AudioError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
-        "MouthError PresetError RecogniserError RecordingError SettingsError TakeError UnknownPhonemeError"
+        "MouthError PresetError RecogniserError RecordingError SettingsError SpeechError TakeError "
+        "UnknownPhonemeError"
     ),
 }
 _ALIASES = {"SOUND_SUFFIXES": "SUFFIXES"}

@@ -29,6 +29,7 @@ from phonemeengine.errors import (
     RecogniserError,
     RecordingError,
     SettingsError,
+    SpeechError,
     TakeError,
     UnknownPhonemeError,
 )
@@ -59,7 +60,7 @@ from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer, TimedFrame, timed_frames
+from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride
@@ -151,6 +152,7 @@ __all__ = [
     "MouthError",
     "MouthShape",
     "MouthTable",
+    "MouthTrack",
     "Movestate",
     "MovestateSet",
     "NoiseAdder",
@@ -185,6 +187,7 @@ __all__ = [
     "Sound",
     "SoundReader",
     "Spectrum",
+    "SpeechError",
     "SpokenPhone",
     "Status",
     "TakeError",
