@@ -8,10 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.animation import Animation, animation_by
 from phonemeengine.mouth.movements import Movement, shares_of
-from phonemeengine.mouth.performer import IdleMotion, Performer
-from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind
 from phonemeengine.speech.pinyin.spring import SpringMass
 from phonemeengine.speech.pinyin.table import REST, PinyinTable
@@ -55,28 +52,6 @@ class PinyinMouth:
     def _target(self, time: float) -> Float32Array:
         shape: Float32Array = self._rows[self._movements[bisect_right(self._starts, time) - 1].row]
         return shape
-
-
-def pinyin_animation(
-    plan: Plan, table: PinyinTable, speech: Transcript, rate: float, idle: IdleMotion | None = None
-) -> Animation:
-    """Animate a face: its mouth says a plan, and it blinks and moves its head with the sound.
-
-    Parameters
-    ----------
-    plan : what is said.
-    table : its shapes, and how the mouth goes there.
-    speech : how long the animation is, and how loud and high the voice.
-    rate : frames per second, 1..240.
-    idle : what else the face does; blinks and a moving head, where it is None.
-
-    Raises
-    ------
-    MouthError : the rate lies outside its range.
-    """
-    performer = Performer(table.mouth, idle)
-    performer.play(PinyinMouth(plan, table))
-    return animation_by(performer, speech, rate)
 
 
 def _movements_of(plan: Plan, reach: float, rows: dict[str, int]) -> Iterator[Movement]:

@@ -54,6 +54,20 @@ class Spring:
                 "ever farther; choose a larger mass, or less of the others"
             )
 
+    @classmethod
+    def of(cls, text: str) -> "Spring":
+        """Read ``MASS,STIFFNESS,DAMPING``, such as ``1,900,60``.
+
+        Raises
+        ------
+        MouthError : it is none.
+        """
+        try:
+            mass, stiffness, damping = map(float, text.split(","))
+        except ValueError as error:
+            raise MouthError(f"a spring is MASS,STIFFNESS,DAMPING, such as 1,900,60, found {text[:60]!r}") from error
+        return cls(mass, stiffness, damping)
+
 
 class SpringMass:
     """Follows a target that moves; a seek puts it at rest on its target.

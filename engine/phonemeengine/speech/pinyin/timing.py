@@ -2,37 +2,18 @@
 
 import random
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from phonemeengine.errors import SpeechError
 from phonemeengine.labels.label import ROUNDING
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance
 from phonemeengine.speech.pinyin.letters import is_sound
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow
+from phonemeengine.speech.pinyin.script import Written, WrittenMark, WrittenSyllable
 from phonemeengine.speech.pinyin.table import LEAST_SHARE, MOST_SHARE, REST, PinyinTable
 
 USUAL_RATE = 4.0
 SLOWEST, FASTEST = 0.5, 10.0
 """Syllables per second."""
-
-
-@dataclass(frozen=True)
-class WrittenSyllable:
-    """A syllable of a text: its character, and its pinyin with the tone as a digit."""
-
-    text: str
-    sound: str
-
-
-@dataclass(frozen=True)
-class WrittenMark:
-    """A mark of a text at which the voice pauses, and the weight of the pause."""
-
-    text: str
-    weight: float
-
-
-PinyinScript = Sequence[WrittenSyllable | WrittenMark]
 
 
 def pause_unit(table: PinyinTable, rate: float) -> float:
@@ -49,7 +30,9 @@ def pause_unit(table: PinyinTable, rate: float) -> float:
     return table.pause / rate
 
 
-def plan_at_rate(script: PinyinScript, table: PinyinTable, rate: float = USUAL_RATE, seed: int | None = None) -> Plan:
+def plan_at_rate(
+    script: Sequence[Written], table: PinyinTable, rate: float = USUAL_RATE, seed: int | None = None
+) -> Plan:
     """Plan a text that nobody speaks: each syllable lasts 1 / rate.
 
     Parameters
@@ -76,7 +59,9 @@ def plan_at_rate(script: PinyinScript, table: PinyinTable, rate: float = USUAL_R
     return Plan(tuple(rows), closing)
 
 
-def plan_of(utterance: Utterance, table: PinyinTable, script: PinyinScript = (), seed: int | None = None) -> Plan:
+def plan_of(
+    utterance: Utterance, table: PinyinTable, script: Sequence[Written] = (), seed: int | None = None
+) -> Plan:
     """Plan what is said in a sound, by the sound's own times.
 
     Parameters
@@ -148,7 +133,7 @@ def _syllables_of(utterance: Utterance) -> Iterator[tuple[str, Syllable]]:
         yield from zip(texts, word.syllables, strict=True)
 
 
-def _marks_of(script: PinyinScript, n_syllables: int) -> dict[int, str]:
+def _marks_of(script: Sequence[Written], n_syllables: int) -> dict[int, str]:
     """Return the mark after so many syllables."""
     marks: dict[int, str] = {}
     n_written = 0

@@ -2,8 +2,8 @@
 
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable
 from phonemeengine.speech.pinyin.table import load_pinyin_table
-from phonemeengine.speech.pinyin.timing import WrittenMark, WrittenSyllable
 
 TABLE = load_pinyin_table()
 SCRIPT = (

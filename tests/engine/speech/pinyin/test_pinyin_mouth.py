@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion, Performer
-from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth, pinyin_animation
+from phonemeengine.mouth.performer import MOUTH_ALONE, Performer
+from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
 from phonemeengine.speech.pinyin.plan import Plan
+from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable
 from phonemeengine.speech.pinyin.spring import LONGEST_JUMP, Spring
 from phonemeengine.speech.pinyin.table import PinyinTable
-from phonemeengine.speech.pinyin.timing import WrittenMark, WrittenSyllable, plan_at_rate, plan_of
+from phonemeengine.speech.pinyin.timing import plan_at_rate, plan_of
 from tests.engine.speech.pinyin.saying import SAID, SCRIPT, TABLE
 
 ROWS = TABLE.weights()
@@ -155,20 +155,6 @@ def test_a_spring_that_is_not_refused_stays_near_its_shapes(stiffness: float, da
         return
     found = seen(planned(["ma1", "wu3"]), replace(TABLE, spring=spring), np.arange(0, 0.8, 1 / 60))
     assert np.isfinite(found).all()
-
-
-def test_an_animation_shows_the_mouth_blinks_and_turns_the_head() -> None:
-    speech = Transcript("text", PLAN.duration + AFTERWARDS)
-    animation = pinyin_animation(PLAN, TABLE, speech, 60.0, IdleMotion(seed=1))
-    mouth = PinyinMouth(PLAN, TABLE)
-    expected = np.array([mouth.weights(time) for time in animation.times.tolist()])
-    lids = [ARKIT.index("eyeBlinkLeft"), ARKIT.index("eyeBlinkRight")]
-    np.testing.assert_array_equal(np.delete(animation.weights, lids, 1), np.delete(expected, lids, 1))
-    assert animation.head.any()
-    still = pinyin_animation(PLAN, TABLE, speech, 60.0, MOUTH_ALONE)
-    assert not still.head.any()
-    assert not still.weights[:, lids].any()
-    assert len(still.weights) == int((PLAN.duration + AFTERWARDS) * 60 + 1e-6) + 1
 
 
 def test_a_performer_plays_it_from_any_time_and_then_goes_on_by_what_it_hears() -> None:

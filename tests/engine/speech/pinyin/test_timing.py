@@ -11,7 +11,8 @@ from phonemeengine.errors import SpeechError
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, Plan, PlanKind, format_plan
-from phonemeengine.speech.pinyin.timing import WrittenMark, WrittenSyllable, plan_at_rate, plan_of
+from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable
+from phonemeengine.speech.pinyin.timing import plan_at_rate, plan_of
 from tests.engine.speech.pinyin.saying import MA, NIHAO, SAID, SCRIPT, TABLE
 
 Script = list[WrittenSyllable | WrittenMark]
