@@ -27,6 +27,12 @@ Files become mouth cues, or whatever another program reads::
     cues("line.wav", preset)                 # which shape from when to when
     export("line.wav", "line.json", "rhubarb-json", preset)
 
+A Chinese text moves a mouth by pinyin, with a voice's times or by a rate::
+
+    performer = Performer(load_table("arkit"))
+    performer.play(pinyin_track("你好。").mouth(), start=now)
+    weights = performer.at(now).weights      # as above
+
 Movestates (morph targets) move the vertices of a mesh::
 
     head = load_head()                       # or load_morph_mesh("face.glb")
@@ -74,6 +80,8 @@ _PAGE = {
     "mouth.cues": "Cue",
     "mouth.exports.exporter": "ExportOptions",
     "mouth.exports.formats": "FORMATS",
+    "mouth.animation": "Animation",
+    "labels.utterance": "Phone Syllable Utterance Word",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
     "mouth.performer": "FaceState IdleMotion MouthTrack Performer TimedFrame timed_frames",
@@ -83,6 +91,13 @@ _PAGE = {
     "mouth.blinks": "Blinker",
     "mouth.head_motion": "HeadMotion HeadPose",
     "mouth.osc": "OscAddress OscMouth",
+    # A mouth that says a text
+    "speech.pinyin.track": "PinyinTrack pinyin_track",
+    "speech.pinyin.table": "PinyinTable load_pinyin_table",
+    "speech.pinyin.driver": "PinyinMouth",
+    "speech.pinyin.spring": "Spring",
+    "speech.pinyin.plan": "Plan PlanKind PlanRow format_plan",
+    "speech.pinyin.labelled": "read_syllables",
     # A face that it moves
     "mouth.head": "load_head",
     "mouth.files.io": "load_morph_mesh load_morph_targets save_morph_targets",

@@ -39,11 +39,13 @@ from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.labels.label import Label
 from phonemeengine.labels.phone_sets import PhoneClass
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.sound import Sound
 from phonemeengine.live.status import Status
+from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.exports.exporter import ExportOptions
@@ -89,6 +91,12 @@ from phonemeengine.settings import (
     Filter,
     WindowFunction,
 )
+from phonemeengine.speech.pinyin.driver import PinyinMouth
+from phonemeengine.speech.pinyin.labelled import read_syllables
+from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow, format_plan
+from phonemeengine.speech.pinyin.spring import Spring
+from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
+from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 
 __all__ = [
     "BIN_WIDTH",
@@ -104,6 +112,7 @@ __all__ = [
     "Analyser",
     "Analysis",
     "AnalysisSettings",
+    "Animation",
     "AudioError",
     "Blinker",
     "CalibrationResult",
@@ -161,10 +170,17 @@ __all__ = [
     "OscMouth",
     "OutputHead",
     "Performer",
+    "Phone",
     "PhoneClass",
     "Phoneme",
     "PhonemeData",
     "PhonemeMap",
+    "PinyinMouth",
+    "PinyinTable",
+    "PinyinTrack",
+    "Plan",
+    "PlanKind",
+    "PlanRow",
     "Predictions",
     "Preset",
     "PresetError",
@@ -189,7 +205,9 @@ __all__ = [
     "Spectrum",
     "SpeechError",
     "SpokenPhone",
+    "Spring",
     "Status",
+    "Syllable",
     "TakeError",
     "Templates",
     "Thresholds",
@@ -199,9 +217,11 @@ __all__ = [
     "TransitionTimes",
     "Tuning",
     "UnknownPhonemeError",
+    "Utterance",
     "Variable",
     "VisemeOverride",
     "WindowFunction",
+    "Word",
     "__version__",
     "aligned",
     "analyse_blocks",
@@ -210,11 +230,13 @@ __all__ = [
     "denoise",
     "devices",
     "export",
+    "format_plan",
     "high_pass_gains",
     "load_head",
     "load_morph_mesh",
     "load_morph_targets",
     "load_phoneme_map",
+    "load_pinyin_table",
     "load_preset",
     "load_table",
     "low_pass_gains",
@@ -224,7 +246,9 @@ __all__ = [
     "movestate_at",
     "movestate_of",
     "normalise",
+    "pinyin_track",
     "read_recordings",
+    "read_syllables",
     "recognise_window",
     "save_morph_targets",
     "save_preset",

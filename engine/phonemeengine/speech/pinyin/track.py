@@ -1,12 +1,18 @@
 """Chinese text, or what somebody says, as the track of a mouth: one call for whoever shows, plays or writes it."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+
+import numpy as np
 
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation, animation_by
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.speech.pinyin.driver import PinyinMouth
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Segment
+from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
 from phonemeengine.speech.pinyin.phones import utterance_of
 from phonemeengine.speech.pinyin.plan import Plan
 from phonemeengine.speech.pinyin.script import script_of
@@ -32,6 +38,20 @@ class PinyinTrack:
     def mouth(self) -> PinyinMouth:
         """Return a mouth that says it, for a performer to play."""
         return PinyinMouth(self.plan, self.table)
+
+    def silent_transcript(self, name: str) -> Transcript:
+        """Return what is said, as if a voice of even loudness said it, until the mouth is at rest.
+
+        Parameters
+        ----------
+        name : what files that are made of it call the sound.
+        """
+        duration = self.plan.duration + AFTERWARDS
+        runs = tuple(_runs_of(self.utterance, duration))
+        times = np.arange(round(duration / FRAME_PERIOD)) * FRAME_PERIOD
+        heard = np.array([run.intensity for run in runs], np.float32)
+        loud = heard[np.searchsorted([run.end for run in runs[:-1]], times, "right")]
+        return Transcript(name, duration, runs, loud, np.zeros_like(loud))
 
     def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
         """Animate a face: its mouth says the plan, it blinks, and its head moves with the sound.
@@ -79,3 +99,14 @@ def pinyin_track(
     script = script_of(said, table)
     plan = plan_at_rate(script.written, table, rate, seed)
     return PinyinTrack(replace(utterance_of(plan), language="cmn", skipped=script.skipped), plan, table)
+
+
+def _runs_of(utterance: Utterance, duration: float) -> Iterator[Segment]:
+    """Return the phones, and the silence between and after them."""
+    at = 0.0
+    for phone in utterance.phones:
+        if phone.start > at:
+            yield Segment(at, phone.start, Phoneme.SILENCE, 0.0)
+        yield Segment(phone.start, phone.end, phone.phoneme, 1.0)
+        at = phone.end
+    yield Segment(at, duration, Phoneme.SILENCE, 0.0)

@@ -1,12 +1,13 @@
 """The whole way: a text, or what somebody says, moves a face."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion
-from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
 from phonemeengine.speech.pinyin.track import pinyin_track
@@ -34,7 +35,7 @@ def test_an_utterance_keeps_its_times_and_takes_the_marks_of_its_text() -> None:
 
 def test_an_animation_shows_the_mouth_blinks_and_turns_the_head() -> None:
     track = pinyin_track("你好，世界。" * 3)
-    speech = Transcript("text", track.plan.duration + AFTERWARDS)
+    speech = track.silent_transcript("text")
     animation = track.animation(speech, 60.0, IdleMotion(seed=1))
     mouth = PinyinMouth(track.plan, TABLE)
     expected = np.array([mouth.weights(time) for time in animation.times.tolist()])
@@ -48,8 +49,29 @@ def test_an_animation_shows_the_mouth_blinks_and_turns_the_head() -> None:
 
 def test_live_link_face_gets_the_movement_of_the_letters() -> None:
     track = pinyin_track("啊")
-    speech = Transcript("text", track.plan.duration + AFTERWARDS)
+    speech = track.silent_transcript("text")
     exporter = Exporter("livelink-csv", ExportOptions(rate=4.0))
     lines = b"".join(exporter.chunks_of(speech, track.animation(speech, 4.0, MOUTH_ALONE))).decode().splitlines()
     jaw = lines[0].split(",").index("JawOpen")
     assert [float(line.split(",")[jaw]) for line in lines[1:]] == [0.0, 0.66, 0.0]
+
+
+def test_a_silent_text_is_even_speech_of_its_phones_until_the_mouth_is_at_rest() -> None:
+    track = pinyin_track("妈，法。")
+    said = track.silent_transcript("妈")
+    assert said.duration == pytest.approx(0.25 + 0.3 + 0.25 + 0.6 + AFTERWARDS)
+    assert [run.phoneme for run in said.runs] == [
+        Phoneme.M, Phoneme.A, Phoneme.SILENCE, Phoneme.UNIDENTIFIED, Phoneme.A, Phoneme.SILENCE,
+    ]  # fmt: skip
+    assert all(run.end == following.start for run, following in pairwise(said.runs))
+    assert said.runs[-1].end == said.duration
+    assert said.intensities[said.times < 0.249].min() == 1
+    assert said.intensities[(said.times > 0.251) & (said.times < 0.549)].max() == 0
+
+
+@pytest.mark.parametrize("name", ["rhubarb-json", "moho-dat", "textgrid", "oculus-csv"])
+def test_drawings_are_made_of_the_phones(name: str) -> None:
+    said = pinyin_track("妈妈，你好。").silent_transcript("text")
+    assert b"".join(Exporter(name).chunks_of(said))
+    shapes = {cue.phoneme for cue in Exporter(name).export_of(said).cues}
+    assert {Phoneme.M, Phoneme.A, Phoneme.I, Phoneme.SILENCE} <= shapes
