@@ -84,6 +84,10 @@ class FaceState(NamedTuple):
 class MouthTrack(Protocol):
     """A mouth whose movement is known beforehand, made from what is written."""
 
+    @property
+    def movestates(self) -> tuple[str, ...]:
+        """The names of the movestates, in the order of the weights."""
+
     def weights(self, time: float) -> Float32Array:
         """Return the weights at a time, seconds, float32, shape (n_movestates,), 1 for the whole movement."""
 
@@ -166,7 +170,8 @@ class Performer:
     def play(self, track: MouthTrack | None, start: float = 0.0) -> None:
         """Have a track move the mouth, whose time 0 is at `start`, whatever is heard; None goes on by what is heard.
 
-        Its movestates are those of the performer's table. Blinks, the head and the shapes that are asked for stay.
+        Blinks, the head and the shapes that are asked for stay. A table of other movestates than the track's goes on
+        by what is heard, too.
         """
         with self._lock:
             self._track, self._track_start = track, start
@@ -266,7 +271,7 @@ class Performer:
         self._movements = deque((max(begin, earliest, self._begun), _onset_of(cue)) for begin, cue in movements)
 
     def _spoken(self, time: float) -> Float32Array:
-        if self._track is not None:
+        if self._track is not None and self._track.movestates == self.table.movestates:
             return self._track.weights(time - self._track_start)
         return self._morpher.weights(time)
 

@@ -28,9 +28,14 @@ class PinyinMouth:
     ----------
     plan : what is said.
     table : its shapes, and how the mouth goes there.
+
+    Attributes
+    ----------
+    movestates : their names, in the order of the weights.
     """
 
     def __init__(self, plan: Plan, table: PinyinTable) -> None:
+        self.movestates = table.mouth.movestates
         shapes = table.weights()
         rows = {name: row for row, name in enumerate(shapes)}
         self._rows = np.array(list(shapes.values()))

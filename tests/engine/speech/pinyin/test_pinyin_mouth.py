@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.performer import MOUTH_ALONE, Performer
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
 from phonemeengine.speech.pinyin.plan import Plan
 from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable
@@ -163,4 +165,12 @@ def test_a_performer_plays_it_from_any_time_and_then_goes_on_by_what_it_hears() 
     np.testing.assert_array_equal(performer.at(10.25).weights, ROWS["i"])
     assert performer.at(10.26).table is TABLE.mouth
     performer.play(None)
-    np.testing.assert_array_equal(performer.at(11.0).weights, ROWS["&"])
+    np.testing.assert_array_equal(performer.at(11.0).weights, load_table("arkit").weights()[Phoneme.SILENCE])
+
+
+def test_a_table_of_other_movestates_goes_on_by_what_is_heard() -> None:
+    performer = Performer(load_table("vrm"), MOUTH_ALONE)
+    performer.play(PinyinMouth(PLAN, TABLE))
+    assert performer.at(0.25).weights.tolist() == [0.0] * 5
+    performer.configure(TABLE.mouth, MOUTH_ALONE)
+    np.testing.assert_array_equal(performer.at(0.25).weights, ROWS["i"])
