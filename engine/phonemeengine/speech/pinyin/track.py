@@ -47,11 +47,15 @@ class PinyinTrack:
         name : what files that are made of it call the sound.
         """
         duration = self.plan.duration + AFTERWARDS
-        runs = tuple(_runs_of(self.utterance, duration))
+        runs = self.runs(duration)
         times = np.arange(round(duration / FRAME_PERIOD)) * FRAME_PERIOD
         heard = np.array([run.intensity for run in runs], np.float32)
         loud = heard[np.searchsorted([run.end for run in runs[:-1]], times, "right")]
         return Transcript(name, duration, runs, loud, np.zeros_like(loud))
+
+    def runs(self, duration: float) -> tuple[Segment, ...]:
+        """Return its phones, of which drawings are made, without gaps until a time, seconds."""
+        return tuple(_runs_of(self.utterance, duration))
 
     def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
         """Animate a face: its mouth says the plan, it blinks, and its head moves with the sound.
@@ -109,4 +113,5 @@ def _runs_of(utterance: Utterance, duration: float) -> Iterator[Segment]:
             yield Segment(at, phone.start, Phoneme.SILENCE, 0.0)
         yield Segment(phone.start, phone.end, phone.phoneme, 1.0)
         at = phone.end
-    yield Segment(at, duration, Phoneme.SILENCE, 0.0)
+    if duration > at:
+        yield Segment(at, duration, Phoneme.SILENCE, 0.0)
