@@ -21,7 +21,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.low_pass import LowPass
-from phonemeengine.mouth.movements import Movement, shares_of
+from phonemeengine.mouth.movements import EasedMovement, shares_of
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 
@@ -40,7 +40,7 @@ class Detail(Enum):
 
 
 @dataclass(slots=True)
-class _SpokenMovement(Movement):
+class _Movement(EasedMovement):
     whole: bool
     """Whether the shape is full whatever the loudness."""
     share: float
@@ -63,7 +63,7 @@ class Morpher:
         self._random = random.Random(seed)  # noqa: S311 - nothing secret depends on it
         self._rows = _rows_of(table, detail, self._random)
         self._closed = {*table.closed_phonemes, Phoneme.SILENCE}
-        self._movements = deque([_SpokenMovement(-math.inf, 0.0, Phoneme.SILENCE, True, 1.0)], maxlen=MOST_MOVEMENTS)
+        self._movements = deque([_Movement(-math.inf, 0.0, Phoneme.SILENCE, True, 1.0)], maxlen=MOST_MOVEMENTS)
         self._code = int(Phoneme.SILENCE)
         self._loudness = LowPass(self._motion.loudness)
 
@@ -110,7 +110,7 @@ class Morpher:
         weights: Float32Array = np.array(shares, np.float32) @ self._rows[rows]
         return weights
 
-    def _movement(self, time: float, code: int) -> _SpokenMovement:
+    def _movement(self, time: float, code: int) -> _Movement:
         times, spread = self.table.times, self._motion.randomness
         whole = code in self._closed or self._detail is Detail.TWO_STATES
         closes = code == Phoneme.SILENCE
@@ -118,7 +118,7 @@ class Morpher:
         vary_time, vary_shape = self._random.uniform(-spread, spread), self._random.uniform(-2 * spread, 0.0)
         if code not in self._closed:
             duration *= 1 + vary_time
-        return _SpokenMovement(time, duration, code, whole, 1.0 if code in self._closed else 1.0 + vary_shape)
+        return _Movement(time, duration, code, whole, 1.0 if code in self._closed else 1.0 + vary_shape)
 
     def _gain(self, time: float) -> float:
         least = 0.0 if self._detail is Detail.LOUDNESS else self._motion.minimum_opening

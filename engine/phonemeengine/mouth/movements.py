@@ -11,7 +11,7 @@ from typing import TypeVar
 
 
 @dataclass(slots=True)
-class Movement:
+class EasedMovement:
     """A movement of the mouth: when it begins, how long it takes, both in seconds, and the number of its shape."""
 
     start: float
@@ -19,7 +19,7 @@ class Movement:
     row: int
 
 
-M = TypeVar("M", bound=Movement)
+M = TypeVar("M", bound=EasedMovement)
 
 
 def shares_of(movements: Reversible[M], time: float) -> Iterator[tuple[M, float]]:

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.movements import Movement, shares_of
+from phonemeengine.mouth.movements import EasedMovement, shares_of
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind
 from phonemeengine.speech.pinyin.spring import SpringMass
 from phonemeengine.speech.pinyin.table import REST, PinyinTable
@@ -39,7 +39,7 @@ class PinyinMouth:
         shapes = table.weights()
         rows = {name: row for row, name in enumerate(shapes)}
         self._rows = np.array(list(shapes.values()))
-        self._movements = [Movement(-math.inf, 0.0, rows[REST]), *_movements_of(plan, table.reach, rows)]
+        self._movements = [EasedMovement(-math.inf, 0.0, rows[REST]), *_movements_of(plan, table.reach, rows)]
         self._starts = [movement.start for movement in self._movements]
         self._spring = None if table.spring is None else SpringMass(self._target, table.spring)
 
@@ -59,11 +59,11 @@ class PinyinMouth:
         return shape
 
 
-def _movements_of(plan: Plan, reach: float, rows: dict[str, int]) -> Iterator[Movement]:
+def _movements_of(plan: Plan, reach: float, rows: dict[str, int]) -> Iterator[EasedMovement]:
     """Return the movement of each part; it has ended before the next one begins."""
     for row in plan.rows:
         bounds = (row.start, row.turn, row.end) if len(row.shapes) == 2 else (row.start, row.end)
         for shape, (start, end) in zip(row.shapes, pairwise(bounds), strict=True):
             length = end - start if row.kind is not PlanKind.PAUSE else min(end - start, plan.longest_closing)
-            yield Movement(start, reach * length, rows[shape])
-    yield Movement(plan.duration, reach * AFTERWARDS, rows[REST])
+            yield EasedMovement(start, reach * length, rows[shape])
+    yield EasedMovement(plan.duration, reach * AFTERWARDS, rows[REST])
