@@ -5,7 +5,7 @@ follow each other, and no weight leaves the range of the shapes that it lies bet
 """
 
 import math
-from collections.abc import Iterator, Reversible
+from collections.abc import Reversible
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -22,7 +22,7 @@ class EasedMovement:
 M = TypeVar("M", bound=EasedMovement)
 
 
-def shares_of(movements: Reversible[M], time: float) -> Iterator[tuple[M, float]]:
+def shares_of(movements: Reversible[M], time: float) -> list[tuple[M, float]]:
     """Return the movements that make the mouth at a time, the newest first, each with its share; these sum to 1.
 
     Parameters
@@ -30,13 +30,14 @@ def shares_of(movements: Reversible[M], time: float) -> Iterator[tuple[M, float]
     movements : in the order in which they begin; the first one has ended, or the shares sum to less.
     time : seconds.
     """
-    left = 1.0
+    mixed, left = [], 1.0
     for movement in reversed(movements):
         progress = (time - movement.start) / movement.duration if movement.duration else 1.0
         if progress <= 0.0:
             continue
         ease = 1.0 if progress >= 1.0 else 0.5 - 0.5 * math.cos(math.pi * progress)
-        yield movement, left * ease
+        mixed.append((movement, left * ease))
         left *= 1.0 - ease
         if left <= 0.0:
-            return
+            break
+    return mixed

@@ -49,7 +49,7 @@ class PinyinMouth:
 
     def _eased(self, time: float) -> Float32Array:
         begun = bisect_right(self._starts, time)
-        mixed = list(shares_of(self._movements[max(begun - 2, 0) : begun], time))
+        mixed = shares_of(self._movements[max(begun - 2, 0) : begun], time)
         shares = np.array([share for _, share in mixed], np.float32)
         weights: Float32Array = shares @ self._rows[[movement.row for movement, _ in mixed]]
         return weights
