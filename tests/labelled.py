@@ -7,7 +7,7 @@ import numpy as np
 import soundfile
 
 from phonemeengine.arrays import UInt8Array
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import labels_of_segments, segments_of
@@ -41,15 +41,15 @@ def recording(
     speaker: str = "ada",
     pitch: float = 120.0,
     level: float = 0.4,
-) -> Utterance:
+) -> LabelledUtterance:
     """Write a recording in which these are said one after the other, and give it with its labels."""
     sounds = [said(p, seconds, pitch, level, k) for k, p in enumerate(phonemes)]
     soundfile.write(path, np.concatenate(sounds), SAMPLE_RATE, subtype="FLOAT")
     labels = tuple(Label(k * seconds, (k + 1) * seconds, p.label, p) for k, p in enumerate(phonemes))
-    return Utterance(path, labels, speaker, "made")
+    return LabelledUtterance(path, labels, speaker, "made")
 
 
-def recordings(folder: Path) -> tuple[Utterance, ...]:
+def recordings(folder: Path) -> tuple[LabelledUtterance, ...]:
     """Write four recordings of two speakers."""
     return tuple(
         recording(

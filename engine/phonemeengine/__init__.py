@@ -27,6 +27,12 @@ Files become mouth cues, or whatever another program reads::
     cues("line.wav", preset)                 # which shape from when to when
     export("line.wav", "line.json", "rhubarb-json", preset)
 
+A Chinese text moves a mouth by pinyin, with a voice's times or by a rate::
+
+    performer = Performer(load_table("arkit"))
+    performer.play(pinyin_track("你好。").mouth(), start=now)
+    weights = performer.at(now).weights      # as above
+
 Movestates (morph targets) move the vertices of a mesh::
 
     head = load_head()                       # or load_morph_mesh("face.glb")
@@ -74,15 +80,24 @@ _PAGE = {
     "mouth.cues": "Cue",
     "mouth.exports.exporter": "ExportOptions",
     "mouth.exports.formats": "FORMATS",
+    "mouth.animation": "Animation",
+    "labels.utterance": "Phone Syllable Utterance Word",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
-    "mouth.performer": "FaceState IdleMotion Performer TimedFrame timed_frames",
+    "mouth.performer": "FaceState IdleMotion MouthTrack Performer TimedFrame timed_frames",
     "mouth.viseme_override": "VisemeOverride",
     "mouth.table": "MouthTable load_table",
     "mouth.motion_settings": "MotionSettings TransitionTimes",
     "mouth.blinks": "Blinker",
     "mouth.head_motion": "HeadMotion HeadPose",
     "mouth.osc": "OscAddress OscMouth",
+    # A mouth that says a text
+    "speech.pinyin.track": "PinyinTrack pinyin_track",
+    "speech.pinyin.table": "PinyinTable load_pinyin_table",
+    "speech.pinyin.driver": "PinyinMouth",
+    "speech.pinyin.spring": "Spring",
+    "speech.pinyin.plan": "Plan PlanKind PlanRow format_plan",
+    "speech.pinyin.labelled": "read_syllables",
     # A face that it moves
     "mouth.head": "load_head",
     "mouth.files.io": "load_morph_mesh load_morph_targets save_morph_targets",
@@ -109,7 +124,7 @@ _PAGE = {
     "recognition.recognition": "Recognition",
     "recognition.trace": "RuleComparison Trace",
     # A voice, and how well it is recognised
-    "calibration.scores.corpus": "FrameLabels Utterance read_recordings",
+    "calibration.scores.corpus": "FrameLabels LabelledUtterance read_recordings",
     "labels.label": "Label",
     "labels.phoneme_map": "PhonemeMap load_phoneme_map",
     "labels.phone_sets": "PhoneClass",
@@ -124,7 +139,8 @@ _PAGE = {
     # What is refused
     "errors": (
         "AudioError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
-        "MouthError PresetError RecogniserError RecordingError SettingsError TakeError UnknownPhonemeError"
+        "MouthError PresetError RecogniserError RecordingError SettingsError SpeechError TakeError "
+        "UnknownPhonemeError"
     ),
 }
 _ALIASES = {"SOUND_SUFFIXES": "SUFFIXES"}

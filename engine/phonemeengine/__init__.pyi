@@ -9,7 +9,7 @@ from phonemeengine.audio.stream import devices
 from phonemeengine.calibration.alignment import aligned
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_recordings
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_recordings
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions, score
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.sentences import SENTENCES, Sentence, SpokenPhone
@@ -29,6 +29,7 @@ from phonemeengine.errors import (
     RecogniserError,
     RecordingError,
     SettingsError,
+    SpeechError,
     TakeError,
     UnknownPhonemeError,
 )
@@ -38,11 +39,13 @@ from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.labels.label import Label
 from phonemeengine.labels.phone_sets import PhoneClass
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.sound import Sound
 from phonemeengine.live.status import Status
+from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.exports.exporter import ExportOptions
@@ -59,7 +62,7 @@ from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer, TimedFrame, timed_frames
+from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride
@@ -88,6 +91,12 @@ from phonemeengine.settings import (
     Filter,
     WindowFunction,
 )
+from phonemeengine.speech.pinyin.driver import PinyinMouth
+from phonemeengine.speech.pinyin.labelled import read_syllables
+from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow, format_plan
+from phonemeengine.speech.pinyin.spring import Spring
+from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
+from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 
 __all__ = [
     "BIN_WIDTH",
@@ -103,6 +112,7 @@ __all__ = [
     "Analyser",
     "Analysis",
     "AnalysisSettings",
+    "Animation",
     "AudioError",
     "Blinker",
     "CalibrationResult",
@@ -133,6 +143,7 @@ __all__ = [
     "InputChoice",
     "Kind",
     "Label",
+    "LabelledUtterance",
     "Latency",
     "Layer",
     "Level",
@@ -150,6 +161,7 @@ __all__ = [
     "MouthError",
     "MouthShape",
     "MouthTable",
+    "MouthTrack",
     "Movestate",
     "MovestateSet",
     "NoiseAdder",
@@ -158,10 +170,17 @@ __all__ = [
     "OscMouth",
     "OutputHead",
     "Performer",
+    "Phone",
     "PhoneClass",
     "Phoneme",
     "PhonemeData",
     "PhonemeMap",
+    "PinyinMouth",
+    "PinyinTable",
+    "PinyinTrack",
+    "Plan",
+    "PlanKind",
+    "PlanRow",
     "Predictions",
     "Preset",
     "PresetError",
@@ -184,8 +203,11 @@ __all__ = [
     "Sound",
     "SoundReader",
     "Spectrum",
+    "SpeechError",
     "SpokenPhone",
+    "Spring",
     "Status",
+    "Syllable",
     "TakeError",
     "Templates",
     "Thresholds",
@@ -199,6 +221,7 @@ __all__ = [
     "Variable",
     "VisemeOverride",
     "WindowFunction",
+    "Word",
     "__version__",
     "aligned",
     "analyse_blocks",
@@ -207,11 +230,13 @@ __all__ = [
     "denoise",
     "devices",
     "export",
+    "format_plan",
     "high_pass_gains",
     "load_head",
     "load_morph_mesh",
     "load_morph_targets",
     "load_phoneme_map",
+    "load_pinyin_table",
     "load_preset",
     "load_table",
     "low_pass_gains",
@@ -221,7 +246,9 @@ __all__ = [
     "movestate_at",
     "movestate_of",
     "normalise",
+    "pinyin_track",
     "read_recordings",
+    "read_syllables",
     "recognise_window",
     "save_morph_targets",
     "save_preset",

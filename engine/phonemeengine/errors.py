@@ -12,6 +12,7 @@ EngineError
 ├── MeshError       a mesh, or movestates, that cannot be used
 ├── MouthError      a mouth table that cannot be used
 │   └── ExportError     speech that cannot be written in the form that was asked for
+├── SpeechError     a text that cannot be spoken
 └── CorpusError     labelled recordings that cannot be read
     ├── UnknownPhonemeError names of sounds that stand for no phoneme
     └── TakeError       takes that cannot be kept or used
@@ -64,6 +65,10 @@ class MouthError(EngineError, ValueError):
 
 class ExportError(MouthError):
     """Speech cannot be written in the form that was asked for."""
+
+
+class SpeechError(EngineError, ValueError):
+    """A text cannot be spoken as it was asked for."""
 
 
 class MeshError(EngineError, ValueError):

@@ -9,12 +9,12 @@ from phonemeanalyser.cli.jobs import say_cut_off
 from phonemeengine import (
     CalibrationResult,
     Channel,
+    LabelledUtterance,
     PhonemeMap,
     Preset,
     PresetError,
     SoundReader,
     TakeError,
-    Utterance,
     calibrate,
     load_phoneme_map,
     load_preset,
@@ -102,7 +102,7 @@ def _gain_in_words(result: CalibrationResult) -> str:
     )
 
 
-def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[Utterance]:
+def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[LabelledUtterance]:
     return [utterance for source in sources for utterance in read_recordings(source, mapping, channel=channel)]
 
 

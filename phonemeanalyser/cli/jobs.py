@@ -9,7 +9,16 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeengine import FRAME_PERIOD, Analysis, AudioError, Channel, EngineError, Preset, SoundReader, Utterance
+from phonemeengine import (
+    FRAME_PERIOD,
+    Analysis,
+    AudioError,
+    Channel,
+    EngineError,
+    LabelledUtterance,
+    Preset,
+    SoundReader,
+)
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.files import printable_name
@@ -87,7 +96,7 @@ def open_sound(job: Job, channel: Channel) -> Iterator[SoundReader]:
         yield reader
 
 
-def say_cut_off(utterances: Iterable[Utterance]) -> None:
+def say_cut_off(utterances: Iterable[LabelledUtterance]) -> None:
     """Return of which recordings a part is missing."""
     for utterance in utterances:
         if utterance.cut_off:

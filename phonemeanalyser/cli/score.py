@@ -21,12 +21,12 @@ from phonemeengine import (
     Channel,
     CorpusError,
     CorpusScores,
+    LabelledUtterance,
     NoiseAdder,
     NoiseKind,
     PhonemeMap,
     Preset,
     PresetError,
-    Utterance,
     load_phoneme_map,
     load_preset,
     read_recordings,
@@ -104,7 +104,7 @@ class _Troubles:
 
 def _recordings_in(
     folder: Path, mapping: PhonemeMap | None, channel: Channel, troubles: _Troubles
-) -> tuple[Utterance, ...]:
+) -> tuple[LabelledUtterance, ...]:
     if not folder.exists():
         raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")
     utterances = read_recordings(folder, mapping, channel=channel, on_skipped=troubles.push)
@@ -113,7 +113,7 @@ def _recordings_in(
 
 
 def _scored(
-    utterances: Sequence[Utterance], named: Named, delay: float, adder: NoiseAdder | None, troubles: _Troubles
+    utterances: Sequence[LabelledUtterance], named: Named, delay: float, adder: NoiseAdder | None, troubles: _Troubles
 ) -> CorpusScores:
     with tqdm(
         utterances, desc=named.title, unit="recording", leave=False, delay=1, disable=None, file=sys.stderr

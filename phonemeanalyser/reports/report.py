@@ -9,7 +9,7 @@ import numpy as np
 from phonemeengine.arrays import Float64Array, Int64Array
 from phonemeengine.calibration.scores.added_noise import AddedNoise
 from phonemeengine.calibration.scores.comparison import PresetComparison
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.files import printable, printable_name
@@ -68,7 +68,7 @@ class Report:
             words.append(f"{self.noise.kind} noise {self.noise.snr:g} dB below the speech (seed {self.noise.seed})")
         return ", ".join(words)
 
-    def name_of(self, utterance: Utterance) -> str:
+    def name_of(self, utterance: LabelledUtterance) -> str:
         """Return the place of a recording in the corpus."""
         path = utterance.path
         return printable(path.relative_to(self.folder).as_posix() if path.is_relative_to(self.folder) else path.name)

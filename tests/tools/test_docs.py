@@ -21,6 +21,9 @@ from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.files import FACTORY, FACTORY_PRESETS, load_preset
 from phonemeengine.recognition.phoneme_data import LAYOUT
 from phonemeengine.settings import LIMITS, AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.speech.pinyin.plan import format_plan
+from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
+from phonemeengine.speech.pinyin.track import pinyin_track
 from tests.conftest import ROOT
 
 DOCS = ROOT / "docs"
@@ -189,6 +192,20 @@ def test_the_docs_name_every_key_of_the_mouth_tables() -> None:
             assert {key, f"[{key}]", f"[{key}.NAME]"} & told.keys(), key
             if key == "manner":
                 assert all(f"`{manner}`" in FORMATS_PAGE for manner in value)
+
+
+def test_the_docs_name_every_key_of_the_pinyin_table() -> None:
+    page = (DOCS / "pinyin.md").read_text(encoding="utf-8")
+    told = rows("A table of your own", page)
+    document = tomllib.loads(USUAL_PINYIN_TABLE.read_text(encoding="utf-8"))
+    assert all({key, f"[{key}]", f"[{key}.NAME]"} & told.keys() for key in document)
+    named = ["syllables", *(key for section in ("weights", "transition") for key in document[section])]
+    assert all(f"`{key}`" in page for key in named)
+
+
+def test_the_docs_have_the_plan_that_is_made_of_their_text() -> None:
+    plan = (DOCS / "pinyin.md").read_text(encoding="utf-8").split("```text\n")[1].split("```")[0]
+    assert plan == format_plan(pinyin_track("你好。").plan)
 
 
 def test_the_docs_name_every_export_with_its_rate() -> None:

@@ -8,7 +8,7 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import analyse_blocks
-from phonemeengine.calibration.scores.corpus import Label, Utterance, frame_labels_of, read_corpus
+from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.features.variables import check_user_variables
 from phonemeengine.labels.label import CORE
@@ -83,7 +83,7 @@ def test_a_folder_that_is_no_corpus_is_refused_in_one_sentence(module, tmp_path,
     ],
 )
 def test_a_formant_voice_is_the_same_in_every_language(corpus: str, speaker: str, voice: str):
-    assert voice_of(Utterance(Path("a.wav"), (), speaker, corpus)) == voice
+    assert voice_of(LabelledUtterance(Path("a.wav"), (), speaker, corpus)) == voice
 
 
 def test_the_candidates_are_variables_that_a_preset_takes():

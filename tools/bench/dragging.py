@@ -10,7 +10,7 @@ import numpy as np
 import soundfile
 
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.labels.files import read_labels
 from phonemeengine.presets.files import FACTORY, load_preset
@@ -55,7 +55,7 @@ def _labelled(preset: Preset) -> LabelledFeatures:
         return LabelledFeatures([copies[k % len(copies)] for k in range(n)], preset, known=measured)
 
 
-def _noisy_copies(folder: Path) -> Iterator[Utterance]:
+def _noisy_copies(folder: Path) -> Iterator[LabelledUtterance]:
     generator = np.random.default_rng(1)
     with SoundReader(CARDS) as reader:
         speech = np.concatenate(list(reader.blocks(SAMPLE_RATE)))
@@ -63,7 +63,7 @@ def _noisy_copies(folder: Path) -> Iterator[Utterance]:
     for k in range(N_DIFFERENT):
         hiss = 10 ** generator.uniform(-4, -1.5) * generator.standard_normal(len(speech), np.float32)
         soundfile.write(folder / f"{k}.wav", speech + hiss, SAMPLE_RATE, subtype="FLOAT")
-        yield Utterance(folder / f"{k}.wav", labels, f"noise {k}", "bench")
+        yield LabelledUtterance(folder / f"{k}.wav", labels, f"noise {k}", "bench")
 
 
 def _dragged(labelled: LabelledFeatures, preset: Preset) -> tuple[list[float], list[float]]:

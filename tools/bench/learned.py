@@ -6,7 +6,7 @@ import numpy as np
 
 from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.calibrate import calibrate
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.features.measure import Features
 from phonemeengine.labels.files import read_labels
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
@@ -72,7 +72,7 @@ def _whole_file(preset: Preset) -> Figure:
 
 
 def _adapting(preset: Preset) -> Figure:
-    said = Utterance(CARDS, read_labels(CARDS.with_suffix(".csv")), "cards", "takes")
+    said = LabelledUtterance(CARDS, read_labels(CARDS.with_suffix(".csv")), "cards", "takes")
     began = time.perf_counter()
     calibrate(preset, [said] * COPIES, held_back=[said])
     seconds = [time.perf_counter() - began]

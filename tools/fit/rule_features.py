@@ -10,7 +10,7 @@ import numpy as np
 from phonemeengine.analyser import Analyser
 from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of, read_corpus
 from phonemeengine.dsp.mel import frequency_of, mel_of
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Variable
@@ -68,7 +68,7 @@ class RuleFeatures:
     stride : how many frames lie from one that was kept to the next.
     """
 
-    utterance: Utterance
+    utterance: LabelledUtterance
     labels: FrameLabels
     copies: tuple[Features, ...]
     stride: int = 1
@@ -106,7 +106,7 @@ def candidates() -> tuple[Variable, ...]:
     return (*bands.values(), *divided)
 
 
-def voice_of(utterance: Utterance) -> str:
+def voice_of(utterance: LabelledUtterance) -> str:
     """Return the name of the voice: formant synthesizers speak all languages with the same ones."""
     if not utterance.corpus.startswith("espeak"):
         return utterance.speaker
@@ -114,7 +114,7 @@ def voice_of(utterance: Utterance) -> str:
     return voice.rstrip("0123456789") if voice.startswith("klatt") else voice
 
 
-def importance_of(utterance: Utterance) -> float:
+def importance_of(utterance: LabelledUtterance) -> float:
     """Return how much a speaker counts, however much there is of that voice."""
     return next((value for kind, value in IMPORTANCE if utterance.corpus.startswith(kind)), 1.0)
 
@@ -141,7 +141,11 @@ def augmented_rule_features_of(folder: Path, variables: Sequence[Variable], seed
 
 
 def _measured(
-    chosen: Sequence[Utterance], everyone: Sequence[Utterance], variables: Sequence[Variable], seed: int, stride: int
+    chosen: Sequence[LabelledUtterance],
+    everyone: Sequence[LabelledUtterance],
+    variables: Sequence[Variable],
+    seed: int,
+    stride: int,
 ) -> Iterator[RuleFeatures]:
     generator = np.random.default_rng(seed)
     preset = Preset(settings=FRONT_END, variables=tuple(variables))
@@ -155,7 +159,9 @@ def _measured(
         )
 
 
-def _sounds_of(utterance: Utterance, adder: NoiseAdder, generator: np.random.Generator) -> Iterator[Float32Array]:
+def _sounds_of(
+    utterance: LabelledUtterance, adder: NoiseAdder, generator: np.random.Generator
+) -> Iterator[Float32Array]:
     with utterance.opened() as reader:
         sound = reader.read_mono()
     yield sound

@@ -11,7 +11,7 @@ from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.fits.templates import LogMelsByPhoneme, log_mels_by_phoneme, templates_from
-from phonemeengine.calibration.scores.corpus import Utterance, frame_labels_of, read_corpus
+from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import save_preset
@@ -30,7 +30,7 @@ def preset_of(templates: Templates, notes: str = "") -> Preset:
     return Preset(NAME, settings, recogniser=TEMPLATES.name, templates=templates, notes=notes)
 
 
-def unseen_scores(utterances: Sequence[Utterance], voices: Mapping[str, LogMelsByPhoneme]) -> Scores:
+def unseen_scores(utterances: Sequence[LabelledUtterance], voices: Mapping[str, LogMelsByPhoneme]) -> Scores:
     """Score the recordings of each speaker with templates of all others."""
     others = {s: templates_from({who: v for who, v in voices.items() if who != s} or voices) for s in voices}
     presets = {speaker: preset_of(templates) for speaker, templates in others.items()}

@@ -22,7 +22,7 @@ from phonemeengine.analyser import Analyser
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
 from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
 from phonemeengine.calibration.fits.threshold_search import LEAST_EXCLUDED, LEAST_FOUND, Fit, ThresholdSearch
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of, read_corpus
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import EngineError
 from phonemeengine.features.measure import Features
@@ -80,7 +80,7 @@ N_QUICK_STARTS = 4
 class _LabelledRecording:
     """An utterance in memory: as it is, and with another level and faint noise."""
 
-    utterance: Utterance
+    utterance: LabelledUtterance
     labels: FrameLabels
     clean: Float32Array
     noisy: Float32Array

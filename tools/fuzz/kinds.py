@@ -21,6 +21,7 @@ from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model
+from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE, load_pinyin_table
 from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, morph_mesh_of_cube
 from tests.models import tone_model
 from tools.fuzz.mutation import mutated
@@ -63,6 +64,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "gltf in glb": Kind((text, GLTF_TEXT), parse_gltf, lambda content: _glb_of(content, blob)),
         "toml": Kind(presets, _through(folder / "preset.toml", load_preset)),
         "mouth table": Kind(tables, _through(folder / "table.toml", load_table)),
+        "pinyin table": Kind((USUAL_PINYIN_TABLE.read_bytes(),), _through(folder / "pinyin.toml", load_pinyin_table)),
         "phonemedata": Kind(old, _through(folder / "old.phonemedata", load_preset)),
         "npz": Kind((model.read_bytes(),), _through(folder / "model.npz", load_model)),
         "arrays in npz": Kind(_members(model), _through(folder / "model.npz", load_model), _Zipped(model), head=128),

@@ -15,7 +15,7 @@ import numpy as np
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
 from phonemeengine.calibration.fine_tuning import TrainingSegment, TunedLayers, first_tuned
 from phonemeengine.calibration.learning.training_examples import TrainingExample, example_of_recording
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.dsp.log_mel import silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
@@ -99,7 +99,7 @@ def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...
 
 
 def adapt_to_takes(
-    preset: Preset, takes: Sequence[Utterance], set_silence: Callable[[Preset], Preset], progress: Progress
+    preset: Preset, takes: Sequence[LabelledUtterance], set_silence: Callable[[Preset], Preset], progress: Progress
 ) -> tuple[Preset, ...]:
     """Adapt a preset's model to a voice, further or less far, each with silence as it is and a little likelier.
 

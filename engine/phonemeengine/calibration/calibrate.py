@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.guard import loss_of
 from phonemeengine.calibration.held_back import N_PARTS, counts, parts_of, scores_on
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_room
 from phonemeengine.calibration.takes.room_takes import room_in, speech_in
@@ -27,7 +27,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.spec import BUILT_IN, spec_of
 
-Takes = Sequence[Utterance]
+Takes = Sequence[LabelledUtterance]
 Adapt = Callable[[Preset, Takes, Callable[[Preset], Preset], Progress], tuple[Preset, ...]]
 """How a recogniser learns a voice; its specification names it.
 

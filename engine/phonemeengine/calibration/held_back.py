@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from phonemeengine.arrays import UInt8Array
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.calibration.takes.take import TRIMMED
@@ -19,10 +19,10 @@ from phonemeengine.settings import FRAME_PERIOD
 N_PARTS = 4
 """Parts of each recording, each of which is held back once: so it is tried with nearly all that there is to learn."""
 
-Utterances = tuple[Utterance, ...]
+Utterances = tuple[LabelledUtterance, ...]
 
 
-def parts_of(utterances: Sequence[Utterance]) -> Iterator[tuple[Utterances, Utterances]]:
+def parts_of(utterances: Sequence[LabelledUtterance]) -> Iterator[tuple[Utterances, Utterances]]:
     """Return what is learned from, and what is held back meanwhile, for each quarter of all recordings.
 
     Both are the whole recordings. What is held back is unidentified in the first; in both, what does not count is
@@ -33,7 +33,7 @@ def parts_of(utterances: Sequence[Utterance]) -> Iterator[tuple[Utterances, Utte
         yield tuple(learned_from for learned_from, _ in halves), tuple(kept for _, kept in halves)
 
 
-def scores_on(cases: Iterable[tuple[Preset, Sequence[Utterance]]]) -> Scores:
+def scores_on(cases: Iterable[tuple[Preset, Sequence[LabelledUtterance]]]) -> Scores:
     """Score presets on recordings, all together; labels that are ``trimmed`` do not count, but for the flicker.
 
     Raises
@@ -63,7 +63,7 @@ def _counted(prediction: Predictions) -> tuple[FrameLabels, UInt8Array]:
     return FrameLabels(labels.phonemes[kept], labels.certain[kept]), prediction.phonemes[kept]
 
 
-def _parted(utterance: Utterance, part: int) -> tuple[Utterance, Utterance]:
+def _parted(utterance: LabelledUtterance, part: int) -> tuple[LabelledUtterance, LabelledUtterance]:
     """Return a recording without a part of what counts in it, and with that part alone."""
     first, last = _borders_of(utterance.labels, part)
     pieces = [piece for label in utterance.labels for piece in _cut(label, first, last)]

@@ -58,24 +58,42 @@ def animation_of(
     ------
     MouthError : the rate lies outside its range.
     """
+    performer = Performer(table, idle)
+    performer.follow(cues)
+    return animation_by(performer, speech, rate)
+
+
+def animation_by(performer: Performer, speech: Transcript, rate: float) -> Animation:
+    """Animate a face by a performer that knows how the mouth moves; the sound moves its head, and its eyes blink.
+
+    Parameters
+    ----------
+    performer : it has not been looked at.
+    speech : what was said.
+    rate : frames per second, 1..240.
+
+    Raises
+    ------
+    MouthError : the rate lies outside its range.
+    """
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
         raise MouthError(
             f"the frame rate must lie in {LOWEST_RATE:g}..{HIGHEST_RATE:g} frames per second, got {rate:g}; "
             "choose another"
         )
+    movestates = performer.table.movestates
     n_frames = math.floor(speech.duration * rate + 1e-6) + 1
-    weights = np.zeros((n_frames, len(table.movestates)), np.float32)
+    weights = np.zeros((n_frames, len(movestates)), np.float32)
     blinks, head = np.zeros(n_frames, np.float32), np.zeros((n_frames, 3), np.float32)
-    for frame, face in enumerate(_faces(speech, cues, Performer(table, idle), np.arange(n_frames) / rate)):
+    for frame, face in enumerate(_faces(performer, speech, np.arange(n_frames) / rate)):
         weights[frame], blinks[frame], head[frame] = face.weights, face.blink, face.head
-    for column in [k for k, name in enumerate(table.movestates) if name in EYELIDS]:
+    for column in [k for k, name in enumerate(movestates) if name in EYELIDS]:
         weights[:, column] = np.maximum(weights[:, column], blinks)
-    return Animation(rate, table.movestates, weights, head)
+    return Animation(rate, movestates, weights, head)
 
 
-def _faces(speech: Transcript, cues: Sequence[Cue], performer: Performer, times: Float64Array) -> Iterator[FaceState]:
-    """Have a performer say the speech, which it hears as it goes on, and look at it at some times."""
-    performer.follow(cues)
+def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Iterator[FaceState]:
+    """Have a performer hear the speech as it goes on, and look at it at some times."""
     frames = zip(speech.times.tolist(), speech.intensities.tolist(), speech.pitches.tolist(), strict=True)
     coming = next(frames, None)
     for time in times.tolist():

@@ -21,6 +21,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.low_pass import LowPass
+from phonemeengine.mouth.movements import EasedMovement, shares_of
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 
@@ -39,10 +40,7 @@ class Detail(Enum):
 
 
 @dataclass(slots=True)
-class _Movement:
-    start: float
-    duration: float
-    row: int
+class _Movement(EasedMovement):
     whole: bool
     """Whether the shape is full whatever the loudness."""
     share: float
@@ -102,21 +100,13 @@ class Morpher:
 
         Movements that have ended by this time are forgotten: times may be looked at in order only.
         """
-        movements = self._movements
-        gain = self._gain(time)
-        left, shares, rows = 1.0, [], []
-        for movement in reversed(movements):
-            progress = (time - movement.start) / movement.duration if movement.duration else 1.0
-            if progress <= 0.0:
-                continue
-            ease = 1.0 if progress >= 1.0 else 0.5 - 0.5 * math.cos(math.pi * progress)
-            shares.append(left * ease * (movement.share if movement.whole else movement.share * gain))
+        movements, gain = self._movements, self._gain(time)
+        shares, rows = [], []
+        for movement, share in shares_of(movements, time):
+            shares.append(share * (movement.share if movement.whole else movement.share * gain))
             rows.append(movement.row)
-            left *= 1.0 - ease
-            if left <= 0.0:
-                while movements[0] is not movement:
-                    movements.popleft()
-                break
+        while rows and movements[0] is not movement:
+            movements.popleft()
         weights: Float32Array = np.array(shares, np.float32) @ self._rows[rows]
         return weights
 

@@ -12,7 +12,7 @@ import threading
 from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
@@ -81,6 +81,17 @@ class FaceState(NamedTuple):
     head: HeadPose
 
 
+class MouthTrack(Protocol):
+    """A mouth whose movement is known beforehand, made from what is written."""
+
+    @property
+    def movestates(self) -> tuple[str, ...]:
+        """The names of the movestates, in the order of the weights."""
+
+    def weights(self, time: float) -> Float32Array:
+        """Return the weights at a time, seconds, float32, shape (n_movestates,), 1 for the whole movement."""
+
+
 SILENT = TimedFrame(-math.inf, Phoneme.SILENCE, 0.0)
 
 
@@ -119,6 +130,8 @@ class Performer:
         self._runs: list[TimedFrame] = []  # the first frame of each run of a phoneme, from the one that is shown on
         self._movements: deque[tuple[float, TimedFrame]] = deque()  # when the mouth begins to move to which run
         self._closes_at = math.inf
+        self._track: MouthTrack | None = None
+        self._track_start = 0.0
         self._restart()
 
     def configure(self, table: MouthTable, idle: IdleMotion) -> None:
@@ -153,6 +166,15 @@ class Performer:
         """Take cues that are cleaned and ahead of the sound already: the mouth moves when they begin."""
         with self._lock:
             self._movements.extend((cue.start, _onset_of(cue)) for cue in cues)
+
+    def play(self, track: MouthTrack | None, start: float = 0.0) -> None:
+        """Have a track move the mouth, whose time 0 is at `start`, whatever is heard; None goes on by what is heard.
+
+        Blinks, the head and the shapes that are asked for stay. A table of other movestates than the track's goes on
+        by what is heard, too.
+        """
+        with self._lock:
+            self._track, self._track_start = track, start
 
     def hear_voice(self, time: float, intensity: float, f0: float) -> None:
         """Take the loudness alone, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time."""
@@ -202,7 +224,7 @@ class Performer:
         """Return the face at a time."""
         with self._lock:
             self._advance(time)
-            weights = self.visemes.apply(self._morpher.weights(time), time)
+            weights = self.visemes.apply(self._spoken(time), time)
             blink = self.visemes.blinks * self._blinker.closure(time) if self.idle.blinks else 0.0
             return FaceState(self.table, weights, blink, self._head.pose(time) if self.idle.head else STILL)
 
@@ -247,6 +269,11 @@ class Performer:
         begins = begins_of(cues, self.table, MOST_ANTICIPATION, MINIMUM)
         movements = zip(begins[1:], cues[1:], strict=True)
         self._movements = deque((max(begin, earliest, self._begun), _onset_of(cue)) for begin, cue in movements)
+
+    def _spoken(self, time: float) -> Float32Array:
+        if self._track is not None and self._track.movestates == self.table.movestates:
+            return self._track.weights(time - self._track_start)
+        return self._morpher.weights(time)
 
     def _run_ends(self) -> list[float]:
         return [*(run.time for run in self._runs[1:]), math.inf]

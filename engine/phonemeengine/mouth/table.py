@@ -114,15 +114,15 @@ def table_of(text: str) -> MouthTable:
     """
     top = parse_toml(text, "a mouth table", FORMAT, MouthError)
     top.check_keys(_REQUIRED, _OPTIONAL)
-    movestates = _movestates_of(top)
+    movestates = movestates_of(top)
     tables = top.table("shapes")
-    shapes = {name: _shape_of(tables.table(name), movestates) for name in tables.entries}
+    shapes = {name: shape_of(tables.table(name), movestates) for name in tables.entries}
     closed = frozenset(top.members("firm", Phoneme)) if "firm" in top else MouthTable.closed_phonemes
     general, motion = _motion_of(top.table("manner"))
     return MouthTable(
         name=top.value("name", str) if "name" in top else "untitled",
         movestates=movestates,
-        phonemes=_phonemes_of(top.table("phonemes"), shapes),
+        phonemes=shapes_of_phonemes(top.table("phonemes"), shapes),
         shapes=shapes,
         times=_times_of(top.table("times"), general, closed),
         closed_phonemes=closed,
@@ -131,7 +131,8 @@ def table_of(text: str) -> MouthTable:
     )
 
 
-def _movestates_of(top: StrictTable) -> tuple[str, ...]:
+def movestates_of(top: StrictTable) -> tuple[str, ...]:
+    """Return the movestates of a file: those of a set by its name, or a list of its own."""
     entry = top.entries["movestates"]
     if isinstance(entry, str) and entry in NAMES:
         return NAMES[entry]
@@ -145,7 +146,8 @@ def _movestates_of(top: StrictTable) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _shape_of(table: StrictTable, movestates: tuple[str, ...]) -> dict[str, float]:
+def shape_of(table: StrictTable, movestates: tuple[str, ...]) -> dict[str, float]:
+    """Return the percentages of a mouth shape; a name without a side stands for both."""
     percentages: dict[str, float] = {}
     for name in table.entries:
         percent = table.limited(name, -STRONGEST, STRONGEST, f"a percentage in -{STRONGEST:g}..{STRONGEST:g}")
@@ -160,7 +162,8 @@ def _shape_of(table: StrictTable, movestates: tuple[str, ...]) -> dict[str, floa
     return percentages
 
 
-def _phonemes_of(table: StrictTable, shapes: Collection[str]) -> dict[Phoneme, str]:
+def shapes_of_phonemes(table: StrictTable, shapes: Collection[str]) -> dict[Phoneme, str]:
+    """Return the shape of every phoneme, which must be one of these."""
     found = table.phonemes()
     for phoneme in Phoneme:
         if phoneme not in found:

@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.fitting import FitReport, fit_preset
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import EngineError
@@ -159,14 +159,14 @@ class ComparisonModel(QObject):
 
 
 def _fitted(
-    utterances: tuple[Utterance, ...], known: LabelledFeatures | None, preset: Preset, progress: Progress
+    utterances: tuple[LabelledUtterance, ...], known: LabelledFeatures | None, preset: Preset, progress: Progress
 ) -> FitReport:
     """Fit on a workbench of its own, since the window asks the other one meanwhile."""
     features = LabelledFeatures(utterances, preset, known=known, progress=subrange(progress, 0.0, 0.05))
     return fit_preset(features, preset, subrange(progress, 0.05, 1.0))
 
 
-def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[Utterance, ...]) -> CorpusScores:
+def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[LabelledUtterance, ...]) -> CorpusScores:
     """Return what a workbench answered as what a score of the files gives."""
     answers = []
     for k, utterance in enumerate(utterances):

@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.sentences import SENTENCES, Sentence
 from phonemeengine.calibration.takes.onset import onset_in, quiet_at_end
 from phonemeengine.calibration.takes.quality import check_take
@@ -112,7 +112,7 @@ class GuideModel(QObject):
         self.room: RoomNoise | None = None
         self.outcome: CalibrationResult | None = None
         self.sentence = SENTENCES[0]
-        self.spoken: Utterance | None = None
+        self.spoken: LabelledUtterance | None = None
         self._session = session
         self._capture = session.microphone.capture
         self._preset = preset
@@ -282,7 +282,7 @@ class GuideModel(QObject):
         room, sentence, folder = self.room.level if self.room else 0.0, self.sentence, self._takes.folder
         speaker = self._takes.speaker.strip() or UNNAMED
 
-        def keep(_progress: Progress) -> Utterance:
+        def keep(_progress: Progress) -> LabelledUtterance:
             mono = to_mono_44k(samples, rate)
             for fault in check_take(mono, room, Phoneme.A).faults.values():
                 raise TakeError(fault)
@@ -293,7 +293,7 @@ class GuideModel(QObject):
         self._checks.replace(keep, self._take_sentence)
         self._show(Phase.CHECKING)
 
-    def _take_sentence(self, spoken: Utterance) -> None:
+    def _take_sentence(self, spoken: LabelledUtterance) -> None:
         self.spoken = spoken
         self._tell_checked("")
 

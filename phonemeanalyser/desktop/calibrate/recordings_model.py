@@ -7,12 +7,12 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.tasks import TaskQueue
-from phonemeengine.calibration.scores.corpus import Utterance, read_recordings
+from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_recordings
 from phonemeengine.errors import AudioError, UnknownPhonemeError
 from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.phonemes import Phoneme
 
-Read = tuple[tuple[Utterance, ...], list[str]]
+Read = tuple[tuple[LabelledUtterance, ...], list[str]]
 """What was read, and the sentences about what could not be."""
 
 
@@ -34,7 +34,7 @@ class RecordingsModel(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self.utterances: tuple[Utterance, ...] = ()
+        self.utterances: tuple[LabelledUtterance, ...] = ()
         self.sources: list[Path] = []
         self.mapping = PhonemeMap()
         self._reading = TaskQueue(self.error.emit)
@@ -88,7 +88,7 @@ class RecordingsModel(QObject):
 
 def _read(sources: Sequence[Path], mapping: PhonemeMap) -> Read | dict[str, int]:
     """Read recordings; where names are unknown, give those of all of them."""
-    utterances: list[Utterance] = []
+    utterances: list[LabelledUtterance] = []
     refusals: list[AudioError] = []
     unknown: dict[str, int] = {}
     for source in sources:

@@ -9,7 +9,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.takes.room_noise import RoomNoise, SilenceAccuracy, measure_room
 from phonemeengine.calibration.takes.room_takes import speech_in
 from phonemeengine.errors import EngineError
@@ -95,7 +95,7 @@ class RoomModel(QObject):
         self.changed.emit()
 
 
-def _found_in(samples: Float32Array, rate: int, preset: Preset, takes: tuple[Utterance, ...]) -> Found:
+def _found_in(samples: Float32Array, rate: int, preset: Preset, takes: tuple[LabelledUtterance, ...]) -> Found:
     room, speech = measure_room(to_mono_44k(samples, rate), preset), speech_in(takes)
     found = room.set_silence(preset, speech)
     return room, found, room.silence_accuracy(found, speech)

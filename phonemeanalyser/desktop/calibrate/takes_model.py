@@ -11,7 +11,7 @@ from PySide6.QtGui import QUndoCommand
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.reports import read_mono, room_level, take_report, take_reports
@@ -131,10 +131,10 @@ class TakesModel(QObject):
         """Return the sound file of a take."""
         return (self.folder or Path()) / take.sound
 
-    def utterances(self) -> tuple[Utterance, ...]:
+    def utterances(self) -> tuple[LabelledUtterance, ...]:
         """Return those takes that count, as labelled recordings."""
         return tuple(
-            Utterance(self.path_of(take), take.to_labels(), take.speaker, "takes")
+            LabelledUtterance(self.path_of(take), take.to_labels(), take.speaker, "takes")
             for take in self.now.takes
             if not take.excluded
         )

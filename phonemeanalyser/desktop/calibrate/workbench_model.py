@@ -10,7 +10,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
 from phonemeengine.calibration.scores.confusion import ConfusedSegment, Confusion
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.workbench.distributions import (
     Distribution,
     RankedVariable,
@@ -78,7 +78,7 @@ class WorkbenchModel(QObject):
         self.preview: Suggestion | None = None
         self.variable = "m_szsch1"
         self._preset = preset
-        self._utterances: tuple[Utterance, ...] = ()
+        self._utterances: tuple[LabelledUtterance, ...] = ()
         self._ranked_for: LabelledFeatures | None = None
         self._looked_with: Mapping[Phoneme, float] = {}
         self.measuring, self.looking, self.searching = (TaskQueue(self.error.emit) for _ in range(3))
@@ -89,7 +89,7 @@ class WorkbenchModel(QObject):
     # -- what there is ------------------------------------------------------------------------------------
 
     @property
-    def utterances(self) -> tuple[Utterance, ...]:
+    def utterances(self) -> tuple[LabelledUtterance, ...]:
         """The recordings that are measured, or are being."""
         return self._utterances
 
@@ -131,7 +131,7 @@ class WorkbenchModel(QObject):
 
     # -- what is asked ------------------------------------------------------------------------------------
 
-    def load(self, utterances: tuple[Utterance, ...]) -> None:
+    def load(self, utterances: tuple[LabelledUtterance, ...]) -> None:
         """Measure these recordings; what was measured before is not measured again."""
         self._utterances = utterances
         self._measure()

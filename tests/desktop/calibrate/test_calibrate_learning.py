@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.calibrate.guide_model import STEPS
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.fits.templates import adapt_to_takes
 from phonemeengine.calibration.guard import MOST_LOSS, loss_of
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.calibration.takes.project import TakeProject
@@ -46,12 +46,12 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TakeProject]:
 
 
 @pytest.fixture(scope="module")
-def takes(project: TakeProject) -> tuple[Utterance, ...]:
-    return tuple(Utterance(project.path_of(t), t.to_labels(), t.speaker, "takes") for t in project.takes)
+def takes(project: TakeProject) -> tuple[LabelledUtterance, ...]:
+    return tuple(LabelledUtterance(project.path_of(t), t.to_labels(), t.speaker, "takes") for t in project.takes)
 
 
 @pytest.fixture(scope="module")
-def sentence(tmp_path_factory: pytest.TempPathFactory) -> Utterance:
+def sentence(tmp_path_factory: pytest.TempPathFactory) -> LabelledUtterance:
     """The same voice at another pitch, in other company."""
     path, parts, labels, at = tmp_path_factory.mktemp("sentence") / "s.wav", [], [], 0.0
     for phoneme in ORDER:
@@ -60,16 +60,16 @@ def sentence(tmp_path_factory: pytest.TempPathFactory) -> Utterance:
         labels.append(Label(at, at + seconds, phoneme.label, phoneme))
         at += seconds
     soundfile.write(path, in_room(np.concatenate(parts)), SAMPLE_RATE, subtype="FLOAT")
-    return Utterance(path, tuple(labels), "Ann", "held back")
+    return LabelledUtterance(path, tuple(labels), "Ann", "held back")
 
 
-def scores(preset: Preset, utterance: Utterance) -> Scores:
+def scores(preset: Preset, utterance: LabelledUtterance) -> Scores:
     return scores_of([predict(utterance, preset).pair])
 
 
 @pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])
 def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
-    takes: tuple[Utterance, ...], sentence: Utterance, name: str
+    takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance, name: str
 ):
     preset = load_preset(FACTORY / f"{name}.toml")
     outcome = calibrate(preset, takes, held_back=[sentence])
@@ -84,7 +84,7 @@ def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
     assert outcome.silence_accuracy.room_silent.value > 0.9
 
 
-def test_without_a_sentence_quarters_of_the_takes_are_held_back(takes: tuple[Utterance, ...]):
+def test_without_a_sentence_quarters_of_the_takes_are_held_back(takes: tuple[LabelledUtterance, ...]):
     outcome = calibrate(load_preset(FACTORY / "templates.toml"), takes)
     assert outcome.cross_validated
     assert outcome.gains
@@ -113,7 +113,10 @@ def learn_by(monkeypatch: pytest.MonkeyPatch, adapt: Callable[..., object]) -> N
 
 @pytest.mark.parametrize("held_back", [True, False])
 def test_what_gains_by_losing_speech_is_refused_and_something_milder_taken(
-    takes: tuple[Utterance, ...], sentence: Utterance, monkeypatch: pytest.MonkeyPatch, held_back: bool
+    takes: tuple[LabelledUtterance, ...],
+    sentence: LabelledUtterance,
+    monkeypatch: pytest.MonkeyPatch,
+    held_back: bool,
 ):
     learn_by(monkeypatch, deaf_or_half)
     preset = load_preset(FACTORY / "templates.toml")
@@ -127,7 +130,7 @@ def test_what_gains_by_losing_speech_is_refused_and_something_milder_taken(
 
 
 def test_where_only_what_costs_gains_the_preset_stays_as_it_was(
-    takes: tuple[Utterance, ...], sentence: Utterance, monkeypatch: pytest.MonkeyPatch
+    takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance, monkeypatch: pytest.MonkeyPatch
 ):
     learn_by(monkeypatch, deaf)
     preset = load_preset(FACTORY / "templates.toml")
@@ -149,7 +152,7 @@ def test_what_gets_worse_is_said_with_both_figures():
     assert loss_of(unknown, figures) == loss_of(figures, unknown) == ""
 
 
-def test_the_pauses_of_a_p_are_silence(takes: tuple[Utterance, ...]):
+def test_the_pauses_of_a_p_are_silence(takes: tuple[LabelledUtterance, ...]):
     said_p = takes[-1]
     certain = [label for label in said_p.labels if label.certainty == CORE]
     bursts = [label for label in certain if label.phoneme is P.P]
@@ -162,7 +165,7 @@ def test_the_pauses_of_a_p_are_silence(takes: tuple[Utterance, ...]):
 
 
 def test_the_command_line_gives_the_same_preset(
-    project: TakeProject, takes: tuple[Utterance, ...], sentence: Utterance, tmp_path: Path, capsys
+    project: TakeProject, takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance, tmp_path: Path, capsys
 ):
     sentence.path.with_suffix(".csv").write_text(format_table(sentence.labels), encoding="utf-8")
     preset = load_preset(FACTORY / "extended.toml")
@@ -177,21 +180,23 @@ def test_the_command_line_gives_the_same_preset(
         assert getattr(found, name_of) == getattr(expected, name_of), name_of
 
 
-def test_the_room_sets_the_silence_of_rules(takes: tuple[Utterance, ...], sentence: Utterance):
+def test_the_room_sets_the_silence_of_rules(takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance):
     preset = load_preset(FACTORY / "thesis.toml")
     room = measure_room(in_room(silence(2.0)), preset)
     found = calibrate(preset, takes, held_back=[sentence], room=in_room(silence(2.0))).preset
     assert found.settings.denoise_threshold == room.set_silence(preset).settings.denoise_threshold
 
 
-def test_what_gains_nothing_leaves_the_preset_as_it_was(takes: tuple[Utterance, ...], sentence: Utterance):
+def test_what_gains_nothing_leaves_the_preset_as_it_was(
+    takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance
+):
     preset = calibrate(load_preset(FACTORY / "templates.toml"), takes, held_back=[sentence]).preset
     outcome = calibrate(preset, takes, held_back=[sentence])
     assert outcome.preset is preset
     assert not outcome.gains
 
 
-def test_what_cannot_learn_says_so(takes: tuple[Utterance, ...]):
+def test_what_cannot_learn_says_so(takes: tuple[LabelledUtterance, ...]):
     preset = load_preset(DEFAULT_PRESET)
     with pytest.raises(PresetError, match="needs a model"):
         calibrate(replace(preset, model=None), takes)
@@ -199,7 +204,7 @@ def test_what_cannot_learn_says_so(takes: tuple[Utterance, ...]):
         calibrate(preset, ())
 
 
-def test_files_of_takes_stay_as_they_are(takes: tuple[Utterance, ...]):
+def test_files_of_takes_stay_as_they_are(takes: tuple[LabelledUtterance, ...]):
     before = [Path(u.path).read_bytes() for u in takes]
     calibrate(load_preset(FACTORY / "templates.toml"), takes)
     assert [Path(u.path).read_bytes() for u in takes] == before

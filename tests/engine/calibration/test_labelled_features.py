@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from phonemeengine.calibration.scores.confusion import ConfusedSegment
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict, score
 from phonemeengine.calibration.scores.scoring import confusion_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
@@ -45,21 +45,21 @@ QUICK = settings(max_examples=40, suppress_health_check=[HealthCheck.function_sc
 
 
 @pytest.fixture(scope="module")
-def utterances(tmp_path_factory: pytest.TempPathFactory) -> tuple[Utterance, ...]:
+def utterances(tmp_path_factory: pytest.TempPathFactory) -> tuple[LabelledUtterance, ...]:
     return recordings(tmp_path_factory.mktemp("recordings"))
 
 
 @pytest.fixture(scope="module")
-def bench(utterances: tuple[Utterance, ...]) -> LabelledFeatures:
+def bench(utterances: tuple[LabelledUtterance, ...]) -> LabelledFeatures:
     return LabelledFeatures(utterances, THESIS)
 
 
 @pytest.fixture(scope="module")
-def own_bench(utterances: tuple[Utterance, ...]) -> LabelledFeatures:
+def own_bench(utterances: tuple[LabelledUtterance, ...]) -> LabelledFeatures:
     return LabelledFeatures(utterances, OWN)
 
 
-def plainly(utterances: tuple[Utterance, ...], preset: Preset) -> list[int]:
+def plainly(utterances: tuple[LabelledUtterance, ...], preset: Preset) -> list[int]:
     return [code for utterance in utterances for code in predict(utterance, preset).phonemes.tolist()]
 
 

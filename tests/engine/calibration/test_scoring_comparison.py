@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.calibration.scores.comparison import DifferingSegment, compare
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of, score
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.errors import CorpusError
@@ -28,7 +28,7 @@ def scores(*lines: tuple[str, str]) -> CorpusScores:
     heard = []
     for k, (truth, guess) in enumerate(lines):
         labels = FrameLabels(codes(truth), np.ones(len(truth), bool))
-        utterance = Utterance(Path(f"u{k}.wav"), (), "s", "c")
+        utterance = LabelledUtterance(Path(f"u{k}.wav"), (), "s", "c")
         heard.append(Predictions(utterance, labels, codes(guess), np.ones(len(truth), np.float32)))
     group = group_scores_of(heard)
     return CorpusScores(Preset(), 0, 0.0, tuple(heard), group, {"c": group}, {"c/s": group})

@@ -11,7 +11,7 @@ import soundfile
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import Predictions, group_scores_of, kind_of, score
 from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.errors import AudioError, CorpusError
@@ -38,7 +38,7 @@ def answers(
 ) -> Predictions:
     labels = FrameLabels(np.array(truth, np.uint8), np.array(core or [True] * len(truth)))
     loud = np.linspace(0, 1, len(truth), dtype=np.float32)
-    return Predictions(Utterance(Path("u.wav"), (), "s", corpus), labels, np.array(guess, np.uint8), loud)
+    return Predictions(LabelledUtterance(Path("u.wav"), (), "s", corpus), labels, np.array(guess, np.uint8), loud)
 
 
 def f1_by_hand(truth: list[str], guess: list[str], names: list[str]) -> float:
@@ -165,7 +165,7 @@ def test_answers_that_come_late_are_moved_back_by_the_lag(tmp_path: Path, late: 
 
 def test_a_sound_that_ends_before_its_labels_is_silent_there(tmp_path: Path) -> None:
     put(tmp_path, "u", tone(1000, 0.5, 0.3), (Label(0, 0.54, "a", Phoneme.A),))
-    utterance = Utterance(tmp_path / "u.wav", (Label(0, 0.54, "a", Phoneme.A),), "s", "c")
+    utterance = LabelledUtterance(tmp_path / "u.wav", (Label(0, 0.54, "a", Phoneme.A),), "s", "c")
     (heard,) = score(THESIS, [utterance]).predictions
     assert len(heard.phonemes) == 54
     assert set(heard.phonemes[50:].tolist()) == {Phoneme.SILENCE}
@@ -189,10 +189,10 @@ def test_a_sound_that_cannot_be_read_is_told_and_left_out(tmp_path: Path) -> Non
 
 def test_labels_too_short_for_a_frame_are_nothing_to_score(tmp_path: Path) -> None:
     soundfile.write(tmp_path / "u.wav", silence(1), SAMPLE_RATE)
-    utterance = Utterance(tmp_path / "u.wav", (Label(0, 0.004, "a", Phoneme.A),), "s", "c")
+    utterance = LabelledUtterance(tmp_path / "u.wav", (Label(0, 0.004, "a", Phoneme.A),), "s", "c")
     with pytest.raises(CorpusError, match="can be scored"):
         score(THESIS, [utterance])
-    long = Utterance(tmp_path / "u.wav", (Label(0, 1, "sil", Phoneme.SILENCE),), "t", "c")
+    long = LabelledUtterance(tmp_path / "u.wav", (Label(0, 1, "sil", Phoneme.SILENCE),), "t", "c")
     scores = score(THESIS, [utterance, long])
     assert list(scores.by_speaker) == ["c/t"]
     assert asdict(scores.overall.scores) == pytest.approx(

@@ -8,7 +8,7 @@ import soundfile
 
 from phonemeengine.calibration.fits.spectrum_sample import MOST_FRAMES, sampled_spectra
 from phonemeengine.calibration.fits.suggestions import MOST_SUGGESTIONS, suggested_variables, suggestions_from
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.workbench.distributions import distribution_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.calibration.workbench.separability import separability
@@ -26,14 +26,14 @@ THESIS = load_preset(FACTORY / "thesis.toml")
 A, E, I, M, U = Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.M, Phoneme.U  # noqa: E741
 
 
-def tones(folder, **frequencies: float) -> Utterance:
+def tones(folder, **frequencies: float) -> LabelledUtterance:
     """A recording of 1 s for each phoneme: a tone of its own beside one of 300 Hz and a hiss that all have."""
     sounds, labels = [], []
     for k, (name, frequency) in enumerate(frequencies.items()):
         sounds.append(tone(300, 1.0, 0.3) + tone(frequency, 1.0, 0.2) + noise(1.0, 0.05, k))
         labels.append(Label(k, k + 1.0, name, Phoneme[name.upper()]))
     soundfile.write(folder / "tones.wav", np.concatenate(sounds), SAMPLE_RATE, subtype="FLOAT")
-    return Utterance(folder / "tones.wav", tuple(labels), "nobody", "made")
+    return LabelledUtterance(folder / "tones.wav", tuple(labels), "nobody", "made")
 
 
 @pytest.fixture

@@ -14,6 +14,7 @@ from praatio import textgrid
 
 from phonemeengine.errors import ExportError
 from phonemeengine.labels.audacity import raw_labels_of
+from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
@@ -393,3 +394,35 @@ def test_ones_own_table_names_the_drawings(tmp_path: Path) -> None:
     table = mine(tmp_path, **{"slightly open": "slight"})
     shapes = {line.split()[1] for line in written("moho-dat", table=table).splitlines()[1:]}
     assert shapes == {"closed", "open", "round", "slight", "wide"}
+
+
+def movement_at(rate: float, movestates: tuple[str, ...] = ARKIT) -> Animation:
+    """A face that opens its first movestate, and turns its head."""
+    weights = np.zeros((4, len(movestates)), np.float32)
+    weights[:, 0] = [0, 0.25, 0.5, 0.75]
+    return Animation(rate, movestates, weights, np.full((4, 3), 2, np.float32))
+
+
+@pytest.mark.parametrize("name", ["livelink-csv", "curves-json", "gltf"])
+def test_a_movement_that_is_known_takes_the_place_of_that_of_the_cues(name: str) -> None:
+    exporter = Exporter(name, ExportOptions(rate=25.0))
+    movement = movement_at(25.0)
+    assert exporter.export_of(speech(), movement).animation is movement
+    assert b"".join(exporter.chunks_of(speech(), movement)) != b"".join(exporter.chunks_of(speech()))
+    if name == "livelink-csv":
+        rows = list(csv.DictReader(b"".join(exporter.chunks_of(speech(), movement)).decode().splitlines()))
+        assert [float(row["EyeBlinkLeft"]) for row in rows] == [0, 0.25, 0.5, 0.75]
+
+
+@pytest.mark.parametrize(
+    ("name", "movement", "words"),
+    [
+        ("oculus-csv", movement_at(60.0), "oculus-csv is made of cues, or of movestates other than eyeBlinkLeft"),
+        ("rhubarb-tsv", movement_at(60.0), "rhubarb-tsv is made of cues, or of movestates"),
+        ("livelink-csv", movement_at(60.0, OCULUS), "livelink-csv is made of cues, or of movestates other than sil"),
+        ("curves-json", movement_at(30.0), "curves-json has 60 frames per second, the movement 30; make it with"),
+    ],
+)
+def test_a_movement_that_a_format_cannot_hold_is_refused(name: str, movement: Animation, words: str) -> None:
+    with pytest.raises(ExportError, match=words):
+        Exporter(name).export_of(speech(), movement)

@@ -16,7 +16,7 @@ from phonemeanalyser.cli.main import main
 from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.fits.fitting import fit_preset
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict, score
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError, EngineError, RecogniserError
@@ -64,7 +64,7 @@ def bright(brightness: Path) -> Preset:
 
 
 @pytest.fixture
-def takes(tmp_path: Path) -> tuple[Utterance, ...]:
+def takes(tmp_path: Path) -> tuple[LabelledUtterance, ...]:
     return tuple(recording(tmp_path / f"{k}.wav", SAID, pitch=110.0 + 20 * k) for k in range(3))
 
 

@@ -9,7 +9,7 @@ import soundfile
 
 from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.fits.templates import log_mels_by_phoneme, templates_from, templates_of
-from phonemeengine.calibration.scores.corpus import Label, Utterance
+from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance
 from phonemeengine.dsp.cepstra import N_CEPSTRA, cepstra_of
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import CorpusError, EngineError, PresetError, SettingsError
@@ -45,22 +45,22 @@ LABELS = tuple(
 
 
 @pytest.fixture
-def utterance(tmp_path: Path) -> Utterance:
+def utterance(tmp_path: Path) -> LabelledUtterance:
     path = tmp_path / "vowels.wav"
     soundfile.write(path, spoken(), SAMPLE_RATE)
-    return Utterance(path, LABELS, "anna", "takes")
+    return LabelledUtterance(path, LABELS, "anna", "takes")
 
 
 @pytest.mark.parametrize(("f0", "amplitude"), [(120.0, 0.5), (135.0, 0.1)])
 def test_the_vowels_of_the_takes_are_recognised_at_other_pitch_and_level(
-    utterance: Utterance, f0: float, amplitude: float
+    utterance: LabelledUtterance, f0: float, amplitude: float
 ):
     analysis = Analyser(preset_of(templates_of([utterance]))).push(spoken(f0, amplitude))
     middles = [round(100 * (label.start + label.end) / 2) for label in LABELS]
     assert [Phoneme(int(p)) for p in analysis.phonemes[middles]] == [label.phoneme for label in LABELS]
 
 
-def test_the_scores_of_a_frame_add_up_to_one_and_the_nearest_is_explained(utterance: Utterance):
+def test_the_scores_of_a_frame_add_up_to_one_and_the_nearest_is_explained(utterance: LabelledUtterance):
     analyser = Analyser(preset_of(templates_of([utterance])))
     analysis = analyser.push(spoken())
     scores = np.array([analysis.features[name] for name in SCORES])
@@ -83,7 +83,7 @@ def test_a_ripple_over_the_bands_is_one_cepstrum():
     assert np.abs(np.delete(cepstra, 2)).max() < 1e-4
 
 
-def test_speakers_count_alike_however_much_they_say(utterance: Utterance):
+def test_speakers_count_alike_however_much_they_say(utterance: LabelledUtterance):
     voice = log_mels_by_phoneme([utterance])["takes/anna"]
     far = replace(voice, cepstra={p: frames[:5] + 4 for p, frames in voice.cepstra.items()})
     means = templates_from({"a": voice, "b": far}).means
@@ -92,7 +92,7 @@ def test_speakers_count_alike_however_much_they_say(utterance: Utterance):
         np.testing.assert_allclose(means[phoneme], expected, atol=1e-3)
 
 
-def test_phonemes_that_were_not_taken_keep_their_templates(utterance: Utterance):
+def test_phonemes_that_were_not_taken_keep_their_templates(utterance: LabelledUtterance):
     base = Templates(dict.fromkeys((Phoneme.A, Phoneme.O), ROW), ROW)
     templates = templates_of([utterance], base)
     assert templates.means[Phoneme.O] == ROW
@@ -102,10 +102,10 @@ def test_phonemes_that_were_not_taken_keep_their_templates(utterance: Utterance)
 def test_silence_alone_makes_no_template(tmp_path: Path):
     soundfile.write(tmp_path / "quiet.wav", silence(0.6), SAMPLE_RATE)
     with pytest.raises(CorpusError, match="not enough of any phoneme"):
-        templates_of([Utterance(tmp_path / "quiet.wav", LABELS[:1], "anna", "takes")])
+        templates_of([LabelledUtterance(tmp_path / "quiet.wav", LABELS[:1], "anna", "takes")])
 
 
-def test_a_preset_file_keeps_the_templates(utterance: Utterance):
+def test_a_preset_file_keeps_the_templates(utterance: LabelledUtterance):
     preset = preset_of(templates_of([utterance]))
     assert preset_from_toml(preset_to_toml(preset), Path()) == preset
 

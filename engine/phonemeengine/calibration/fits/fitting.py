@@ -18,7 +18,7 @@ from phonemeengine.calibration.fits.cross_validation import cross_validate, grou
 from phonemeengine.calibration.fits.limit_search import LimitSearch
 from phonemeengine.calibration.fits.threshold_search import ThresholdSearch
 from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError, RecogniserError
@@ -214,7 +214,7 @@ def fit_limits(preset: Preset, task: FitTask, progress: Progress) -> Preset:
 
 
 def adapt_rules(
-    preset: Preset, takes: Sequence[Utterance], set_silence: Callable[[Preset], Preset], progress: Progress
+    preset: Preset, takes: Sequence[LabelledUtterance], set_silence: Callable[[Preset], Preset], progress: Progress
 ) -> tuple[Preset, ...]:
     """Fit thresholds or limits to the takes of one voice; the milder preset leaves silence to the room.
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
 from phonemeengine.dsp.filters import denoise, normalise
 from phonemeengine.features.variables import Spectrum
 from phonemeengine.phonemes import Phoneme
@@ -41,7 +41,7 @@ class SpectrumSample:
 
 
 def sampled_spectra(
-    utterances: Sequence[Utterance], preset: Preset, progress: Progress = no_progress
+    utterances: Sequence[LabelledUtterance], preset: Preset, progress: Progress = no_progress
 ) -> SpectrumSample:
     """Analyse recordings, and keep the spectra of at most 1500 certain frames of each phoneme.
 
@@ -82,7 +82,7 @@ def _wanted(labels: Sequence[FrameLabels]) -> list[IndexArray]:
 
 
 def _spectra_at(
-    utterance: Utterance, wanted: IndexArray, settings: AnalysisSettings, progress: Progress
+    utterance: LabelledUtterance, wanted: IndexArray, settings: AnalysisSettings, progress: Progress
 ) -> Float32Array:
     """Return the filtered spectra of those of the wanted frames that the sound has."""
     found = []

@@ -13,7 +13,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.calibration.scores.corpus import Label, Utterance
+from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance
 from phonemeengine.dsp.cepstra import cepstra_of
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.log_mel import log_mels
@@ -45,7 +45,7 @@ class LogMelsByPhoneme:
     sounds: Float32Array
 
 
-def templates_of(utterances: Iterable[Utterance], base: Templates | None = None) -> Templates:
+def templates_of(utterances: Iterable[LabelledUtterance], base: Templates | None = None) -> Templates:
     """Make templates; those of phonemes that nobody says are taken from `base`.
 
     Raises
@@ -57,7 +57,7 @@ def templates_of(utterances: Iterable[Utterance], base: Templates | None = None)
 
 
 def adapt_to_takes(
-    preset: Preset, takes: Sequence[Utterance], set_silence: Callable[[Preset], Preset], progress: Progress
+    preset: Preset, takes: Sequence[LabelledUtterance], set_silence: Callable[[Preset], Preset], progress: Progress
 ) -> tuple[Preset, ...]:
     """Let takes of one voice be a preset's templates: quite, half, or not at all; only the room sets the silence.
 
@@ -76,7 +76,7 @@ def _between(old: Templates, new: Templates) -> Templates:
     return rounded_templates(means, np.array(new.spread, np.float32), new.silence_below)
 
 
-def log_mels_by_phoneme(utterances: Iterable[Utterance]) -> dict[str, LogMelsByPhoneme]:
+def log_mels_by_phoneme(utterances: Iterable[LabelledUtterance]) -> dict[str, LogMelsByPhoneme]:
     """Listen to labelled recordings, by speaker."""
     parts: defaultdict[str, defaultdict[Phoneme, list[Float32Array]]] = defaultdict(lambda: defaultdict(list))
     levels: defaultdict[tuple[str, bool], list[Float32Array]] = defaultdict(list)

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.calibration.learning.training_examples import TrainingExample, examples_of
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.dsp.log_mel import N_BANDS
 
 Variations = tuple[tuple[TrainingExample, ...], ...]
@@ -39,7 +39,7 @@ class _Entry:
 
 
 def write_examples(
-    folder: Path, utterances: Sequence[Utterance], n_variations: int, seed: int,
+    folder: Path, utterances: Sequence[LabelledUtterance], n_variations: int, seed: int,
     progress: Callable[[int], object] = lambda _n: None,
 ) -> None:  # fmt: skip
     """Make all examples and write them into a folder; `progress` is told of each recording.

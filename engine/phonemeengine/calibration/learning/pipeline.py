@@ -17,7 +17,7 @@ from phonemeengine.calibration.learning.example_cache import read_examples, writ
 from phonemeengine.calibration.learning.provenance import LabelSource, sources_of
 from phonemeengine.calibration.learning.training import TrainingConfig, train
 from phonemeengine.calibration.learning.validation import anchors_of, folds_of, predictions_of
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, read_corpus
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import Predictions
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import CorpusError
@@ -101,7 +101,7 @@ def train_and_validate(
 def _train_all(
     folder: Path,
     weights: dict[str, float],
-    groups: list[list[Utterance]],
+    groups: list[list[LabelledUtterance]],
     config: TrainingConfig,
     on_progress: OnProgress,
 ) -> tuple[Model, list[Predictions]]:
@@ -129,7 +129,7 @@ def _share(done: Any) -> None:
 
 
 def _train_without(
-    number: int, folder: Path, weights: dict[str, float], left_out: list[Utterance], config: TrainingConfig
+    number: int, folder: Path, weights: dict[str, float], left_out: list[LabelledUtterance], config: TrainingConfig
 ) -> tuple[Model, list[Predictions]]:
     """Train on all voices but those left out, and let the model recognise these."""
     strange = {utterance.voice for utterance in left_out}

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.calibration.learning.augment_waveform import Augmentation, augment, draw_augmentation
-from phonemeengine.calibration.scores.corpus import Utterance, frame_labels_of
+from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.log_mel import FLOOR, mel_powers, warped_mel_bank
 from phonemeengine.errors import EngineError
@@ -44,7 +44,7 @@ class TrainingExample:
 
 
 def examples_of(
-    utterances: Sequence[Utterance], n_variations: int, seed: int
+    utterances: Sequence[LabelledUtterance], n_variations: int, seed: int
 ) -> Iterator[tuple[TrainingExample, ...]]:
     """Make the examples of all utterances: each as it is, and `n_variations` others; in as many processes as cores.
 
@@ -61,7 +61,7 @@ def examples_of(
             yield made
 
 
-def example_of_recording(utterance: Utterance) -> TrainingExample:
+def example_of_recording(utterance: LabelledUtterance) -> TrainingExample:
     """Measure a labelled recording as it is.
 
     Raises
@@ -82,7 +82,7 @@ def example_of(samples: Float32Array, labels: tuple[Label, ...], warp: float = 1
     return TrainingExample(powers[:n].astype(np.float16), phonemes, _certainties_of(labels, n))
 
 
-def _examples(task: tuple[Utterance, int, int]) -> tuple[TrainingExample, ...] | EngineError:
+def _examples(task: tuple[LabelledUtterance, int, int]) -> tuple[TrainingExample, ...] | EngineError:
     """Make the examples of one utterance; an error travels back as a value, since it must survive the way."""
     utterance, n_variations, seed = task
     generator = np.random.default_rng([seed, *utterance.path.name.encode()])
@@ -94,7 +94,7 @@ def _examples(task: tuple[Utterance, int, int]) -> tuple[TrainingExample, ...] |
     return tuple(_augmented_example(samples, utterance.labels, v, generator) for v in variations)
 
 
-def _sound_of(utterance: Utterance) -> Float32Array:
+def _sound_of(utterance: LabelledUtterance) -> Float32Array:
     with utterance.opened() as reader:
         return reader.read_mono()
 

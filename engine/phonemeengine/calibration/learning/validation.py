@@ -6,7 +6,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.learning.example_cache import SpeakerExamples
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.presets.preset import Preset
@@ -27,7 +27,7 @@ def folds_of(names: Sequence[str], n_folds: int) -> list[set[str]]:
     return [set(ordered[k::n_folds]) for k in range(n_folds)]
 
 
-def predictions_of(model: Model, utterances: Iterable[Utterance]) -> list[Predictions]:
+def predictions_of(model: Model, utterances: Iterable[LabelledUtterance]) -> list[Predictions]:
     """Recognise recordings as a user's program does.
 
     Raises

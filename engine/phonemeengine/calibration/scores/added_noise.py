@@ -10,7 +10,7 @@ from functools import lru_cache
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.calibration.scores.corpus import Utterance, frame_labels_of
+from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.errors import AudioError, CorpusError, SettingsError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import HOP, SAMPLE_RATE
@@ -74,7 +74,7 @@ class NoiseAdder:
     utterances : the corpus, whose other speakers babble.
     """
 
-    def __init__(self, noise: AddedNoise, utterances: Sequence[Utterance]) -> None:
+    def __init__(self, noise: AddedNoise, utterances: Sequence[LabelledUtterance]) -> None:
         self.noise = noise
         if noise.kind is NoiseKind.BABBLE:
             self._pool = _pool_of(utterances, noise.seed)
@@ -83,7 +83,7 @@ class NoiseAdder:
             loop = _loop(noise.kind, noise.seed)
             self._period = lambda _speaker: loop
 
-    def blocks(self, utterance: Utterance, n: int) -> Iterator[Float32Array]:
+    def blocks(self, utterance: LabelledUtterance, n: int) -> Iterator[Float32Array]:
         """Return a recording with the noise in it, in blocks of at most `n` samples at 44.1 kHz.
 
         Where nothing is labelled as speech, or the speech is digital silence, no noise is added.
@@ -116,7 +116,7 @@ class NoiseAdder:
         return _of_level_one(np.asarray(babble))
 
 
-def speech_level_of(utterance: Utterance) -> float:
+def speech_level_of(utterance: LabelledUtterance) -> float:
     """Return the RMS of those stretches of a recording that are labelled as speech, 0 where there is none.
 
     Raises
@@ -147,10 +147,10 @@ def _loop(kind: NoiseKind, seed: int) -> Float32Array:
     return _of_level_one(np.fft.irfft(spectrum, LOOP))
 
 
-def _pool_of(utterances: Sequence[Utterance], seed: int) -> list[tuple[str, Float32Array]]:
+def _pool_of(utterances: Sequence[LabelledUtterance], seed: int) -> list[tuple[str, Float32Array]]:
     """Choose voices in turn from all speakers; each repeats itself where it is short."""
     generator = np.random.default_rng(seed)
-    by_speaker: dict[str, list[Utterance]] = {}
+    by_speaker: dict[str, list[LabelledUtterance]] = {}
     for k in generator.permutation(len(utterances)):
         by_speaker.setdefault(utterances[k].speaker, []).append(utterances[k])
     rounds = max((len(theirs) for theirs in by_speaker.values()), default=0)
@@ -165,7 +165,7 @@ def _pool_of(utterances: Sequence[Utterance], seed: int) -> list[tuple[str, Floa
     return pool
 
 
-def _voice_of(utterance: Utterance) -> Float32Array | None:
+def _voice_of(utterance: LabelledUtterance) -> Float32Array | None:
     """Return a recording as a period of noise, or None where it is silent or unreadable, as its scorer tells."""
     try:
         with utterance.opened() as reader:

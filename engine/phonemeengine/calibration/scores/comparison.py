@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from phonemeengine.arrays import Int64Array, UInt8Array
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions
 from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
 from phonemeengine.errors import CorpusError
@@ -30,7 +30,7 @@ class DifferingSegment:
     wrong : what the other one answered.
     """
 
-    utterance: Utterance
+    utterance: LabelledUtterance
     start: float
     end: float
     label: Phoneme
@@ -48,7 +48,7 @@ class Difference:
     n_both, n_one, n_other : how many both get right, only the first, and only the second.
     """
 
-    utterance: Utterance
+    utterance: LabelledUtterance
     n_frames: int
     n_both: int
     n_one: int

@@ -29,7 +29,7 @@ from phonemeengine.settings import FRAME_PERIOD, Channel
 __all__ = [
     "FrameLabels",
     "Label",
-    "Utterance",
+    "LabelledUtterance",
     "frame_labels_of",
     "read_corpus",
     "read_labels",
@@ -44,7 +44,7 @@ MANIFEST_COLUMNS = ("corpus", "speaker", "wav", "labels")
 
 
 @dataclass(frozen=True)
-class Utterance:
+class LabelledUtterance:
     """One labelled recording.
 
     Attributes
@@ -106,7 +106,7 @@ class _Pair:
 def read_corpus(
     folder: Path, mapping: PhonemeMap | None = None, *, channel: Channel = Channel.MIX,
     on_skipped: OnSkipped | None = None,
-) -> tuple[Utterance, ...]:  # fmt: skip
+) -> tuple[LabelledUtterance, ...]:  # fmt: skip
     """Read the manifest and all label files of a folder; of the sounds only their lengths.
 
     `channel` is what will be analysed of sounds that have several. `on_skipped` is told of each sound that cannot be
@@ -133,7 +133,7 @@ def read_recordings(
     tier: str | None = None,
     channel: Channel = Channel.MIX,
     on_skipped: OnSkipped | None = None,
-) -> tuple[Utterance, ...]:
+) -> tuple[LabelledUtterance, ...]:
     """Read labelled recordings wherever they are.
 
     Parameters
@@ -186,7 +186,7 @@ def _utterances_of(
     source: str,
     tier: str | None = None,
     on_skipped: OnSkipped | None = None,
-) -> tuple[Utterance, ...]:
+) -> tuple[LabelledUtterance, ...]:
     """Read all label files before any name is given a meaning, so that all unknown ones are told at once."""
     read = []
     for pair in pairs:
@@ -199,7 +199,7 @@ def _utterances_of(
     names = sum((names_in(raw_labels) for _, raw_labels, _ in read), Counter())
     phone_classes = mapping.phone_classes_of(names, source)
     return tuple(
-        Utterance(
+        LabelledUtterance(
             pair.sound, labels_named(raw_labels, phone_classes), pair.speaker, pair.corpus, pair.channel, cut_off
         )
         for pair, raw_labels, cut_off in read

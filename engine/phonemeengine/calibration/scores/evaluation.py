@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from phonemeengine.analyser import BLOCK, Analyser, analyse_blocks
 from phonemeengine.arrays import BoolArray, Float32Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.added_noise import NoiseAdder
-from phonemeengine.calibration.scores.corpus import FrameLabels, OnSkipped, Utterance, frame_labels_of
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, OnSkipped, frame_labels_of
 from phonemeengine.calibration.scores.scoring import (
     N_CODES,
     Scores,
@@ -43,7 +43,7 @@ class Predictions:
     intensities : float32, shape (n_frames,): 0..1.
     """
 
-    utterance: Utterance
+    utterance: LabelledUtterance
     labels: FrameLabels
     phonemes: UInt8Array
     intensities: Float32Array
@@ -109,7 +109,7 @@ class CorpusScores:
 
 def score(
     preset: Preset,
-    corpus: Iterable[Utterance],
+    corpus: Iterable[LabelledUtterance],
     *,
     delay: float = 0.0,
     noise: NoiseAdder | None = None,
@@ -153,7 +153,7 @@ def score(
 
 
 def predict(
-    utterance: Utterance, preset: Preset, *, delay: float = 0.0, noise: NoiseAdder | None = None
+    utterance: LabelledUtterance, preset: Preset, *, delay: float = 0.0, noise: NoiseAdder | None = None
 ) -> Predictions:
     """Recognise one recording; the parameters are those of `score`.
 
@@ -187,7 +187,7 @@ def group_scores_of(predictions: Sequence[Predictions]) -> GroupScores:
     )
 
 
-def kind_of(utterance: Utterance) -> str:
+def kind_of(utterance: LabelledUtterance) -> str:
     """Return the kind of speech: the part of the corpus, or "human" for all parts whose names begin so."""
     return HUMAN if utterance.corpus.startswith(HUMAN) else utterance.corpus
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.takes.room_noise import LEAST_SECONDS
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
@@ -16,7 +16,7 @@ BRIEF = frozenset({Phoneme.P, Phoneme.UNIDENTIFIED})
 """What is no speech to measure by: puffs are mostly the room."""
 
 
-def room_in(takes: Sequence[Utterance]) -> Float32Array | None:
+def room_in(takes: Sequence[LabelledUtterance]) -> Float32Array | None:
     """Return the sound of the newest take in which nobody speaks, float32, shape (n,), 44.1 kHz; None without one.
 
     Raises
@@ -32,7 +32,7 @@ def room_in(takes: Sequence[Utterance]) -> Float32Array | None:
     return None
 
 
-def speech_in(takes: Sequence[Utterance]) -> Float32Array | None:
+def speech_in(takes: Sequence[LabelledUtterance]) -> Float32Array | None:
     """Return what is surely said in takes, without pauses and p, one after the other; None where nothing is.
 
     Raises
@@ -43,7 +43,7 @@ def speech_in(takes: Sequence[Utterance]) -> Float32Array | None:
     return found if len(found) else None
 
 
-def _stretches(take: Utterance, without: frozenset[Phoneme] = BRIEF) -> Iterator[Float32Array]:
+def _stretches(take: LabelledUtterance, without: frozenset[Phoneme] = BRIEF) -> Iterator[Float32Array]:
     """Return the sound of each label that is certain."""
     wanted = [label for label in take.labels if label.certainty == CORE and label.phoneme not in without]
     if not wanted:

@@ -8,7 +8,7 @@ from pathlib import Path
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.flac import write_flac
 from phonemeengine.calibration.alignment import aligned
-from phonemeengine.calibration.scores.corpus import Utterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import folder_for
 from phonemeengine.errors import TakeError
@@ -22,7 +22,7 @@ FOLDER = "held-back"
 
 def keep_sentence(
     folder: Path, samples: Float32Array, rate: int, mono: Float32Array, sentence: Sentence, speaker: str
-) -> Utterance:
+) -> LabelledUtterance:
     """Label a sentence by its known text, and keep it in a project of takes.
 
     Parameters
@@ -49,4 +49,4 @@ def keep_sentence(
     path = free_path(place / f"{sentence.language.lower()}-1.flac")
     write_flac(path, samples, rate)
     write_text(format_table(labels), path.with_suffix(".csv"))
-    return Utterance(path, labels, speaker, FOLDER)
+    return LabelledUtterance(path, labels, speaker, FOLDER)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, UInt8Array
 from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
-from phonemeengine.calibration.scores.corpus import FrameLabels, Utterance, frame_labels_of
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.workbench.batch_smoother import BatchSmoother
 from phonemeengine.calibration.workbench.measuring import (
     Measurement,
@@ -66,7 +66,7 @@ class LabelledFeatures:
 
     def __init__(
         self,
-        utterances: Sequence[Utterance],
+        utterances: Sequence[LabelledUtterance],
         preset: Preset,
         *,
         known: "LabelledFeatures | None" = None,
@@ -86,7 +86,7 @@ class LabelledFeatures:
         self._join(list(self._measure(preset, known, progress)))
 
     @property
-    def utterances(self) -> tuple[Utterance, ...]:
+    def utterances(self) -> tuple[LabelledUtterance, ...]:
         """The recordings."""
         return self._utterances
 

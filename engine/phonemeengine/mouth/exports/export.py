@@ -23,6 +23,7 @@ class Export:
     rate : frames per second, where the format counts frames.
     idle : what else the face does.
     mesh : the file of the face that shall move, where the format holds one; None for the program's own head.
+    movement : how the face moves, where the cues do not say that.
     """
 
     speech: Transcript
@@ -31,6 +32,7 @@ class Export:
     rate: float
     idle: IdleMotion = field(default_factory=IdleMotion)
     mesh: Path | None = None
+    movement: Animation | None = None
 
     @cached_property
     def drawings(self) -> tuple[Cue, ...]:
@@ -40,4 +42,6 @@ class Export:
     @cached_property
     def animation(self) -> Animation:
         """The movement of the face."""
+        if self.movement is not None:
+            return self.movement
         return animation_of(self.speech, self.cues, self.table, self.rate, self.idle)

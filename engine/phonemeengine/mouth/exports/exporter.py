@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from phonemeengine.errors import ExportError
-from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE
+from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Animation
 from phonemeengine.mouth.cues import MINIMUM, cues_of
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.formats import FORMATS
@@ -45,6 +45,10 @@ class Exporter:
     name : of the format, as in `FORMATS`.
     options : how it shall be written.
 
+    Attributes
+    ----------
+    rate : frames per second; 0 where the format counts none.
+
     Raises
     ------
     ExportError : there is no such format, or it cannot do what the options say.
@@ -59,25 +63,38 @@ class Exporter:
         self.idle = self._options.idle
         self._mesh = None if self._options.mesh is None else Path(self._options.mesh)
         self._table = load_table(self._options.table or self.format.table)
-        self._rate = self._checked_rate()
+        self.rate = self._checked_rate()
         self._check_table()
         self._check_mesh()
         self.export_of(Transcript("", 0.0))
 
-    def export_of(self, speech: Transcript) -> Export:
-        """Clean the cues of speech, and put together what the format writes."""
+    def export_of(self, speech: Transcript, movement: Animation | None = None) -> Export:
+        """Clean the cues of speech, and put together what the format writes; see `chunks_of`."""
+        if movement is not None:
+            self._check_movement(movement)
         options, anticipation = self._options, self._options.anticipation
         cues = cues_of(
             speech.runs,
             self._table,
-            minimum=max(options.minimum, 1 / self._rate) if self._rate else options.minimum,
+            minimum=max(options.minimum, 1 / self.rate) if self.rate else options.minimum,
             anticipation=self.format.anticipation if anticipation is None else anticipation,
         )
-        return Export(speech, self._table, cues, self._rate, self.idle, self._mesh)
+        return Export(speech, self._table, cues, self.rate, self.idle, self._mesh, movement)
 
-    def chunks_of(self, speech: Transcript) -> Iterator[bytes]:
-        """Return the file, in parts as they are made."""
-        written = self.format.write(self.export_of(speech))
+    def chunks_of(self, speech: Transcript, movement: Animation | None = None) -> Iterator[bytes]:
+        """Return the file, in parts as they are made.
+
+        Parameters
+        ----------
+        speech : what was said, of which the cues are made.
+        movement : how the face moves, at the exporter's rate, where the cues do not say that; for formats that hold
+            the pose of a head.
+
+        Raises
+        ------
+        ExportError : the format cannot hold the movement, or that has another rate.
+        """
+        written = self.format.write(self.export_of(speech, movement))
         if isinstance(written, bytes):
             yield written
         else:
@@ -119,6 +136,18 @@ class Exporter:
             raise ExportError(
                 f"{self.name} separates names by spaces, so {shape!r} of the table {self._table.name!r} cannot be "
                 "one; rename it there"
+            )
+
+    def _check_movement(self, movement: Animation) -> None:
+        known = self.format.movestates or movement.movestates
+        if not self.format.moves_head or movement.movestates != known:
+            raise ExportError(
+                f"{self.name} is made of cues, or of movestates other than {movement.movestates[0]} ... "
+                f"{movement.movestates[-1]}; leave the movement out"
+            )
+        if movement.rate != self.rate:
+            raise ExportError(
+                f"{self.name} has {self.rate:g} frames per second, the movement {movement.rate:g}; make it with these"
             )
 
     def _check_mesh(self) -> None:

@@ -49,8 +49,9 @@ def write(export: Export) -> bytes:
     glb = shipped_glb() if export.mesh is None else read_glb(export.mesh)
     faces = _faces_of(glb.document)
     known = {name for _, names in faces for name in names}
-    if not known & set(export.table.movestates):
-        wanted, face = ", ".join(export.table.movestates[:3]), (export.mesh or HEAD).name
+    movestates = export.animation.movestates
+    if not known & set(movestates):
+        wanted, face = ", ".join(movestates[:3]), (export.mesh or HEAD).name
         raise ExportError(
             f"{face}: it has no morph target of the table {export.table.name!r} ({wanted}, ...); choose "
             "a table for its names with --table, or name the targets in your modelling program"

@@ -1,0 +1,151 @@
+"""Utterances: what is said in a sound, as words, syllables and phones with times.
+
+A script that was aligned with its recording, a text that a voice spoke, a label file, and letters of pinyin all end
+as this type; mouths, exports and time lines begin from it.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+from phonemeengine.errors import CorpusError
+from phonemeengine.labels.label import ROUNDING
+from phonemeengine.phonemes import Phoneme
+
+UNKNOWN_WORD = "<unk>"
+"""The text of a word that was said, but stands in no script; forced aligners call it so."""
+
+
+@dataclass(frozen=True)
+class Phone:
+    """One sound of speech.
+
+    Attributes
+    ----------
+    start, end : seconds from the beginning of the sound.
+    ipa : its symbol in the International Phonetic Alphabet, without stress; the halves of an affricate are two
+        phones. Empty where only the phoneme is known.
+    phoneme : the class of it that recognisers tell apart.
+    score : how well the sound fits it: the mean, over its frames, of the best score of any phone less its own,
+        natural logarithm; 0 fits best. None where nobody listened.
+    """
+
+    start: float
+    end: float
+    ipa: str
+    phoneme: Phoneme
+    score: float | None = None
+
+
+@dataclass(frozen=True)
+class Syllable:
+    """A syllable: its phones, and how it is stressed.
+
+    Attributes
+    ----------
+    phones : in order of time, without gaps; at least one.
+    stress : 0 for none, 1 for the main one of its word, 2 for a secondary one.
+    text : how it is written, where that is known, such as ``hao3``.
+    """
+
+    phones: tuple[Phone, ...]
+    stress: int = 0
+    text: str = ""
+
+    @property
+    def start(self) -> float:
+        """When it begins, seconds."""
+        return self.phones[0].start
+
+    @property
+    def end(self) -> float:
+        """When it ends, seconds."""
+        return self.phones[-1].end
+
+
+@dataclass(frozen=True)
+class Word:
+    """A word: its text, and its syllables.
+
+    Attributes
+    ----------
+    text : as it is written; `UNKNOWN_WORD` where somebody says what the script does not hold.
+    syllables : in order of time, without gaps; at least one.
+    """
+
+    text: str
+    syllables: tuple[Syllable, ...]
+
+    @property
+    def start(self) -> float:
+        """When it begins, seconds."""
+        return self.syllables[0].start
+
+    @property
+    def end(self) -> float:
+        """When it ends, seconds."""
+        return self.syllables[-1].end
+
+    @property
+    def phones(self) -> tuple[Phone, ...]:
+        """Its phones, in order of time."""
+        return tuple(phone for syllable in self.syllables for phone in syllable.phones)
+
+    @property
+    def score(self) -> float | None:
+        """How well the sound fits it: the mean of its phones' scores over time; None where nobody listened."""
+        return _mean_score(self.phones)
+
+
+@dataclass(frozen=True)
+class Utterance:
+    """What is said in a sound.
+
+    What lies between words, before the first and after the last one is silence.
+
+    Attributes
+    ----------
+    words : in order of time, not overlapping.
+    duration : of the sound, seconds.
+    language : the voice of espeak-ng that read the text, such as ``de``; empty where it came from labels.
+    skipped : words of the script that nobody said, in order.
+
+    Raises
+    ------
+    CorpusError : times overlap, or lie outside the sound.
+    """
+
+    words: tuple[Word, ...]
+    duration: float
+    language: str = ""
+    skipped: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        phones = tuple(self.phones)
+        for phone, following in pairwise(phones):
+            if following.start < phone.end - ROUNDING or phone.end < phone.start:
+                raise CorpusError(
+                    f"the phones of an utterance must follow each other, found {following.ipa!r} at "
+                    f"{following.start:g} s after {phone.ipa!r} until {phone.end:g} s; correct the times"
+                )
+        if phones and (phones[0].start < 0 or phones[-1].end > self.duration + ROUNDING):
+            raise CorpusError(
+                f"the phones of an utterance must lie within its sound of {self.duration:g} s, found "
+                f"{phones[0].start:g}..{phones[-1].end:g} s; correct the times"
+            )
+
+    @property
+    def phones(self) -> Iterator[Phone]:
+        """All phones, in order of time; what lies between them is silence."""
+        return (phone for word in self.words for syllable in word.syllables for phone in syllable.phones)
+
+    @property
+    def score(self) -> float | None:
+        """How well the sound fits the words: the mean of the phones' scores over time; None where nobody listened."""
+        return _mean_score(self.phones)
+
+
+def _mean_score(phones: Iterable[Phone]) -> float | None:
+    scored = [(phone.score, phone.end - phone.start) for phone in phones if phone.score is not None]
+    total = sum(duration for _, duration in scored)
+    return sum(score * duration for score, duration in scored) / total if total else None

@@ -1,0 +1,117 @@
+"""Chinese text, or what somebody says, as the track of a mouth: one call for whoever shows, plays or writes it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.animation import Animation, animation_by
+from phonemeengine.mouth.performer import IdleMotion, Performer
+from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.segments import Segment
+from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
+from phonemeengine.speech.pinyin.phones import utterance_of
+from phonemeengine.speech.pinyin.plan import Plan
+from phonemeengine.speech.pinyin.script import script_of
+from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
+from phonemeengine.speech.pinyin.timing import USUAL_RATE, plan_at_rate, plan_of
+
+
+@dataclass(frozen=True)
+class PinyinTrack:
+    """What a mouth says by pinyin.
+
+    Attributes
+    ----------
+    utterance : what is said, with times.
+    plan : the same, with letters and pauses.
+    table : the shapes, and how the mouth goes there.
+    """
+
+    utterance: Utterance
+    plan: Plan
+    table: PinyinTable
+
+    def mouth(self) -> PinyinMouth:
+        """Return a mouth that says it, for a performer to play."""
+        return PinyinMouth(self.plan, self.table)
+
+    def silent_transcript(self, name: str) -> Transcript:
+        """Return what is said, as if a voice of even loudness said it, until the mouth is at rest.
+
+        Parameters
+        ----------
+        name : what files that are made of it call the sound.
+        """
+        duration = self.plan.duration + AFTERWARDS
+        runs = self.runs(duration)
+        times = np.arange(round(duration / FRAME_PERIOD)) * FRAME_PERIOD
+        heard = np.array([run.intensity for run in runs], np.float32)
+        loud = heard[np.searchsorted([run.end for run in runs[:-1]], times, "right")]
+        return Transcript(name, duration, runs, loud, np.zeros_like(loud))
+
+    def runs(self, duration: float) -> tuple[Segment, ...]:
+        """Return its phones, of which drawings are made, without gaps until a time, seconds."""
+        return tuple(_runs_of(self.utterance, duration))
+
+    def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
+        """Animate a face: its mouth says the plan, it blinks, and its head moves with the sound.
+
+        Parameters
+        ----------
+        speech : how long the animation is, and how loud and high the voice.
+        rate : frames per second, 1..240.
+        idle : what else the face does; blinks and a moving head, where it is None.
+
+        Raises
+        ------
+        MouthError : the rate lies outside its range.
+        """
+        performer = Performer(self.table.mouth, idle)
+        performer.play(self.mouth())
+        return animation_by(performer, speech, rate)
+
+
+def pinyin_track(
+    said: str | Utterance,
+    table: PinyinTable | None = None,
+    *,
+    text: str = "",
+    rate: float = USUAL_RATE,
+    seed: int | None = None,
+) -> PinyinTrack:
+    """Have a mouth say a text without sound, or what is said in a sound.
+
+    Parameters
+    ----------
+    said : a Chinese text; or an utterance whose syllables hold pinyin with the tone as a digit, whose times count.
+    table : the letters, shapes and times; those that ship, where it is None.
+    text : of an utterance, for the marks of its pauses.
+    rate : syllables per second of a text, 0.5..10.
+    seed : of the variation of onsets; none varies where it is None.
+
+    Raises
+    ------
+    SpeechError : there is no Chinese syllable in it, or the rate lies outside its range.
+    """
+    table = table or load_pinyin_table()
+    if isinstance(said, Utterance):
+        return PinyinTrack(said, plan_of(said, table, script_of(text, table).written, seed), table)
+    script = script_of(said, table)
+    plan = plan_at_rate(script.written, table, rate, seed)
+    return PinyinTrack(replace(utterance_of(plan), language="cmn", skipped=script.skipped), plan, table)
+
+
+def _runs_of(utterance: Utterance, duration: float) -> Iterator[Segment]:
+    """Return the phones, and the silence between and after them."""
+    at = 0.0
+    for phone in utterance.phones:
+        if phone.start > at:
+            yield Segment(at, phone.start, Phoneme.SILENCE, 0.0)
+        yield Segment(phone.start, phone.end, phone.phoneme, 1.0)
+        at = phone.end
+    if duration > at:
+        yield Segment(at, duration, Phoneme.SILENCE, 0.0)

@@ -1,0 +1,1 @@
+"""Scripts, and how their words are pronounced (grapheme to phoneme)."""
