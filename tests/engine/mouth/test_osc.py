@@ -160,7 +160,7 @@ def test_nobody_waits_for_the_network(monkeypatch: pytest.MonkeyPatch) -> None:
     assert hanging.wait(60)
     for _ in range(3000):
         hear(performer, Phoneme.A)
-    assert performer.pop_said()[-1] == (Phoneme.A, 1.0)
+    assert performer.pop_said()[-1] == (Phoneme.A, 1.0, "")
     released.set()
     mouth.close()
 
