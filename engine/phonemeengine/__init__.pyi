@@ -38,6 +38,7 @@ from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.labels.label import Label
 from phonemeengine.labels.phone_sets import PhoneClass
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
@@ -61,7 +62,7 @@ from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import MouthTable, load_table
-from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
@@ -159,6 +160,7 @@ __all__ = [
     "OscMouth",
     "OutputHead",
     "Performer",
+    "Phone",
     "PhoneClass",
     "Phoneme",
     "PhonemeData",
@@ -187,6 +189,7 @@ __all__ = [
     "Spectrum",
     "SpokenPhone",
     "Status",
+    "Syllable",
     "TakeError",
     "Templates",
     "Thresholds",
@@ -196,9 +199,11 @@ __all__ = [
     "TransitionTimes",
     "Tuning",
     "UnknownPhonemeError",
+    "Utterance",
     "Variable",
     "VisemeOverride",
     "WindowFunction",
+    "Word",
     "__version__",
     "aligned",
     "analyse_blocks",
@@ -228,6 +233,7 @@ __all__ = [
     "score",
     "timed_frames",
     "transcribe",
+    "transcript_of_utterance",
 ]
 
 __version__: str

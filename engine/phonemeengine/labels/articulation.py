@@ -19,6 +19,8 @@ CONSONANT_CLASSES: dict[str, str] = {
     "alveolo-palatal": "ɕ ʑ",
     "postalveolar": "ʃ ʒ",
     "lateral": "l ɫ ɭ ʎ ɬ ɮ",
+    "tap": "ɾ ɽ",
+    "trill": "r ʀ ʙ",
     "rhotic": "r ɹ ɾ ɻ ɽ ʁ ʀ",
     "nasal": "m ɱ n ɳ ɲ ŋ ɴ",
     "retroflex": "ʈ ɖ ɳ ʂ ʐ ɻ ɽ ɭ",
@@ -27,7 +29,8 @@ CONSONANT_CLASSES: dict[str, str] = {
     "alveolar": "t d n s z r ɹ ɾ l ɫ ɬ ɮ",
     "approximant": "w ʍ j ɥ ɰ ʋ ɹ ɻ l ɫ ɭ ʎ",
     "plosive": "p b t d ʈ ɖ c ɟ k ɡ q ɢ ʔ",
-    "fricative": "ɸ β f v θ ð s z ɬ ɮ ʃ ʒ ɕ ʑ ʂ ʐ ç ʝ x ɣ χ ħ ʕ h ɦ",
+    "sibilant": "s z ʃ ʒ ɕ ʑ ʂ ʐ",
+    "fricative": "ɸ β f v θ ð s z ɬ ɮ ʃ ʒ ɕ ʑ ʂ ʐ ç ʝ x ɣ χ ʁ ħ ʕ h ɦ",
 }
 VOWEL_CLASSES: dict[str, str] = {
     # Rounding shows the most, then how far the jaw is open; near-close counts as close, and near-open as open.

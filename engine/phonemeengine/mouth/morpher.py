@@ -164,7 +164,7 @@ def _rows_of(table: MouthTable, detail: Detail, chance: random.Random) -> Float3
     rows, spread = np.concatenate((table.weights(), table.shape_weights())), table.motion.randomness
     habits = np.array([chance.uniform(-spread, 0.0) for _ in table.movestates], np.float32)
     firm = {table.phones[name] for name in table.closed_phones}
-    loose = [p for p in Phoneme if p not in {*table.closed_phonemes, Phoneme.SILENCE}]
+    loose = [int(p) for p in Phoneme if p not in {*table.closed_phonemes, Phoneme.SILENCE}]
     loose += [len(Phoneme) + k for k, shape in enumerate(table.shapes) if shape not in firm]
     rows[loose] *= 1 + _alike_on_both_sides(habits, table.movestates)
     if detail is Detail.TWO_STATES:

@@ -1,5 +1,6 @@
 """What was said in one sound: all that a mouth needs to know of it, recognised or known beforehand."""
 
+import os
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -77,7 +78,11 @@ def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path
 
 
 def transcript_of_utterance(
-    utterance: Utterance, intensities: Float32Array, pitches: Float32Array, name: str, path: Path | None = None
+    utterance: Utterance,
+    intensities: Float32Array,
+    pitches: Float32Array,
+    name: str,
+    path: str | os.PathLike[str] | None = None,
 ) -> Transcript:
     """Return what is known of a sound as a mouth needs it.
 
@@ -95,7 +100,8 @@ def transcript_of_utterance(
         for start, end, phoneme, phone in _stretches(utterance)
         if end > start
     )
-    return Transcript(name, utterance.duration, runs, intensities, pitches, path)
+    place = None if path is None else Path(path)
+    return Transcript(name, utterance.duration, runs, intensities, pitches, place)
 
 
 def _stretches(utterance: Utterance) -> Iterator[Stretch]:
