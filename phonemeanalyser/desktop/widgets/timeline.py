@@ -23,8 +23,8 @@ NARROWEST, WIDEST = 0.02, 12.0
 """Pixels of a frame at most zoom out and in."""
 LEAST_TEXT = 16
 """Pixels that a span needs to be named."""
-LEAST_MARK = 3
-"""Pixels that a span needs for its hatching to be seen."""
+LEAST_MARK, UNDERLINE = 3, 3
+"""Pixels that a span needs for its hatching to be seen, and those of the line below it."""
 GRAB = 4
 """Pixels at either side of a boundary at which it is caught."""
 LEAST_SPAN = FRAME_PERIOD
@@ -43,7 +43,7 @@ class Lane:
     starts, ends : seconds, shape (n_spans,), in order of time.
     texts : what stands in each span.
     colours : of each span, RGB as ``QColor.rgb()`` has it, shape (n_spans,).
-    marked : which spans are hatched, because they fit badly.
+    marked : which spans are hatched and underlined, because they fit badly.
     movable : whether its boundaries can be dragged.
     """
 
@@ -212,6 +212,7 @@ class Timeline(QWidget):
                 painter.fillRect(QRectF(start, top, 1, HEIGHT), QColor(self._theme.base))
             if k in lane.marked:
                 painter.fillRect(box, QBrush(QColor(self._theme.bad), Qt.BrushStyle.BDiagPattern))
+                painter.fillRect(box.adjusted(0, HEIGHT - UNDERLINE, 0, 0), QColor(self._theme.bad))
             text = lane.texts[k]
             if box.width() >= LEAST_TEXT and painter.fontMetrics().horizontalAdvance(text) < box.width() - 2:
                 draw_text(painter, box, text, "#ffffff", SIZE, CENTRED)
