@@ -22,6 +22,9 @@ A face follows what was heard, and may be looked at whenever a picture is drawn:
     morpher.hear(now, phoneme, intensity)    # seconds, of a clock of yours
     weights = morpher.weights(now)           # 0..1, one for each of morpher.movestates
 
+Who knows more than phonemes tells the phone as well, in the IPA: ``morpher.hear(now, phoneme, intensity, "f")``. Of
+whole sounds, `transcript_of_utterance` makes what a mouth needs.
+
 Files become mouth cues, or whatever another program reads::
 
     cues("line.wav", preset)                 # which shape from when to when
@@ -75,13 +78,13 @@ _PAGE = {
     "features.measure": "Features",
     "features.front_end": "FrameBlock",
     "recognition.segments": "Segment",
-    "mouth.transcript": "Transcript",
+    "labels.utterance": "Phone Syllable Utterance Word",
+    "mouth.transcript": "Transcript transcript_of_utterance",
     "mouth.lip_sync": "cues export transcribe",
     "mouth.cues": "Cue",
     "mouth.exports.exporter": "ExportOptions",
     "mouth.exports.formats": "FORMATS",
     "mouth.animation": "Animation",
-    "labels.utterance": "Phone Syllable Utterance Word",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
     "mouth.performer": "FaceState IdleMotion MouthTrack Performer TimedFrame timed_frames",

@@ -64,7 +64,7 @@ from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import MouthTable, load_table
-from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
@@ -255,6 +255,7 @@ __all__ = [
     "score",
     "timed_frames",
     "transcribe",
+    "transcript_of_utterance",
 ]
 
 __version__: str

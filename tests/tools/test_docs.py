@@ -14,6 +14,7 @@ import tomli_w
 
 from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum
+from phonemeengine.labels.articulation import ARTICULATIONS, CONSONANT_CLASSES, VOWEL_CLASSES
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.phonemes import Phoneme
@@ -206,6 +207,13 @@ def test_the_docs_name_every_key_of_the_pinyin_table() -> None:
 def test_the_docs_have_the_plan_that_is_made_of_their_text() -> None:
     plan = (DOCS / "pinyin.md").read_text(encoding="utf-8").split("```text\n")[1].split("```")[0]
     assert plan == format_plan(pinyin_track("你好。").plan)
+
+
+def test_the_docs_name_the_sounds_of_every_class_in_their_order() -> None:
+    told = [line for line in FORMATS_PAGE.splitlines() if any(f"| `{name}` |" in line for name in ARTICULATIONS)]
+    classes = CONSONANT_CLASSES | {"consonant": "all of these"} | VOWEL_CLASSES | {"vowel": "all of these"}
+    assert told == [f"| `{name}` | {letters} |" for name, letters in classes.items()]
+    assert list(classes) == list(ARTICULATIONS)
 
 
 def test_the_docs_name_every_export_with_its_rate() -> None:

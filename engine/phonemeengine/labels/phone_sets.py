@@ -65,18 +65,19 @@ IPA: tuple[Row, ...] = (
     (Phoneme.A, AMBIGUOUS, "ʌ ɐ ɜ"),
     (Phoneme.A, DIPHTHONG, "aɪ aʊ ai au aj aw ɑɪ ɑʊ aɪə aʊə"),
     (Phoneme.E, CORE, "e ɛ"),
-    (Phoneme.E, AMBIGUOUS, "æ ə ɘ ɚ ɝ ɛ̃ œ̃"),
+    (Phoneme.E, AMBIGUOUS, "æ ə ɘ ɚ ɝ ɤ ɛ̃ œ̃"),
     (Phoneme.E, DIPHTHONG, "eɪ ei ej eə ɛɪ ɛə"),
     (Phoneme.I, CORE, "i ɪ"),
-    (Phoneme.I, AMBIGUOUS, "ɨ ᵻ"),
+    (Phoneme.I, AMBIGUOUS, "ɨ ᵻ ɿ ʅ"),
     (Phoneme.I, DIPHTHONG, "iə ɪə"),
     (Phoneme.O, CORE, "o ɔ"),
-    (Phoneme.O, AMBIGUOUS, "ɒ ɔ̃ õ ɵ ø œ"),
+    (Phoneme.O, AMBIGUOUS, "ɒ ɔ̃ õ ɵ ɞ ø œ ɶ"),
     (Phoneme.O, DIPHTHONG, "oʊ ou ow əʊ ɔɪ ɔʏ ɔj ɔø"),
     (Phoneme.U, CORE, "u ʊ"),
-    (Phoneme.U, AMBIGUOUS, "y ʏ ʉ"),
+    (Phoneme.U, AMBIGUOUS, "y ʏ ʉ ɯ"),
     (Phoneme.U, DIPHTHONG, "ʊə uə"),
     (X, CORE, "n n̩ nʲ ɲ ŋ l l̩ lʲ ɫ ʎ ɭ r ɹ ɾ ʁ ʀ rʲ ɻ j w ɥ ʍ h ɦ x χ ç ɣ ʝ t tʲ d dʲ c ɟ k ɡ g q f v ʋ θ ð ʔ"),
+    (X, CORE, "ɸ β ʙ ɬ ɮ ɽ ʈ ɖ ɳ ɰ ɢ ɴ ħ ʕ"),
 )
 
 SAMPA: tuple[Row, ...] = (

@@ -1,7 +1,8 @@
 """Mouth cues: which shape the mouth has from when to when, cleaned for animators.
 
 A cue that is too short would flicker. What is done about it depends on what it is: lips that meet are seen even when
-brief, so m and p take the time that they lack from their neighbours; everything else gives its time to them.
+brief, so m and p take the time that they lack from their neighbours, as phones do of which the table says that they
+are firm; everything else gives its time to them.
 """
 
 import heapq
@@ -33,6 +34,8 @@ class Cue:
     phoneme : what is said.
     shape : the mouth shape that the table has for it.
     intensity : mean intensity, 0..1.
+    phone : its symbol in the International Phonetic Alphabet; of several, that of the longest. Empty where only the
+        phoneme is known.
     """
 
     start: float
@@ -40,6 +43,7 @@ class Cue:
     phoneme: Phoneme
     shape: str
     intensity: float
+    phone: str = ""
 
     @property
     def duration(self) -> float:
@@ -75,19 +79,16 @@ def cues_of(
 
 def cleaned_cues(runs: Iterable[Segment], table: MouthTable, minimum: float, n_begun: int = 0) -> list[Cue]:
     """Make cues of runs that last the minimum, seconds; so many of the first stay, however short they are."""
-    cues = [Cue(run.start, run.end, run.phoneme, table.phonemes[run.phoneme], run.intensity) for run in runs]
-    cues = _joined(cues, _same_phoneme)
-    return _joined(_Chain(cues, minimum, table.closed_phonemes, n_begun).cleaned(), _same_phoneme)
+    cues = _joined((_cue_of(run, table) for run in runs), _alike)
+    return _joined(_Chain(cues, minimum, table, n_begun).cleaned(), _alike)
 
 
 def begins_of(cues: Sequence[Cue], table: MouthTable, anticipation: float, minimum: float) -> list[float]:
     """Return when the mouth begins to move to each cue: to vowels, and lips that meet, early; see `cues_of`."""
-    firm = table.closed_phonemes - {Phoneme.SILENCE}
-    leads = dict.fromkeys(VOWELS, anticipation) | {p: min(anticipation, table.times[p].to_shape) for p in firm}
     begins = [cue.start for cue in cues[:1]]
     for before, cue in pairwise(cues):
-        spare = min(leads.get(cue.phoneme, 0.0), before.duration / 2, max(before.duration - minimum, 0.0))
-        begins.append(cue.start - spare)
+        lead = _lead_of(cue, table, anticipation)
+        begins.append(cue.start - min(lead, before.duration / 2, max(before.duration - minimum, 0.0)))
     return begins
 
 
@@ -101,8 +102,20 @@ def _check(name: str, value: float, most: float) -> None:
         raise MouthError(f"{name} must lie in 0..{most:g} s, got {value:g}; choose another")
 
 
-def _same_phoneme(one: Cue, other: Cue) -> bool:
-    return one.phoneme == other.phoneme
+def _cue_of(run: Segment, table: MouthTable) -> Cue:
+    shape = table.shape_of(run.phoneme, run.phone)
+    return Cue(run.start, run.end, run.phoneme, shape, run.intensity, run.phone)
+
+
+def _lead_of(cue: Cue, table: MouthTable, anticipation: float) -> float:
+    """Return by how much the mouth would be ahead of a cue, seconds."""
+    if cue.phoneme != Phoneme.SILENCE and table.closes(cue.phoneme, cue.phone):
+        return min(anticipation, table.times_of(cue.phoneme, cue.phone).to_shape)
+    return anticipation if cue.phoneme in VOWELS else 0.0
+
+
+def _alike(one: Cue, other: Cue) -> bool:
+    return one.phoneme == other.phoneme and one.shape == other.shape
 
 
 def _joined(cues: Iterable[Cue], same: Callable[[Cue, Cue], bool]) -> list[Cue]:
@@ -126,13 +139,13 @@ def _union(one: Cue, other: Cue) -> Cue:
 class _Chain:
     """Cues of which each knows its neighbours, so that the shortest can be dealt with first."""
 
-    def __init__(self, cues: list[Cue], minimum: float, closed: frozenset[Phoneme], n_begun: int) -> None:
+    def __init__(self, cues: list[Cue], minimum: float, table: MouthTable, n_begun: int) -> None:
         self._cues: list[Cue | None] = list(cues)
         self._before = list(range(-1, len(cues) - 1))
         self._after = [*range(1, len(cues)), -1]
         self._minimum = minimum
         self._least = minimum - ROUNDING
-        self._closed = closed
+        self._table = table
         self._n_begun = n_begun
         self._shortest: list[tuple[float, int]] = []
 
@@ -160,7 +173,7 @@ class _Chain:
         lack = self._minimum - cue.duration
         before, after = self._at(self._before[k]), self._at(self._after[k])
         spares = [max(other.duration - self._minimum, 0.0) if other else 0.0 for other in (before, after)]
-        if cue.phoneme not in self._closed or sum(spares) < lack:
+        if not self._table.closes(cue.phoneme, cue.phone) or sum(spares) < lack:
             return False
         first = min(spares[0], max(lack / 2, lack - spares[1]))
         self._cues[k] = replace(cue, start=cue.start - first, end=cue.end + lack - first)
@@ -197,9 +210,9 @@ class _Chain:
         return (cue.start + cue.end) / 2
 
     def _unite(self, b: int, a: int) -> None:
-        """Join the neighbours of a cue that went, where they are of one phoneme; else look at each again."""
+        """Join the neighbours of a cue that went, where they are alike; else look at each again."""
         before, after = self._at(b), self._at(a)
-        if before is not None and after is not None and before.phoneme == after.phoneme:
+        if before is not None and after is not None and _alike(before, after):
             self._cues[b], self._cues[a] = _union(before, after), None
             self._after[b] = self._after[a]
             if self._after[a] >= 0:

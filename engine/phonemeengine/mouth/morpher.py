@@ -9,6 +9,8 @@ Neither weights nor their speed jump, however fast phonemes follow each other; n
 shapes that it lies between, nor exceeds what the table says; and since every movement is known for all times, it does
 not matter how often anybody looks. Each sound has its own time: a movement to its shape takes as long as its attack
 says, and one to silence as long as the release of what was said before.
+
+A movement goes to the shape of a phoneme, or to that which the table has for a phone, where one is known.
 """
 
 import math
@@ -62,9 +64,10 @@ class Morpher:
         self._detail = detail
         self._random = random.Random(seed)  # noqa: S311 - nothing secret depends on it
         self._rows = _rows_of(table, detail, self._random)
+        self._row_of_shape = {shape: len(Phoneme) + k for k, shape in enumerate(table.shapes)}
         self._closed = {*table.closed_phonemes, Phoneme.SILENCE}
         self._movements = deque([_Movement(-math.inf, 0.0, Phoneme.SILENCE, True, 1.0)], maxlen=MOST_MOVEMENTS)
-        self._code = int(Phoneme.SILENCE)
+        self._said, self._row = (Phoneme.SILENCE, ""), int(Phoneme.SILENCE)
         self._loudness = LowPass(self._motion.loudness)
 
     @property
@@ -72,7 +75,7 @@ class Morpher:
         """The names of the movestates, in the order of the weights."""
         return self.table.movestates
 
-    def hear(self, time: float, phoneme: int, intensity: float) -> None:
+    def hear(self, time: float, phoneme: int, intensity: float, phone: str = "") -> None:
         """Take what is heard from a time on; times, seconds, never go back.
 
         Parameters
@@ -80,16 +83,20 @@ class Morpher:
         time : when it begins, seconds.
         phoneme : its code, as `Phoneme`.
         intensity : 0..1.
+        phone : its symbol in the International Phonetic Alphabet, where it is known.
         """
         self.set_loudness(time, intensity)
-        self.set_phoneme(time, phoneme)
+        self.set_phoneme(time, phoneme, phone)
 
-    def set_phoneme(self, time: float, phoneme: int) -> None:
-        """Take a phoneme alone from a time on: the loudness goes on."""
-        code = _followed(phoneme, self._detail, self._closed)
-        if code != self._code:
-            self._movements.append(self._movement(time, code))
-            self._code = code
+    def set_phoneme(self, time: float, phoneme: int, phone: str = "") -> None:
+        """Take a phoneme alone from a time on, and its phone where it is known: the loudness goes on."""
+        said = _followed(phoneme, phone, self._detail, self._closed)
+        if said == self._said:
+            return
+        row = self._row_of(*said)
+        if row != self._row:
+            self._movements.append(self._movement(time, row, *said))
+        self._said, self._row = said, row
 
     def set_loudness(self, time: float, intensity: float) -> None:
         """Take the loudness alone, 0..1, from a time on: the phoneme goes on."""
@@ -110,34 +117,45 @@ class Morpher:
         weights: Float32Array = np.array(shares, np.float32) @ self._rows[rows]
         return weights
 
-    def _movement(self, time: float, code: int) -> _Movement:
-        times, spread = self.table.times, self._motion.randomness
-        whole = code in self._closed or self._detail is Detail.TWO_STATES
-        closes = code == Phoneme.SILENCE
-        duration = times[Phoneme(self._code)].to_rest if closes else times[Phoneme(code)].to_shape
+    def _row_of(self, phoneme: Phoneme, phone: str) -> int:
+        """Return where the weights stand: those of the phoneme, or of the shape that the table has for the phone."""
+        shape = self.table.shape_of(phoneme, phone)
+        return int(phoneme) if shape == self.table.phonemes[phoneme] else self._row_of_shape[shape]
+
+    def _movement(self, time: float, row: int, phoneme: Phoneme, phone: str) -> _Movement:
+        table, spread = self.table, self._motion.randomness
+        silent = phoneme is Phoneme.SILENCE
+        closes = silent or table.closes(phoneme, phone)
+        duration = table.times_of(*self._said).to_rest if silent else table.times_of(phoneme, phone).to_shape
         vary_time, vary_shape = self._random.uniform(-spread, spread), self._random.uniform(-2 * spread, 0.0)
-        if code not in self._closed:
+        if not closes:
             duration *= 1 + vary_time
-        return _Movement(time, duration, code, whole, 1.0 if code in self._closed else 1.0 + vary_shape)
+        whole = closes or self._detail is Detail.TWO_STATES
+        return _Movement(time, duration, row, whole, 1.0 if closes else 1.0 + vary_shape)
 
     def _gain(self, time: float) -> float:
         least = 0.0 if self._detail is Detail.LOUDNESS else self._motion.minimum_opening
         return least + (1.0 - least) * self._loudness.at(time)
 
 
-def _followed(phoneme: int, detail: Detail, closed_phonemes: set[Phoneme]) -> int:
-    """Return the phoneme that the mouth shows."""
-    closed = phoneme == Phoneme.SILENCE or (detail is Detail.TWO_STATES and phoneme in closed_phonemes)
+def _followed(phoneme: int, phone: str, detail: Detail, closed_phonemes: set[Phoneme]) -> tuple[Phoneme, str]:
+    """Return the phoneme that the mouth shows, and its phone."""
     if detail is Detail.PHONEMES:
-        return int(phoneme)
-    return int(Phoneme.SILENCE if closed else Phoneme.A)
+        return Phoneme(phoneme), phone
+    closed = phoneme == Phoneme.SILENCE or (detail is Detail.TWO_STATES and phoneme in closed_phonemes)
+    return Phoneme.SILENCE if closed else Phoneme.A, ""
 
 
 def _rows_of(table: MouthTable, detail: Detail, chance: random.Random) -> Float32Array:
-    """Return the weights of every phoneme with the habits of one mouth; lips that meet do so in every mouth."""
-    rows, spread = table.weights(), table.motion.randomness
+    """Return the weights of every phoneme, and of every shape, with the habits of one mouth.
+
+    Lips that meet do so in every mouth.
+    """
+    rows, spread = np.concatenate((table.weights(), table.shape_weights())), table.motion.randomness
     habits = np.array([chance.uniform(-spread, 0.0) for _ in table.movestates], np.float32)
-    loose = [p for p in Phoneme if p not in {*table.closed_phonemes, Phoneme.SILENCE}]
+    firm = {table.phones[name] for name in table.closed_phones}
+    loose = [int(p) for p in Phoneme if p not in {*table.closed_phonemes, Phoneme.SILENCE}]
+    loose += [len(Phoneme) + k for k, shape in enumerate(table.shapes) if shape not in firm]
     rows[loose] *= 1 + _alike_on_both_sides(habits, table.movestates)
     if detail is Detail.TWO_STATES:
         rows[Phoneme.A] *= HALF_OPEN

@@ -95,7 +95,7 @@ class OscMouth(Closing):
         self._socket, self._receiver = _opened(address)
         self._performer, self._clock, self._on_failure = performer, clock, on_failure
         self._began = clock()
-        self._said, self._said_at = (Phoneme.SILENCE, 0.0), -math.inf
+        self._said, self._said_at = (Phoneme.SILENCE, ""), -math.inf
         self._use(performer.table)
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self._run, name="osc", daemon=True)
@@ -112,7 +112,7 @@ class OscMouth(Closing):
             self._show(self._clock())
             following = max(following + 1 / RATE, time.monotonic() - 1 / RATE)
             self._closing.wait(max(following - time.monotonic(), 0.0))
-        self._say((Phoneme.SILENCE, 0.0), self._clock())
+        self._say(Phoneme.SILENCE, self._table.phonemes[Phoneme.SILENCE], 0.0, self._clock())
         self._send_weights(self._table.weights()[Phoneme.SILENCE], self._clock())
         self._socket.close()
 
@@ -120,25 +120,24 @@ class OscMouth(Closing):
         face = self._performer.at(now)
         if face.table is not self._table:
             self._use(face.table)
-        for said in self._performer.pop_said():
-            if said[0] != self._said[0] or now - self._said_at >= REPEAT:
-                self._say(said, now)
+        for phoneme, intensity, phone in self._performer.pop_said():
+            shape = self._table.shape_of(phoneme, phone)
+            if (phoneme, shape) != self._said or now - self._said_at >= REPEAT:
+                self._say(phoneme, shape, intensity, now)
         self._send_weights(face.weights, now)
 
     def _use(self, table: MouthTable) -> None:
-        """Send the movestates of another table, those that it moves."""
-        self._table, self._columns = table, np.flatnonzero(np.any(table.weights() != 0, axis=0)).tolist()
+        """Send the movestates of another table: those that it moves for phonemes, others once they have moved."""
+        self._table, self._columns = table, {*np.flatnonzero(np.any(table.weights() != 0, axis=0)).tolist()}
 
-    def _say(self, said: tuple[Phoneme, float], now: float) -> None:
-        self._said, self._said_at = said, now
-        phoneme, intensity = said
+    def _say(self, phoneme: Phoneme, shape: str, intensity: float, now: float) -> None:
+        self._said, self._said_at = (phoneme, shape), now
         intensity = 0.0 if phoneme is Phoneme.SILENCE else intensity  # it may be asked for, yet nobody hears it
-        self._send(
-            [("/phoneme", (phoneme.label, intensity)), ("/viseme", (self._table.phonemes[phoneme], intensity))]
-        )
+        self._send([("/phoneme", (phoneme.label, intensity)), ("/viseme", (shape, intensity))])
 
     def _send_weights(self, weights: Float32Array, now: float) -> None:
-        values = [(self._table.movestates[k], min(max(float(weights[k]), 0.0), 1.0)) for k in self._columns]
+        self._columns.update(np.flatnonzero(weights).tolist())
+        values = [(self._table.movestates[k], min(max(float(weights[k]), 0.0), 1.0)) for k in sorted(self._columns)]
         messages: list[tuple[str, Arguments]] = [("/VMC/Ext/OK", (1,)), ("/VMC/Ext/T", (now - self._began,))]
         messages += [("/VMC/Ext/Blend/Val", value) for value in values]
         messages.append(("/VMC/Ext/Blend/Apply", ()))

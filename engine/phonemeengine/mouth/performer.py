@@ -22,6 +22,7 @@ from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION, Cue, begins_of,
 from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
 from phonemeengine.mouth.morpher import Detail, Morpher
 from phonemeengine.mouth.table import MouthTable
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
@@ -56,12 +57,21 @@ MOUTH_ALONE = IdleMotion(blinks=False, head=False)
 
 
 class TimedFrame(NamedTuple):
-    """A frame of 10 ms: when it begins on the clock, seconds, and what is heard; f0 in Hz, 0 for none."""
+    """A frame of 10 ms: when it begins on the clock, and what is heard.
+
+    Attributes
+    ----------
+    time : seconds.
+    phoneme, intensity : what is said, and how loud, 0..1.
+    f0 : fundamental frequency, Hz; 0 for none.
+    phone : the symbol in the International Phonetic Alphabet; empty where only the phoneme is known.
+    """
 
     time: float
     phoneme: Phoneme
     intensity: float
     f0: float = 0.0
+    phone: str = ""
 
 
 class FaceState(NamedTuple):
@@ -95,12 +105,31 @@ class MouthTrack(Protocol):
 SILENT = TimedFrame(-math.inf, Phoneme.SILENCE, 0.0)
 
 
-def timed_frames(analysis: Analysis, end: float) -> list[TimedFrame]:
-    """Return the frames of an analysis of which the last one ends at a time on the clock, seconds."""
+def timed_frames(analysis: Analysis, end: float, known: Transcript | None = None) -> list[TimedFrame]:
+    """Return the frames of an analysis of which the last one ends at a time on the clock, seconds.
+
+    Parameters
+    ----------
+    known : what is said in the same sound, where that is known better than by recognition; see
+        `transcript_of_utterance`.
+    """
     start = end - len(analysis) * FRAME_PERIOD
     columns = (analysis.phonemes, analysis.intensities, analysis.features.values[:, F0])
     rows = zip(*(column.tolist() for column in columns), strict=True)
-    return [TimedFrame(start + k * FRAME_PERIOD, Phoneme(row[0]), *row[1:]) for k, row in enumerate(rows)]
+    frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(row[0]), *row[1:]) for k, row in enumerate(rows)]
+    return frames if known is None else known_frames(frames, analysis.start, known)
+
+
+def known_frames(frames: Sequence[TimedFrame], first: int, known: Transcript) -> list[TimedFrame]:
+    """Return frames, of which the first has this number in its sound, with what is known of that."""
+    return [_known_frame(frame, number, known) for number, frame in enumerate(frames, first)]
+
+
+def _known_frame(frame: TimedFrame, number: int, known: Transcript) -> TimedFrame:
+    run = known.run_at((number + 0.5) * FRAME_PERIOD)
+    if run is None or number >= len(known.intensities):
+        return frame
+    return frame._replace(phoneme=run.phoneme, intensity=float(known.intensities[number]), phone=run.phone)
 
 
 class Performer:
@@ -127,7 +156,7 @@ class Performer:
         self._heard: deque[TimedFrame] = deque([SILENT], maxlen=REMEMBERED)
         self._coming: deque[TimedFrame] = deque()
         self._changes: deque[TimedFrame] = deque(maxlen=REMEMBERED)
-        self._runs: list[TimedFrame] = []  # the first frame of each run of a phoneme, from the one that is shown on
+        self._runs: list[TimedFrame] = []  # the first frame of each run of a sound, from the one that is shown on
         self._movements: deque[tuple[float, TimedFrame]] = deque()  # when the mouth begins to move to which run
         self._closes_at = math.inf
         self._track: MouthTrack | None = None
@@ -178,7 +207,7 @@ class Performer:
 
     def hear_voice(self, time: float, intensity: float, f0: float) -> None:
         """Take the loudness alone, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time."""
-        self._coming.append(TimedFrame(time, self._runs[-1].phoneme, intensity, f0))
+        self._coming.append(self._runs[-1]._replace(time=time, intensity=intensity, f0=f0))
 
     def forget_coming(self, now: float) -> None:
         """Forget what was known of the future, since the sound stops or goes on elsewhere."""
@@ -196,12 +225,11 @@ class Performer:
             self.forget_coming(now)
             self.hear([TimedFrame(now, Phoneme.SILENCE, 0.0)], now)
 
-    def hold(self, now: float, phoneme: Phoneme) -> None:
-        """Hold the shape of a phoneme, at the loudness that there is; what was known of the future does not come."""
+    def hold(self, now: float, phoneme: Phoneme, phone: str = "") -> None:
+        """Hold the shape of a sound, at the loudness that there is; what was known of the future does not come."""
         with self._lock:
             self.forget_coming(now)
-            if phoneme != self._runs[-1].phoneme:
-                self._runs.append(TimedFrame(now, phoneme, 0.0))
+            if self._add_runs([TimedFrame(now, phoneme, 0.0, phone=phone)]):
                 self._plan(now)
 
     def jump_to(self, frames: Sequence[TimedFrame], now: float) -> None:
@@ -228,17 +256,18 @@ class Performer:
             blink = self.visemes.blinks * self._blinker.closure(time) if self.idle.blinks else 0.0
             return FaceState(self.table, weights, blink, self._head.pose(time) if self.idle.head else STILL)
 
-    def pop_said(self) -> list[tuple[Phoneme, float]]:
-        """Return each phoneme that was heard since the last call with its intensity, and last what is heard now.
+    def pop_said(self) -> list[tuple[Phoneme, float, str]]:
+        """Return each phoneme that was heard since the last call, and last what is heard now.
 
-        Of shapes that are asked for, the one that is asked for the most.
+        With each come its intensity, and its phone where that is known. Of shapes that are asked for, the one that is
+        asked for the most.
         """
         with self._lock:
             asked, heard = self.visemes.phonemes, [*self._changes, self._heard[-1]]
             self._changes.clear()
             if asked:
-                return [max(asked.items(), key=lambda entry: entry[1])]
-            return [(frame.phoneme, frame.intensity) for frame in heard]
+                return [(*max(asked.items(), key=lambda entry: entry[1]), "")]
+            return [(frame.phoneme, frame.intensity, frame.phone) for frame in heard]
 
     # -- inside -------------------------------------------------------------------------------------------
 
@@ -254,17 +283,24 @@ class Performer:
             self._morpher.set_loudness(frame.time, frame.intensity)
 
     def _add_runs(self, frames: Iterable[TimedFrame]) -> bool:
-        """Note when which phoneme begins; says whether any does."""
+        """Note when which phoneme or shape begins; says whether any does."""
         n_runs = len(self._runs)
         for frame in frames:
-            if frame.phoneme != self._runs[-1].phoneme:
+            if not self._alike(frame, self._runs[-1]):
                 self._runs.append(frame)
         return len(self._runs) > n_runs
+
+    def _alike(self, one: TimedFrame, other: TimedFrame) -> bool:
+        """Return whether two frames are of one phoneme, and look the same."""
+        if one.phoneme != other.phoneme or one.phone == other.phone:
+            return one.phoneme == other.phoneme
+        shapes = (self.table.shape_of(frame.phoneme, frame.phone) for frame in (one, other))
+        return next(shapes) == next(shapes)
 
     def _plan(self, earliest: float) -> None:
         """Clean what is known after the run that the mouth moves to already, and plan movements from a time on."""
         runs = zip(self._runs, self._run_ends(), strict=True)
-        segments = (Segment(run.time, end, run.phoneme, run.intensity) for run, end in runs)
+        segments = (Segment(run.time, end, run.phoneme, run.intensity, run.phone) for run, end in runs)
         cues = cleaned_cues(segments, self.table, MINIMUM, n_begun=1)
         begins = begins_of(cues, self.table, MOST_ANTICIPATION, MINIMUM)
         movements = zip(begins[1:], cues[1:], strict=True)
@@ -285,7 +321,7 @@ class Performer:
             self.close_mouth(closes_at)
         while self._coming and self._coming[0].time <= time:
             frame = self._coming.popleft()
-            if frame.phoneme != self._heard[-1].phoneme:
+            if not self._alike(frame, self._heard[-1]):
                 self._changes.append(frame)
             self._heard.append(frame)
             self._morpher.set_loudness(frame.time, frame.intensity)
@@ -297,12 +333,12 @@ class Performer:
     def _begin(self, begin: float, onset: TimedFrame) -> None:
         """Begin a movement: it is not taken back any more, and the runs before it are over."""
         self._begun = begin
-        self._morpher.set_phoneme(begin, onset.phoneme)
+        self._morpher.set_phoneme(begin, onset.phoneme, onset.phone)
         runs = zip(self._runs, self._run_ends(), strict=True)
-        same = (run.phoneme == onset.phoneme and end > onset.time for run, end in runs)
+        same = (self._alike(run, onset) and end > onset.time for run, end in runs)
         past = next((k for k, found in enumerate(same) if found), 0)
         self._runs[: past + 1] = [onset]
 
 
 def _onset_of(cue: Cue) -> TimedFrame:
-    return TimedFrame(cue.start, cue.phoneme, cue.intensity)
+    return TimedFrame(cue.start, cue.phoneme, cue.intensity, phone=cue.phone)

@@ -1,11 +1,16 @@
-"""Mouth tables: which shape the mouth takes for a phoneme, and which movestates make that shape.
+"""Mouth tables: which shape the mouth takes for a sound, and which movestates make that shape.
+
+Every table has a shape for each phoneme. Where more is known of a sound than that, its phone of the IPA, a table may
+have one for the phone, or for a class of phones such as ``labiodental``; the narrowest that it names counts.
 
 They are TOML files that an animator edits, read strictly.
 """
 
 import os
+import textwrap
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +18,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
 from phonemeengine.files import printable_name, read_text_file
+from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
 from phonemeengine.mouth.motion_settings import LIMITS, MotionSettings, TransitionTimes
 from phonemeengine.phonemes import Phoneme
@@ -34,14 +40,14 @@ USUAL_TIMES = {"attack": 0.09, "closing": 0.05, "release": 0.16}
 """Seconds of phonemes for which a table gives none: the attack of an open mouth, and that of lips that meet."""
 
 _REQUIRED = ("movestates", "phonemes", "shapes")
-_OPTIONAL = ("name", "notes", "firm", "times", "manner")
+_OPTIONAL = ("name", "notes", "firm", "phones", "times", "manner")
 _MOTION_KEYS = {"loudness": "loudness", "quiet": "minimum_opening", "randomness": "randomness"}
 """What [manner] calls the fields of `MotionSettings`."""
 
 
 @dataclass(frozen=True)
 class MouthTable:
-    """What the mouth does for each phoneme.
+    """What the mouth does for each sound.
 
     Attributes
     ----------
@@ -53,6 +59,9 @@ class MouthTable:
     closed_phonemes : those at which the lips meet: they do so in time, and wholly at any loudness, as silence does.
     motion : how far the mouth moves, and how much that varies.
     notes : for people.
+    phones : the mouth shapes of phones, by their letter in the IPA or a class of `ARTICULATIONS`.
+    phone_times : how fast the mouth is for some of those; else as for the phoneme.
+    closed_phones : those of `phones` at which lips, teeth or tongue meet as lips do at `closed_phonemes`.
     """
 
     name: str
@@ -63,21 +72,60 @@ class MouthTable:
     closed_phonemes: frozenset[Phoneme] = frozenset({Phoneme.M, Phoneme.P})
     motion: MotionSettings = field(default_factory=MotionSettings)
     notes: str = ""
+    phones: Mapping[str, str] = field(default_factory=dict)
+    phone_times: Mapping[str, TransitionTimes] = field(default_factory=dict)
+    closed_phones: frozenset[str] = frozenset()
+
+    def shape_of(self, phoneme: Phoneme, phone: str = "") -> str:
+        """Return the mouth shape of a phone, where the table has one for it or a class of it; else the phoneme's."""
+        entry = self._entry_of(phone)
+        return self.phones[entry] if entry else self.phonemes[phoneme]
+
+    def times_of(self, phoneme: Phoneme, phone: str = "") -> TransitionTimes:
+        """Return how fast the mouth is for a phone, or a class of it; else for the phoneme, which is no silence."""
+        letters = letters_of(phone)[:1]
+        names = (name for letter in letters for name in (letter, *articulations_of(letter)))
+        return next((self.phone_times[name] for name in names if name in self.phone_times), self.times[phoneme])
+
+    def closes(self, phoneme: Phoneme, phone: str = "") -> bool:
+        """Return whether the mouth comes to its shape in time, and wholly at any loudness, as lips do that meet."""
+        return phoneme in self.closed_phonemes or self._entry_of(phone) in self.closed_phones
 
     def weights(self) -> Float32Array:
         """Return the weights of every phoneme's shape, shape (11, n_movestates), 1 for the whole movement."""
+        rows = {shape: k for k, shape in enumerate(self.shapes)}
+        return self.shape_weights()[[rows[self.phonemes[phoneme]] for phoneme in Phoneme]]
+
+    def shape_weights(self) -> Float32Array:
+        """Return the weights of every shape in the order of `shapes`, shape (n_shapes, n_movestates)."""
         columns = {name: k for k, name in enumerate(self.movestates)}
-        rows = np.zeros((len(Phoneme), len(columns)), np.float32)
-        for phoneme, shape in self.phonemes.items():
-            for movestate, percent in self.shapes[shape].items():
-                rows[phoneme, columns[movestate]] = percent / 100
+        rows = np.zeros((len(self.shapes), len(columns)), np.float32)
+        for row, shape in zip(rows, self.shapes.values(), strict=True):
+            for movestate, percent in shape.items():
+                row[columns[movestate]] = percent / 100
         return rows
 
     def with_motion(self, attack: float, release: float, *, random: bool) -> "MouthTable":
         """Return the table with all its times multiplied by factors above 0, and with its randomness or without."""
         times = {phoneme: times.scaled(attack, release) for phoneme, times in self.times.items()}
+        phone_times = {name: times.scaled(attack, release) for name, times in self.phone_times.items()}
         motion = self.motion if random else replace(self.motion, randomness=0.0)
-        return replace(self, times=times, motion=motion)
+        return replace(self, times=times, phone_times=phone_times, motion=motion)
+
+    def _entry_of(self, phone: str) -> str:
+        """Return which entry of `phones` a phone comes under; an empty text for none."""
+        letters = letters_of(phone) if phone else ()
+        return self._entries.get(letters[0], "") if letters else ""
+
+    @cached_property
+    def _entries(self) -> dict[str, str]:
+        """The entry of `phones` that each letter comes under, where there is one: the narrowest, which comes last."""
+        return {
+            letter: name
+            for letter in IPA_LETTERS
+            for name in reversed((letter, *articulations_of(letter)))
+            if name in self.phones
+        }
 
 
 def shipped_tables() -> tuple[str, ...]:
@@ -119,6 +167,7 @@ def table_of(text: str) -> MouthTable:
     shapes = {name: shape_of(tables.table(name), movestates) for name in tables.entries}
     closed = frozenset(top.members("firm", Phoneme)) if "firm" in top else MouthTable.closed_phonemes
     general, motion = _motion_of(top.table("manner"))
+    phones = _phones_of(top.table("phones"))
     return MouthTable(
         name=top.value("name", str) if "name" in top else "untitled",
         movestates=movestates,
@@ -128,6 +177,13 @@ def table_of(text: str) -> MouthTable:
         closed_phonemes=closed,
         motion=motion,
         notes=top.value("notes", str) if "notes" in top else "",
+        phones={
+            name: _shape_named("[phones]", name, entry.entries["shape"], shapes) for name, entry in phones.items()
+        },
+        phone_times={name: times for name, entry in phones.items() for times in _phone_times(entry)},
+        closed_phones=frozenset(
+            name for name, entry in phones.items() if "firm" in entry and entry.value("firm", bool)
+        ),
     )
 
 
@@ -168,12 +224,52 @@ def shapes_of_phonemes(table: StrictTable, shapes: Collection[str]) -> dict[Phon
     for phoneme in Phoneme:
         if phoneme not in found:
             raise MouthError(f"[phonemes] lacks {phoneme.label}; name its mouth shape")
-        shape = table.entries[phoneme.label]
-        if not isinstance(shape, str) or shape not in shapes:
-            raise MouthError(
-                f"[phonemes] {phoneme.label} has the shape {shown(shape)}, which [shapes] lacks; add it there"
-            )
-    return {phoneme: table.entries[phoneme.label] for phoneme in Phoneme}
+    return {
+        phoneme: _shape_named("[phonemes]", phoneme.label, table.entries[phoneme.label], shapes)
+        for phoneme in Phoneme
+    }
+
+
+def _shape_named(table: str, sound: str, shape: object, shapes: Collection[str]) -> str:
+    if not isinstance(shape, str) or shape not in shapes:
+        raise MouthError(f"{table} {sound} has the shape {shown(shape)}, which [shapes] lacks; add it there")
+    return shape
+
+
+def _phones_of(table: StrictTable) -> dict[str, StrictTable]:
+    """Return the entry of each phone or class as a table; a shape alone stands for one that says no more."""
+    entries: dict[str, StrictTable] = {}
+    for key in table.entries:
+        name = _phone_named(key)
+        if name in entries:
+            raise MouthError(f"[phones] says twice what {name} is; remove one")
+        entry = table.entries[key]
+        entries[name] = StrictTable({"shape": entry}, f"[phones.{key}]", MouthError)
+        if isinstance(entry, dict):
+            entries[name] = table.table(key)
+            entries[name].check_keys(("shape",), ("attack", "release", "firm"))
+    return entries
+
+
+def _phone_named(key: str) -> str:
+    """Return the letter or class that a key of [phones] means."""
+    if key in ARTICULATIONS:
+        return key
+    letters = letters_of(key)
+    if len(letters) != 1 or key not in {letters[0], "g"}:
+        known = textwrap.shorten(", ".join(ARTICULATIONS), 120, placeholder=" …")
+        raise MouthError(
+            f"[phones] knows no sound {shown(key)}; name a letter of the IPA without marks, or a class: {known}"
+        )
+    return letters[0]
+
+
+def _phone_times(entry: StrictTable) -> tuple[TransitionTimes, ...]:
+    """Return the times that an entry of [phones] gives, if it does."""
+    given = [name for name in ("attack", "release") if name in entry]
+    if len(given) == 1:
+        raise MouthError(f"{entry.name} gives {given[0]} alone; give attack and release, or none of them")
+    return (TransitionTimes(*(_seconds(entry, name) for name in given)),) if given else ()
 
 
 def _times_of(

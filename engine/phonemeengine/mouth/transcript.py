@@ -1,7 +1,11 @@
-"""What was said in one sound: all that a mouth needs to know of an analysis."""
+"""What was said in one sound: all that a mouth needs to know of it, recognised or known beforehand."""
 
-from collections.abc import Iterable
+import os
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import accumulate, pairwise
 from pathlib import Path
 
 import numpy as np
@@ -9,10 +13,20 @@ import numpy as np
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.features.front_end import F0
+from phonemeengine.labels.articulation import ARTICULATIONS, letters_of
+from phonemeengine.labels.phone_sets import phone_classes_in
+from phonemeengine.labels.phoneme_map import CLOSURE
+from phonemeengine.labels.utterance import Phone, Utterance
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
 
 NOTHING = np.zeros(0, np.float32)
+NUCLEUS = 0.6
+"""Share of a diphthong that its first vowel lasts."""
+
+Stretch = tuple[float, float, Phoneme, str]
+"""Start and end, seconds; what is said, and its phone."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,7 +37,7 @@ class Transcript:
     ----------
     name : of the sound's file, for people.
     duration : seconds.
-    runs : stretches of equal phonemes, without gaps from 0 to the end.
+    runs : stretches of equal phonemes, or of phones where these are known, without gaps from 0 to the end.
     intensities : float32, shape (n_frames,): 0..1, a frame every 10 ms.
     pitches : float32, shape (n_frames,): fundamental frequency, Hz; 0 where there is none, or it was not measured.
     path : the sound's file, where it is known.
@@ -41,6 +55,15 @@ class Transcript:
         """When the frames begin, seconds, shape (n_frames,)."""
         return np.arange(len(self.intensities), dtype=float) * FRAME_PERIOD
 
+    def run_at(self, time: float) -> Segment | None:
+        """Return what is said at a time, seconds; None after the end."""
+        k = bisect_right(self._ends, time)
+        return self.runs[k] if k < len(self.runs) else None
+
+    @cached_property
+    def _ends(self) -> list[float]:
+        return [run.end for run in self.runs]
+
 
 def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path: Path | None = None) -> Transcript:
     """Collect what was said from the consecutive analyses of a sound of `duration` seconds; `path` is its file."""
@@ -52,3 +75,65 @@ def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path
         pitches.append(np.array(analysis.features.values[:, F0], np.float32))
     runs += joiner.finish(duration)
     return Transcript(name, duration, tuple(runs), np.concatenate(loud), np.concatenate(pitches), path)
+
+
+def transcript_of_utterance(
+    utterance: Utterance,
+    intensities: Float32Array,
+    pitches: Float32Array,
+    name: str,
+    path: str | os.PathLike[str] | None = None,
+) -> Transcript:
+    """Return what is known of a sound as a mouth needs it.
+
+    What lies between phones is silence. A phone that is made of two sounds, such as a diphthong, is one after the
+    other.
+
+    Parameters
+    ----------
+    utterance : what is said, and when.
+    intensities, pitches : of the sound's frames; see `Transcript`.
+    name, path : of the sound's file, for people; and the file, where there is one.
+    """
+    runs = tuple(
+        Segment(start, end, phoneme, _loudness(intensities, start, end), phone)
+        for start, end, phoneme, phone in _stretches(utterance)
+        if end > start
+    )
+    place = None if path is None else Path(path)
+    return Transcript(name, utterance.duration, runs, intensities, pitches, place)
+
+
+def _stretches(utterance: Utterance) -> Iterator[Stretch]:
+    at = 0.0
+    for phone in utterance.phones:
+        start, end = max(phone.start, at), min(max(phone.end, at), utterance.duration)
+        yield at, start, Phoneme.SILENCE, ""
+        yield from _sounds_of(phone, start, end)
+        at = end
+    yield at, utterance.duration, Phoneme.SILENCE, ""
+
+
+def _sounds_of(phone: Phone, start: float, end: float) -> Iterator[Stretch]:
+    """Return the sounds of a phone that lasts from one time to another."""
+    if phone.phoneme is Phoneme.SILENCE:
+        yield start, end, phone.phoneme, ""
+        return
+    letters = letters_of(phone.ipa)
+    if len(letters) < 2:
+        yield start, end, phone.phoneme, phone.ipa
+        return
+    first = NUCLEUS if letters[0] in ARTICULATIONS["vowel"] else CLOSURE
+    shares = [first] + [(1 - first) / (len(letters) - 1)] * (len(letters) - 1)
+    borders = [start + (end - start) * share for share in accumulate(shares, initial=0.0)]
+    borders[-1] = end
+    for letter, (begin, stop) in zip(letters, pairwise(borders), strict=True):
+        phone_class = phone_classes_in(letter)[1]
+        yield begin, stop, phone_class.phoneme if phone_class else phone.phoneme, letter
+
+
+def _loudness(intensities: Float32Array, start: float, end: float) -> float:
+    """Return the mean intensity from one time to another; 0 where nobody measured it."""
+    first = round(start / FRAME_PERIOD)
+    part = intensities[first : max(round(end / FRAME_PERIOD), first + 1)]
+    return float(part.mean()) if len(part) else 0.0

@@ -46,11 +46,7 @@ class VisemeOverride:
         self._named: dict[str, Phoneme] = {}
         for phoneme, shape in table.phonemes.items():
             self._named.setdefault(shape, phoneme)
-        columns = {name: k for k, name in enumerate(table.movestates)}
-        self._rows = np.zeros((len(table.shapes), len(columns)), np.float32)
-        for row, shape_percents in enumerate(table.shapes.values()):
-            for name, percent in shape_percents.items():
-                self._rows[row, columns[name]] = percent / 100
+        self._rows = table.shape_weights()
         self._target = self._at = self._percentages.weights
         self._smooth, self._looked = [LowPass(TIME_CONSTANT, share) for share in self._at.tolist()], 0.0
         self._settled = self._left_to_speech = True

@@ -17,12 +17,21 @@ SEGMENT_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
 
 @dataclass(frozen=True)
 class Segment:
-    """A stretch of one phoneme: seconds from the sound's beginning, and its mean intensity 0..1."""
+    """A stretch of one phoneme.
+
+    Attributes
+    ----------
+    start, end : seconds from the sound's beginning.
+    phoneme : what is said.
+    intensity : mean intensity, 0..1.
+    phone : its symbol in the International Phonetic Alphabet; empty where only the phoneme is known.
+    """
 
     start: float
     end: float
     phoneme: Phoneme
     intensity: float
+    phone: str = ""
 
     def row(self) -> dict[str, Any]:
         """Return it as a row of a table, in seconds to the microsecond."""

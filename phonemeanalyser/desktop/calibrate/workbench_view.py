@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.calibrate.distribution import DistributionView
 from phonemeanalyser.desktop.calibrate.fit_panel import FitPanel
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
-from phonemeanalyser.desktop.calibrate.timeline import TimelineView
+from phonemeanalyser.desktop.calibrate.timeline import ConfusionTimeline
 from phonemeanalyser.desktop.calibrate.variables_panel import VariablesPanel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.scrolled import Scrolled
@@ -47,7 +47,7 @@ class WorkbenchView(QWidget):
         self.fit = FitPanel(calibration.fit, theme)
         self.compare = ComparePanel(calibration.comparison, theme)
         self.tabs = QTabWidget()
-        self.timeline = TimelineView(theme)
+        self.timeline = ConfusionTimeline(theme)
         self.rows, self.columns = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()
         self._connect()

@@ -16,8 +16,9 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.performer import IdleMotion, Performer, TimedFrame, timed_frames
+from phonemeengine.mouth.performer import IdleMotion, Performer, TimedFrame, known_frames, timed_frames
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
@@ -74,6 +75,7 @@ class TalkModel(QObject):
         self.idle = IdleMotion()
         self.performer = Performer(self.table, self.idle)
         self._performers = self.performer, self.osc.performer
+        self._known: Transcript | None = None
         self._heard: list[Analysis] = []
         self._last: Analysis | None = None
         self._seen = np.zeros(0, np.float32)
@@ -129,6 +131,11 @@ class TalkModel(QObject):
         """Have the head move with the voice, or not."""
         self.idle = replace(self.idle, head=on)
         self._use(self.table)
+
+    def set_known(self, known: Transcript | None) -> None:
+        """Say what is known of the sound in hand, until another one is opened; of None, what is recognised in it."""
+        self._known = known
+        self._seek()
 
     # -- what is asked for --------------------------------------------------------------------------------
 
@@ -197,7 +204,7 @@ class TalkModel(QObject):
         new = known[places[-1] + 1 if places else 0 :]
         if new:
             self._last = new[-1][1]
-            frames = [frame for end, block in new for frame in timed_frames(block, end)]
+            frames = [frame for end, block in new for frame in timed_frames(block, end, self._known)]
             for performer in self._performers:
                 performer.hear(frames, now, live=self.session.source is not SoundSource.FILE)
 
@@ -216,7 +223,7 @@ class TalkModel(QObject):
     def _connect(self) -> None:
         session = self.session
         session.heard.connect(self._take_blocks)
-        session.opened.connect(self._close_mouth)
+        session.opened.connect(self._forget_sound)
         session.sought.connect(self._seek)
         session.rewritten.connect(self._seek)
         session.transport_changed.connect(self._hold)
@@ -234,6 +241,10 @@ class TalkModel(QObject):
     def _share_visemes(self) -> None:
         self.osc.performer.set_phonemes(self.visemes.phonemes, self.visemes.speech)
 
+    def _forget_sound(self) -> None:
+        self._known = None
+        self._close_mouth()
+
     def _close_mouth(self) -> None:
         self._heard.clear()
         self._last = None
@@ -244,9 +255,10 @@ class TalkModel(QObject):
         """In a pause, keep the shape of what was heard last."""
         session, newest = self.session, self.session.history.newest
         if session.source is SoundSource.FILE and not session.playing and session.position and newest is not None:
-            self._last = None
+            self._last, now = None, self._now()
+            last = timed_frames(newest, now, self._known)[-1]
             for performer in self._performers:
-                performer.hold(self._now(), Phoneme(int(newest.phonemes[-1])))
+                performer.hold(now, last.phoneme, last.phone)
 
     def _seek(self, _column: int = 0) -> None:
         """While nothing plays, stand as somebody does who has just said what comes before that place."""
@@ -268,7 +280,8 @@ class TalkModel(QObject):
         at = history.indices(history.n - (last - first), history.n)
         rows = zip(history.phonemes[at].tolist(), history.intensities[at].tolist(), strict=True)
         start = now - len(at) * FRAME_PERIOD
-        return [TimedFrame(start + k * FRAME_PERIOD, Phoneme(code), loud) for k, (code, loud) in enumerate(rows)]
+        frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(code), loud) for k, (code, loud) in enumerate(rows)]
+        return frames if self._known is None else known_frames(frames, first, self._known)
 
     def _take_face(self) -> None:
         if not self.face.moved_by(self._written) and self.face.tables:

@@ -98,7 +98,7 @@ class OscModel(QObject):
     def follow(self, head: MouthTable, detail: Detail) -> None:
         """Move as a head does that is moved by this table, in this detail."""
         self._head_table = head
-        table = replace(self._own_table or head, times=head.times, motion=head.motion)
+        table = replace(self._own_table or head, times=head.times, phone_times=head.phone_times, motion=head.motion)
         self.performer.configure(table, replace(MOUTH_ALONE, detail=detail))
 
     def close(self) -> None:

@@ -12,6 +12,7 @@ from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.tone.settings import Tone, ToneKind
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.animation import animation_of
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
 from phonemeengine.mouth.files.io import save_morph_targets
@@ -23,7 +24,7 @@ from phonemeengine.mouth.movestate import movestate_of
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import load_table
-from phonemeengine.mouth.transcript import transcript_of
+from phonemeengine.mouth.transcript import transcript_of, transcript_of_utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.conftest import STEP
@@ -122,6 +123,29 @@ def test_what_is_heard_too_late_does_not_open_a_mouth_that_was_stopped(stage: St
     settled(stage.session, qtbot)
     stage.wait(0.6)
     assert stage.jaw < 1
+
+
+def test_what_is_known_of_a_file_moves_the_mouth_instead_of_what_is_recognised(stage: Stage, qtbot: QtBot) -> None:
+    phones = Phone(BEGINS, 0.85, "f", Phoneme.UNIDENTIFIED), Phone(0.85, ENDS, "m", Phoneme.M)
+    said = Utterance((Word("fm", (Syllable(phones),)),), 1.7)
+    frames = np.full(170, 0.5, np.float32)
+    stage.talking.set_known(transcript_of_utterance(said, frames, 0 * frames, "said.wav"))
+    rolled: dict[float, float] = {}
+    stage.play(0.75, lambda: rolled.update({stage.session.position: stage.talking.percentages["mouthRollLower"]}))
+    stage.session.pause()
+    stage.wait(1.0)
+    assert max(rolled.values()) > 75
+    assert stage.talking.percentages["mouthRollLower"] > 75
+    assert stage.jaw < 10
+    stage.session.seek(1.0)
+    settled(stage.session, qtbot)
+    stage.wait(0.05)
+    assert stage.talking.percentages["mouthPressLeft"] > 20
+    stage.open(stage.session.path.parent)
+    stage.session.seek(1.0)
+    settled(stage.session, qtbot)
+    stage.wait(0.05)
+    assert stage.jaw > 15
 
 
 def test_a_place_in_the_file_shows_the_mouth_that_says_it(stage: Stage, qtbot: QtBot) -> None:

@@ -1,8 +1,10 @@
-"""Speech that is known beforehand, for what is written of it."""
+"""Speech that is known beforehand, for what is written of it: as phonemes, or as phones."""
 
 import numpy as np
 
-from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.labels.phone_sets import phone_classes_in
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 from phonemeengine.settings import FRAME_PERIOD
@@ -27,3 +29,21 @@ def speech(name: str = "masapo.wav") -> Transcript:
         np.minimum(np.searchsorted(ends, times, "right"), 14)
     ]
     return Transcript(name, DURATION, tuple(runs), loud, np.where(loud > 0, 120 + 40 * times, 0).astype(np.float32))
+
+
+def utterance_of(*phones: tuple[str, float], start: float = 0.3, after: float = 0.3) -> Utterance:
+    """One word of phones that last so many seconds, between two silences."""
+    said, at = [], start
+    for ipa, length in phones:
+        phone_class = phone_classes_in(ipa)[1]
+        assert phone_class is not None
+        said.append(Phone(round(at, 6), round(at + length, 6), ipa, phone_class.phoneme))
+        at += length
+    return Utterance((Word("word", (Syllable(tuple(said)),)),), round(at + after, 6))
+
+
+def phones_said(*phones: tuple[str, float], loudness: float = 0.7) -> Transcript:
+    """The same, as a mouth needs it."""
+    utterance = utterance_of(*phones)
+    loud = np.full(round(utterance.duration / FRAME_PERIOD), loudness, np.float32)
+    return transcript_of_utterance(utterance, loud, np.zeros(len(loud), np.float32), "word.wav")

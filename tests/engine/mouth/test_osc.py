@@ -68,6 +68,18 @@ def test_a_receiver_hears_phonemes_and_mouth_shapes(receiver: Receiver) -> None:
     assert receiver.of("/phoneme")[0] == ("silence", 0.0)
 
 
+def test_a_receiver_sees_the_shapes_of_phones_once_they_are_known(receiver: Receiver) -> None:
+    with mouth_to(receiver, "oculus") as mouth:
+        wait_for(lambda: "PP" in receiver.weights(), "the first picture")
+        assert "FF" not in receiver.weights()
+        now = time.monotonic()
+        mouth.hear([TimedFrame(now, Phoneme.UNIDENTIFIED, 1.0, phone="f")], now)
+        wait_for(lambda: ("FF", 1.0) in receiver.of("/viseme"), "the shape")
+        wait_for(lambda: receiver.weights().get("FF", 0) > 0.9, "teeth on the lip")
+    wait_for(lambda: receiver.weights()["FF"] == 0, "a shut mouth")
+    assert ("unidentified", 1.0) in receiver.of("/phoneme")
+
+
 def test_a_vtuber_program_opens_the_mouth_for_a_and_shuts_it_at_the_end(receiver: Receiver) -> None:
     with mouth_to(receiver) as mouth, speaking(mouth, Phoneme.A):
         wait_for(lambda: receiver.weights().get("A", 0) > 0.7, "an open mouth")
@@ -160,7 +172,7 @@ def test_nobody_waits_for_the_network(monkeypatch: pytest.MonkeyPatch) -> None:
     assert hanging.wait(60)
     for _ in range(3000):
         hear(performer, Phoneme.A)
-    assert performer.pop_said()[-1] == (Phoneme.A, 1.0)
+    assert performer.pop_said()[-1] == (Phoneme.A, 1.0, "")
     released.set()
     mouth.close()
 

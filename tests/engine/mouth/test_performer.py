@@ -210,14 +210,14 @@ def test_another_table_goes_on_from_where_such_a_mouth_would_be() -> None:
 def test_what_is_asked_for_wins_and_is_said_until_it_is_asked_no_more() -> None:
     performer = saying_a(2.0)
     performer.at(0.5)
-    assert performer.pop_said() == [(Phoneme.A, 1.0), (Phoneme.A, 1.0)]
+    assert performer.pop_said() == [(Phoneme.A, 1.0, ""), (Phoneme.A, 1.0, "")]
     performer.set_phonemes({Phoneme.U: 0.5, Phoneme.I: 0.25}, 0.0)
     rows = ARKIT.weights()
     np.testing.assert_allclose(performer.at(1.0).weights, 0.5 * rows[Phoneme.U] + 0.25 * rows[Phoneme.I], atol=1e-3)
-    assert performer.pop_said() == [(Phoneme.U, 0.5)]
+    assert performer.pop_said() == [(Phoneme.U, 0.5, "")]
     performer.set_phonemes({}, 0.0)
     assert performer.at(1.5).weights[JAW] > 0.2
-    assert performer.pop_said() == [(Phoneme.A, 1.0)]
+    assert performer.pop_said() == [(Phoneme.A, 1.0, "")]
 
 
 def test_a_forced_shape_keeps_the_eyes_open() -> None:

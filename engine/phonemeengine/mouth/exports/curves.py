@@ -5,7 +5,8 @@
 ``duration`` seconds
 ``rate``     frames per second; value k of a curve is that of the time k / rate
 ``table``    the name of the mouth table
-``cues``     objects with ``start`` and ``end`` (seconds), ``phoneme``, ``shape`` and ``intensity`` (0..1)
+``cues``     objects with ``start`` and ``end`` (seconds), ``phoneme``, ``shape`` and ``intensity`` (0..1); and with
+             ``phone``, in the IPA, where it is known
 ``curves``   objects with ``name``, a movestate, and ``values``, 1 for its whole movement; those that never move are
              left out
 ``head``     objects with ``name`` (yaw, pitch, roll) and ``values`` in degrees; empty where the head does not move
@@ -47,7 +48,8 @@ def _list(name: str, entries: Iterator[str]) -> Iterator[str]:
 def _cue(cue: Cue) -> str:
     times = {"start": round(cue.start, 4), "end": round(cue.end, 4)}
     words = {"phoneme": cue.phoneme.label, "shape": cue.shape, "intensity": round(cue.intensity, 3)}
-    return json.dumps(times | words, ensure_ascii=False)
+    phone = {"phone": cue.phone} if cue.phone else {}
+    return json.dumps(times | words | phone, ensure_ascii=False)
 
 
 def _curves(names: Sequence[str], values: Float32Array, digits: int) -> Iterator[str]:

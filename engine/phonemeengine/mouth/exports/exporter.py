@@ -116,7 +116,7 @@ class Exporter:
 
     def _check_table(self) -> None:
         table, known = self._table, self.format
-        for shape in table.phonemes.values():
+        for shape in (*table.phonemes.values(), *table.phones.values()):
             if known.shapes and shape not in known.shapes:
                 raise ExportError(
                     f"{self.name} knows the shapes {', '.join(sorted(known.shapes))}, but the table {table.name!r} "

@@ -1,0 +1,75 @@
+"""How the sounds of speech are made: the letters of the IPA, and the classes that phoneticians put them into.
+
+See the chart of the International Phonetic Association (revised to 2020). A letter stands for a sound with whatever
+marks it wears: length, stress, aspiration, nasality or palatalisation change little of what a mouth shows.
+"""
+
+import unicodedata
+from functools import lru_cache
+
+CONSONANT_CLASSES: dict[str, str] = {
+    # What is seen the most comes first: lips, then the tongue.
+    "labiovelar": "w ʍ",
+    "dental": "θ ð",
+    "labiodental": "f v ʋ ɱ",
+    "bilabial": "p b m ɸ β ʙ",
+    "uvular": "ʁ ʀ χ q ɢ ɴ",
+    "pharyngeal": "ħ ʕ",
+    "glottal": "h ɦ ʔ",
+    "alveolo-palatal": "ɕ ʑ",
+    "postalveolar": "ʃ ʒ",
+    "lateral": "l ɫ ɭ ʎ ɬ ɮ",
+    "tap": "ɾ ɽ",
+    "trill": "r ʀ ʙ",
+    "rhotic": "r ɹ ɾ ɻ ɽ ʁ ʀ",
+    "nasal": "m ɱ n ɳ ɲ ŋ ɴ",
+    "retroflex": "ʈ ɖ ɳ ʂ ʐ ɻ ɽ ɭ",
+    "palatal": "j ɥ ç ʝ c ɟ ɲ ʎ",
+    "velar": "k ɡ ŋ x ɣ ɰ",
+    "alveolar": "t d n s z r ɹ ɾ l ɫ ɬ ɮ",
+    "approximant": "w ʍ j ɥ ɰ ʋ ɹ ɻ l ɫ ɭ ʎ",
+    "plosive": "p b t d ʈ ɖ c ɟ k ɡ q ɢ ʔ",
+    "sibilant": "s z ʃ ʒ ɕ ʑ ʂ ʐ",
+    "fricative": "ɸ β f v θ ð s z ɬ ɮ ʃ ʒ ɕ ʑ ʂ ʐ ç ʝ x ɣ χ ʁ ħ ʕ h ɦ",
+}
+VOWEL_CLASSES: dict[str, str] = {
+    # Rounding shows the most, then how far the jaw is open; near-close counts as close, and near-open as open.
+    "apical vowel": "ɿ ʅ",
+    "rhotic vowel": "ɚ ɝ",
+    "front rounded vowel": "y ʏ ø œ ɶ",
+    "rounded vowel": "y ʏ ø œ ɶ ʉ ɵ ɞ u ʊ o ɔ ɒ",
+    "open vowel": "a ɶ æ ɐ ɑ ɒ",
+    "close vowel": "i y ɪ ʏ ɨ ᵻ ʉ ɯ u ʊ ɿ ʅ",
+    "mid vowel": "e ø ɛ œ ə ɘ ɵ ɜ ɞ ɚ ɝ ɤ o ʌ ɔ",
+    "back vowel": "ɯ u ʊ ɤ o ʌ ɔ ɑ ɒ",
+    "central vowel": "ɨ ᵻ ʉ ə ɘ ɵ ɜ ɞ ɐ ɚ ɝ",
+    "front vowel": "i y ɪ ʏ e ø ɛ œ æ a ɶ ɿ ʅ",
+}
+
+
+def _with_all(rows: dict[str, str], name: str) -> dict[str, frozenset[str]]:
+    classes = {key: frozenset(letters.split()) for key, letters in rows.items()}
+    return classes | {name: frozenset().union(*classes.values())}
+
+
+ARTICULATIONS = _with_all(CONSONANT_CLASSES, "consonant") | _with_all(VOWEL_CLASSES, "vowel")
+"""The letters of each class. None stands before one that it holds: of a sound's classes the first says the most."""
+IPA_LETTERS = ARTICULATIONS["consonant"] | ARTICULATIONS["vowel"]
+"""Every sound that can be told from others."""
+
+_SPELLINGS = str.maketrans({"g": "ɡ", "ʧ": "tʃ", "ʤ": "dʒ", "ʦ": "ts", "ʣ": "dz", "ʨ": "tɕ", "ʥ": "dʑ"})
+"""How some people write what the IPA writes otherwise."""
+
+
+@lru_cache(maxsize=1024)
+def letters_of(phone: str) -> tuple[str, ...]:
+    """Return the letters of the sounds that a phone is made of, without marks: ``tʃʰ`` is t and ʃ."""
+    spelt = unicodedata.normalize("NFC", phone).translate(_SPELLINGS)
+    bare = (mark if mark in IPA_LETTERS else unicodedata.normalize("NFD", mark)[0] for mark in spelt)
+    return tuple(letter for letter in bare if letter in IPA_LETTERS)
+
+
+@lru_cache(maxsize=1024)
+def articulations_of(letter: str) -> tuple[str, ...]:
+    """Return the classes of a sound, that which says the most about it first."""
+    return tuple(name for name, letters in ARTICULATIONS.items() if letter in letters)
