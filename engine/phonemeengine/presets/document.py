@@ -17,12 +17,12 @@ from phonemeengine.errors import PresetError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.presets.templates_table import table_of_templates, templates_of_table
 from phonemeengine.recognition.model import Model, load_model
 from phonemeengine.recognition.phoneme_data import PhonemeData
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.recognition.spec import THESIS
+from phonemeengine.recognition.templates import UNTEMPLATED, Templates
 from phonemeengine.settings import AnalysisSettings, Decimation, Filter, WindowFunction
 from phonemeengine.strict_table import StrictTable, parse_toml, shown
 
@@ -45,6 +45,8 @@ _PHONEME_DATA: dict[str, type] = {field.name: float for field in fields(PhonemeD
 
 _TABLES = ("front_end", "phoneme_data", "statistics", "intensity")
 _OPTIONAL_TABLES = ("variables", "rules", "successors", "templates", "sensitivities")
+_TEMPLATED = {p.label: p for p in Phoneme if p not in UNTEMPLATED}
+_TEMPLATE_NUMBERS = ("spread", "silence_below")
 _CONDITION = re.compile(r"([a-z][a-z0-9_]*) *([<>]) *(\S+)")
 
 
@@ -70,7 +72,7 @@ def preset_to_toml(preset: Preset, model: str = "") -> str:
         "rules": [
             {"phoneme": rule.phoneme.label, "conditions": [str(c) for c in rule.conditions]} for rule in preset.rules
         ],
-        **({"templates": table_of_templates(preset.templates)} if preset.templates else {}),
+        **({"templates": _table_of_templates(preset.templates)} if preset.templates else {}),
     }
     return tomli_w.dumps(_plain(document), multiline_strings=True)
 
@@ -101,7 +103,7 @@ def _preset_of(top: StrictTable, folder: Path) -> Preset:
         recogniser=texts.get("recogniser", THESIS.name),
         model=_model_of(texts["model"], folder) if texts.get("model") else None,
         rules=tuple(_rule_of(entry) for entry in top.tables("rules")),
-        templates=templates_of_table(top.table("templates")) if "templates" in top else None,
+        templates=_templates_of_table(top.table("templates")) if "templates" in top else None,
         sensitivities=_sensitivities_of(top.table("sensitivities")),
         successors=_successors_of(top.table("successors")),
         notes=texts.get("notes", ""),
@@ -154,6 +156,19 @@ def _table_of_sensitivities(preset: Preset) -> dict[str, float]:
 
 def _sensitivities_of(table: StrictTable) -> dict[Phoneme, float]:
     return {phoneme: table.value(key, float) for phoneme, key in table.phonemes().items()}
+
+
+def _table_of_templates(templates: Templates) -> dict[str, Any]:
+    """Return templates as a table."""
+    rows = {phoneme.label: list(row) for phoneme, row in templates.means.items()}
+    return {"silence_below": templates.silence_below, "spread": list(templates.spread), **rows}
+
+
+def _templates_of_table(table: StrictTable) -> Templates:
+    """Return templates from [templates]: for each phoneme its 12 mean cepstra, their spread, and what is silence."""
+    table.check_keys(_TEMPLATE_NUMBERS, _TEMPLATED)
+    means = {phoneme: table.numbers(name) for name, phoneme in _TEMPLATED.items() if name in table}
+    return Templates(means, table.numbers("spread"), table.value("silence_below", float))
 
 
 def _successors_of(table: StrictTable) -> dict[Phoneme, Phoneme]:

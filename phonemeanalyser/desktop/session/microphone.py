@@ -7,11 +7,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from phonemeanalyser.desktop.session.devices import DeviceList
 from phonemeanalyser.desktop.session.latency_test import LatencyTest
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import Analysis
-from phonemeengine.audio.devices import Device, InputChoice
+from phonemeengine.audio.devices import Device, InputChoice, inputs_of
 from phonemeengine.audio.journal import InterruptedRecording, interrupted_recordings
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
@@ -36,6 +35,33 @@ WATCH_MS = 100
 """How often it is looked whether the microphone, or the recording, is in trouble."""
 CLOSE_TIMEOUT = 6.0
 """Seconds after which the end of the program waits no longer for a card, or a disk."""
+
+
+class DeviceList(QObject):
+    """Lists what records, the default first; a sound system that does not answer has none.
+
+    Signals
+    -------
+    changed : the list is another.
+    """
+
+    changed = Signal()
+
+    def __init__(self, list_devices: Callable[[], list[Device]]) -> None:
+        super().__init__()
+        self.devices: list[Device] = []
+        self._list_devices = list_devices
+        self._looking = TaskQueue(lambda _sentence: self._show([]))
+
+    def look(self) -> None:
+        """Look which there are now."""
+        if not self._looking.busy:
+            self._looking.submit(lambda _progress: inputs_of(self._list_devices()), self._show)
+
+    def _show(self, devices: list[Device]) -> None:
+        if devices != self.devices:
+            self.devices = devices
+            self.changed.emit()
 
 
 class NoListener:
