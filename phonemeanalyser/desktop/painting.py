@@ -30,8 +30,9 @@ def draw_text(
     """
     set_size(painter, size)
     painter.setPen(QColor(colour))
-    fitting = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, math.ceil(box.width()))
-    painter.drawText(box, align, fitting)
+    if size * len(text) > box.width():  # no letter is wider than high
+        text = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, math.ceil(box.width()))
+    painter.drawText(box, align, text)
 
 
 def size_that_fills(painter: QPainter, text: str, width: float, smallest: int, largest: int) -> int:
