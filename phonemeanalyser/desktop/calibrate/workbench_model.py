@@ -52,6 +52,7 @@ class WorkbenchModel(QObject):
     Attributes
     ----------
     measuring, looking, searching : the work on recordings, on distributions and rankings, and on suggestions.
+    answered : the recordings that `confusion` tells of; some of `utterances` may still be measured.
 
     Signals
     -------
@@ -72,6 +73,7 @@ class WorkbenchModel(QObject):
         super().__init__()
         self.features: LabelledFeatures | None = None
         self.confusion: Confusion | None = None
+        self.answered: tuple[LabelledUtterance, ...] = ()
         self.distribution: Distribution | None = None
         self.ranking: tuple[RankedVariable, ...] = ()
         self.suggestions: tuple[Suggestion, ...] = ()
@@ -201,12 +203,13 @@ class WorkbenchModel(QObject):
 
     def _answer(self) -> None:
         if self.features is None:
-            self.confusion = None
+            self.confusion, self.answered = None, ()
         elif self._must_measure():
             return
         else:
             try:
                 self.confusion = self.features.confusion(self._preset.in_force)
+                self.answered = self.features.utterances
             except EngineError as error:
                 self.error.emit(str(error))
                 return

@@ -111,7 +111,7 @@ class WorkbenchView(QWidget):
 
     def _show_confusion(self) -> None:
         workbench = self._calibration.workbench
-        self.timeline.show_confusion(workbench.confusion, [u.path.stem for u in workbench.utterances])
+        self.timeline.show_confusion(workbench.confusion, [u.path.stem for u in workbench.answered])
         self._show_matrix()
         self._show_figures()
         self._show_cell()
@@ -164,14 +164,14 @@ class WorkbenchView(QWidget):
         self.cell.setText(
             f"<b>{truth.label}</b> recognised as <b>{answer.label}</b>: {len(found)} stretches, {seconds:.2f} s"
         )
-        paths = [u.path for u in workbench.utterances]
+        paths = [u.path for u in workbench.answered]
         self.segments.show_rows([SegmentRow(paths[p.recording], p.start, p.end) for p in found[:1000]])
 
     def _play_segment(self, recording: int, start: float, end: float) -> None:
-        self._calibration.play(self._calibration.workbench.utterances[recording].path, start, end)
+        self._calibration.play(self._calibration.workbench.answered[recording].path, start, end)
 
     def _show_place(self, path: Path, start: float, _end: float) -> None:
-        paths = [u.path for u in self._calibration.workbench.utterances]
+        paths = [u.path for u in self._calibration.workbench.answered]
         if path in paths:
             self.timeline.show_frame(paths.index(path), start)
 
