@@ -8,7 +8,8 @@ LONGEST = 400
 
 _WIDE = "。！？；：，、"
 _CLOSING = "»«”“’‘」』）》\"')\\]"
-_PIECE = re.compile(rf"\n|[^\s{_WIDE}]{{1,{LONGEST}}}[{_WIDE}]*[{_CLOSING}]*|[{_WIDE}]+[{_CLOSING}]*")
+_WIDE_CLOSING = "”’」』）》\"')\\]"
+_PIECE = re.compile(rf"\n|[^\s{_WIDE}]{{1,{LONGEST}}}[{_WIDE}]*[{_WIDE_CLOSING}]*|[{_WIDE}]+[{_WIDE_CLOSING}]*")
 _SENTENCE_END = re.compile(rf"[.!?…。！？][{_CLOSING}]*$")
 _CLAUSE_END = re.compile(rf"[.!?…。！？,;:；：，、—–][{_CLOSING}]*$")
 _ABBREVIATION = re.compile(r"\W*(?:[^\W_]|\d+|mrs?|ms|dr|prof|st|hr|fr|nr|vs|\w+\.\w+)\.", re.IGNORECASE)

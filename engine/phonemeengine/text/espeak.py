@@ -41,7 +41,7 @@ _PHONEME_EVENTS, _IN_IPA, _DO_NOT_EXIT = 0x1, 0x2, 0x8000
 _UTF8, _PHONEME_INPUT = 0x1, 0x100
 _RATE_PARAMETER = 1
 _WORD_EVENT, _PHONEME_EVENT = 1, 7
-_REMARK = re.compile(r"\([^)]*\)|[^\w?\u0300-\u036f]|\d")
+_REMARK = re.compile(r"\([^)]*\)|[^\w?\u0300-\u036f]|[\d_]")
 """In names of phones: languages such as ``(en)``, tones, and marks that tell variants apart."""
 _OF_OTHER_ALPHABETS = str.maketrans(
     {"S": "ʃ", "Z": "ʒ", "N": "ŋ", "X": "χ", "A": "a", "K": "k", "?": "ʔ", "ε": "ɛ", "Φ": "ɸ"}
@@ -248,7 +248,7 @@ def synthesise(
         library.speak(text, hear, rate, phonemes=phonemes)
 
 
-class _Voice(ctypes.Structure):
+class _VoiceEntry(ctypes.Structure):
     _fields_ = (
         ("name", ctypes.c_char_p),
         ("languages", ctypes.c_void_p),
@@ -262,7 +262,7 @@ class _Voice(ctypes.Structure):
     )
 
 
-class _Event(ctypes.Structure):
+class _EventEntry(ctypes.Structure):
     _fields_ = (
         ("kind", ctypes.c_int),
         ("unique_identifier", ctypes.c_uint),
@@ -275,7 +275,7 @@ class _Event(ctypes.Structure):
     )
 
 
-_Callback = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(ctypes.c_short), ctypes.c_int, ctypes.POINTER(_Event))
+_Callback = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(ctypes.c_short), ctypes.c_int, ctypes.POINTER(_EventEntry))
 
 
 class _Library:
@@ -298,7 +298,7 @@ class _Library:
             raise VoiceError(f"espeak-ng does not find its data; install it again: {_NO_LIBRARY.partition('; ')[2]}")
         self._library.espeak_TextToPhonemes.restype = ctypes.c_char_p
         self._library.espeak_Info.restype = ctypes.c_char_p
-        self._library.espeak_ListVoices.restype = ctypes.POINTER(ctypes.POINTER(_Voice))
+        self._library.espeak_ListVoices.restype = ctypes.POINTER(ctypes.POINTER(_VoiceEntry))
         self._chosen = ""
         self.languages = self._languages()
         self.variants = tuple(sorted(v.identifier.decode()[3:] for v in self._voices("variant")))
@@ -361,8 +361,8 @@ class _Library:
         folder = Path(os.fsdecode(path.value or b""))
         return any((folder / f"{tag.partition('-')[0]}_dict").exists() for tag in tags)
 
-    def _voices(self, kind: str) -> Iterator[_Voice]:
-        wanted = _Voice(languages=ctypes.cast(ctypes.c_char_p(kind.encode()), ctypes.c_void_p)) if kind else None
+    def _voices(self, kind: str) -> Iterator[_VoiceEntry]:
+        wanted = _VoiceEntry(languages=ctypes.cast(ctypes.c_char_p(kind.encode()), ctypes.c_void_p)) if kind else None
         found = self._library.espeak_ListVoices(ctypes.byref(wanted) if wanted else None)
         k = 0
         while found[k]:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from phonemeengine.errors import TextError
-from phonemeengine.text import espeak
+from phonemeengine.text import espeak, mandarin
 from phonemeengine.text.clauses import clauses_of
 from phonemeengine.text.cleaning import speakable
 from phonemeengine.text.espeak import Language, language_of, phone_names, symbols_of
@@ -61,15 +61,36 @@ def words_of(text: str, language: str | None, lexicon: Lexicon | None = None) ->
     TextError : there is nothing to speak, or no such language.
     VoiceError : the library of voices is missing or broken.
     """
-    reader = _Reader(language_of(language), lexicon or Lexicon())
-    clauses = clauses_of(speakable(text).text)
-    words = tuple(word for clause in clauses for word in reader.words_of(clause))
+    known, lexicon = language_of(language), lexicon or Lexicon()
+    if known.tag in {*mandarin.TAGS, mandarin.PINYIN_TAG}:
+        reader: _WordReader | _MandarinReader = _MandarinReader(known, lexicon)
+    else:
+        reader = _WordReader(known, lexicon)
+    words = tuple(word for clause in clauses_of(speakable(text).text) for word in reader.words_of(clause))
     if not words:
-        raise TextError(f"the voice of {language} has no sounds for this text; check its language")
+        raise TextError(f"the voice of {known.tag} has no sounds for this text; check its language")
     return words
 
 
-class _Reader:
+class _MandarinReader:
+    """Reads Chinese, by characters or pinyin; words of other scripts are read as English."""
+
+    def __init__(self, language: Language, lexicon: Lexicon) -> None:
+        self._read = mandarin.read_pinyin if language.tag == mandarin.PINYIN_TAG else mandarin.read
+        self._lexicon = lexicon
+        self._english = _WordReader(language_of("en-us"), lexicon)
+
+    def words_of(self, clause: str) -> Iterator[ScriptWord]:
+        for word in self._read(clause):
+            if isinstance(word, str):
+                yield from self._english.words_of(word)
+            else:
+                syllables = tuple(map(mandarin.syllable_of, word.syllables))
+                variants = self._lexicon.pronunciations.get(word.text) or (syllables,)
+                yield ScriptWord(word.text, tuple(map(Pronunciation, variants)))
+
+
+class _WordReader:
     """Reads clauses of one language, and remembers how words are pronounced that stand alone."""
 
     def __init__(self, language: Language, lexicon: Lexicon) -> None:

@@ -34,10 +34,12 @@ class SpokenSyllable:
     ----------
     phones : symbols of IPA, without stress; at least one.
     stress : 0 for none, 1 for the main one of its word, 2 for a secondary one.
+    text : how it is written, where that is known, such as ``hao3``.
     """
 
     phones: tuple[str, ...]
     stress: int = 0
+    text: str = ""
 
 
 def is_vowel(phone: str) -> bool:
