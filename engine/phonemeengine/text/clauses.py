@@ -26,6 +26,11 @@ def clauses_of(text: str) -> Iterator[str]:
     return _cut(text, _CLAUSE_END)
 
 
+def tokens_of(clause: str) -> list[str]:
+    """Return the words of a clause with the marks around them; marks of full width end one without a space."""
+    return [piece for piece in _PIECE.findall(clause) if piece != "\n"]
+
+
 def _cut(text: str, end: re.Pattern[str]) -> Iterator[str]:
     start = stop = 0
     for piece in _PIECE.finditer(text):

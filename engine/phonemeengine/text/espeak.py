@@ -196,6 +196,20 @@ def language_of(tag: str | None) -> Language:
     return known[tag.lower()]
 
 
+def check_voice(name: str) -> None:
+    """Refuse the name of a voice that is not among `voices`; an empty one is the language's own.
+
+    Raises
+    ------
+    VoiceError : there is no such voice, or the library is missing or broken.
+    """
+    known = voices()
+    if name and name not in known:
+        raise VoiceError(
+            f"there is no voice {name!r:.40}; choose one such as f2, f5, m3, m7 or klatt, of {len(known)}"
+        )
+
+
 def phone_names(text: str, language: Language) -> str:
     """Return how a text is pronounced: words between spaces, in each names of phones between `SEPARATOR`.
 
@@ -238,11 +252,8 @@ def synthesise(
     ------
     VoiceError : there is no such voice, or the library fails.
     """
+    check_voice(voice)
     library = _library()
-    if voice and voice not in library.variants:
-        raise VoiceError(
-            f"there is no voice {voice!r:.40}; choose one such as f2, f5, m3, m7 or klatt, of {len(library.variants)}"
-        )
     with library.lock:
         library.choose(f"{language.identifier}+{voice}" if voice else language.identifier)
         library.speak(text, hear, rate, phonemes=phonemes)

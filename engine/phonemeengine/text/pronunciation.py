@@ -1,21 +1,32 @@
 """How the words of a text are pronounced: by a lexicon first, then by pinyin, then by the voice of their language."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from phonemeengine.errors import TextError
 from phonemeengine.text import espeak, mandarin
-from phonemeengine.text.clauses import clauses_of
+from phonemeengine.text.clauses import clauses_of, tokens_of
 from phonemeengine.text.cleaning import speakable
 from phonemeengine.text.espeak import Language, language_of, phone_names, symbols_of
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.syllables import SpokenSyllable, syllables_of
 
 BREAK = "\u200b"
-"""Before each word, it keeps the voice from melting words together, such as *of the*; nobody hears it."""
+"""Before each word of English, it keeps the voice from melting words together, such as *of the*; nobody hears it.
+
+Other languages do without: it would part a preposition from the word that voices it.
+"""
 
 MARKS = ".,;:!?…\"“”„‚‘’'«»‹›()[]{}<>¿¡—–-。！？；：，、「」『』（）《》·*_~|/\\"
 """What stands around words and is not part of them."""
+
+
+_LETTERS = re.compile(r"[^\W\d_]+")
+_PAUSE = 2 * espeak.SEPARATOR
+"""Between the names of two letters that are spelt."""
+_SAMPLED = 40
+"""Words of a text that are looked at to know its script."""
 
 
 @dataclass(frozen=True)
@@ -61,15 +72,37 @@ def words_of(text: str, language: str | None, lexicon: Lexicon | None = None) ->
     TextError : there is nothing to speak, or no such language.
     VoiceError : the library of voices is missing or broken.
     """
-    known, lexicon = language_of(language), lexicon or Lexicon()
+    known, lexicon, cleaned = language_of(language), lexicon or Lexicon(), speakable(text).text
     if known.tag in {*mandarin.TAGS, mandarin.PINYIN_TAG}:
         reader: _WordReader | _MandarinReader = _MandarinReader(known, lexicon)
     else:
+        check_script(cleaned, known)
         reader = _WordReader(known, lexicon)
-    words = tuple(word for clause in clauses_of(speakable(text).text) for word in reader.words_of(clause))
+    words = tuple(word for clause in clauses_of(cleaned) for word in reader.words_of(clause))
     if not words:
         raise TextError(f"the voice of {known.tag} has no sounds for this text; check its language")
     return words
+
+
+def check_script(text: str, language: Language) -> None:
+    """Refuse a text whose first words are mostly of a script that the voice of a language spells letter by letter.
+
+    Raises
+    ------
+    TextError : they are.
+    """
+    words = [found.group() for found, _ in zip(_LETTERS.finditer(text), range(_SAMPLED), strict=False)]
+    spelt = [word for word in words if _is_spelt(word, phone_names(word, language))]
+    if 2 * len(spelt) > len(words):
+        raise TextError(
+            f"the voice of {language.tag} cannot read {spelt[0]!r:.40}, which is of another script; name the "
+            "language of the text"
+        )
+
+
+def separator_of(language: Language) -> str:
+    """Return what stands before each word, so that it has phones and times of its own."""
+    return BREAK if language.tag.startswith("en") else ""
 
 
 class _MandarinReader:
@@ -99,7 +132,7 @@ class _WordReader:
         self._alone: dict[str, tuple[str, ...]] = {}
 
     def words_of(self, clause: str) -> Iterator[ScriptWord]:
-        tokens = clause.split()
+        tokens = tokens_of(clause)
         for token, names in zip(tokens, self._names_of(tokens), strict=True):
             text = token.strip(MARKS) or token
             variants = self._lexicon.pronunciations.get(text.casefold()) or _distinct(
@@ -110,7 +143,7 @@ class _WordReader:
 
     def _names_of(self, tokens: Sequence[str]) -> list[tuple[str, ...]]:
         """Return what each word is called in its clause, or alone, where it cannot be told which is which."""
-        spoken = self._spoken(" ".join(BREAK + token for token in tokens))
+        spoken = self._spoken(" ".join(separator_of(self._language) + token for token in tokens))
         alone = [self._names_alone(token) for token in tokens]
         if sum(map(len, alone)) != len(spoken):
             return alone
@@ -147,3 +180,11 @@ def _distinct(variants: Sequence[tuple[SpokenSyllable, ...]]) -> list[tuple[Spok
     for variant in filter(None, variants):
         by_phones.setdefault(tuple(phone for syllable in variant for phone in syllable.phones), variant)
     return list(by_phones.values())
+
+
+def _is_spelt(word: str, names: str) -> bool:
+    """Return whether a voice said the names of a word's letters, as it does with letters that it cannot read.
+
+    Every voice reads Latin ones, be it as English.
+    """
+    return not word.isascii() and 1 < len(word) <= len(names.replace(_PAUSE, " ").split())

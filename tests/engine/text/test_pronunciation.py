@@ -99,3 +99,16 @@ def test_a_vowel_keeps_its_class_whatever_its_marks() -> None:
     assert [ipa_phoneme(phone) for phone in phones] == [
         Phoneme.M, Phoneme.A, Phoneme.UNIDENTIFIED, Phoneme.A, Phoneme.UNIDENTIFIED, Phoneme.A,
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "language"),
+    [("Привет, мир", "de"), ("Привет, мир", "en-us"), ("你好，世界", "de"), ("Γειά σου", "en-us"), ("漢字", "ja")],
+)
+def test_a_text_of_a_script_that_the_voice_only_spells_is_refused(text: str, language: str) -> None:
+    with pytest.raises(TextError, match="another script; name the language"):
+        words_of(text, language)
+
+
+def test_a_foreign_word_among_others_is_read_all_the_same() -> None:
+    assert len(words_of("Er sagte привет zu mir", "de")) == 5
