@@ -34,6 +34,11 @@ Movestates (morph targets) move the vertices of a mesh::
     states.set_percentage("jawOpen", 60, Mode.INTERACT)
     positions = states.morphed()             # of all vertices
 
+A text is spoken, and it is known what is said when::
+
+    samples, utterance = speak("Good evening.", Voice("en-gb"))
+    [(word.text, word.start, word.end) for word in utterance.words]
+
 A preset learns a voice from labelled recordings of it, and is told how right it is on others::
 
     result = calibrate(preset, read_recordings("takes"), held_back=read_recordings("sentence.flac"))
@@ -108,6 +113,10 @@ _PAGE = {
     "recognition.spec": "Recogniser RecogniserConfig RecogniserSpec Tuning",
     "recognition.recognition": "Recognition",
     "recognition.trace": "RuleComparison Trace",
+    # A text, as a voice says it
+    "speech.voice": "SpokenSentence Voice speak",
+    "text.espeak": "Language languages voices",
+    "labels.utterance": "Phone Syllable Utterance Word",
     # A voice, and how well it is recognised
     "calibration.scores.corpus": "FrameLabels LabelledUtterance read_recordings",
     "labels.label": "Label",

@@ -40,6 +40,7 @@ from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.labels.label import Label
 from phonemeengine.labels.phone_sets import PhoneClass
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
@@ -90,6 +91,8 @@ from phonemeengine.settings import (
     Filter,
     WindowFunction,
 )
+from phonemeengine.speech.voice import SpokenSentence, Voice, speak
+from phonemeengine.text.espeak import Language, languages, voices
 
 __all__ = [
     "BIN_WIDTH",
@@ -136,6 +139,7 @@ __all__ = [
     "Kind",
     "Label",
     "LabelledUtterance",
+    "Language",
     "Latency",
     "Layer",
     "Level",
@@ -161,6 +165,7 @@ __all__ = [
     "OscMouth",
     "OutputHead",
     "Performer",
+    "Phone",
     "PhoneClass",
     "Phoneme",
     "PhonemeData",
@@ -188,7 +193,9 @@ __all__ = [
     "SoundReader",
     "Spectrum",
     "SpokenPhone",
+    "SpokenSentence",
     "Status",
+    "Syllable",
     "TakeError",
     "Templates",
     "TextError",
@@ -199,10 +206,13 @@ __all__ = [
     "TransitionTimes",
     "Tuning",
     "UnknownPhonemeError",
+    "Utterance",
     "Variable",
     "VisemeOverride",
+    "Voice",
     "VoiceError",
     "WindowFunction",
+    "Word",
     "__version__",
     "aligned",
     "analyse_blocks",
@@ -212,6 +222,7 @@ __all__ = [
     "devices",
     "export",
     "high_pass_gains",
+    "languages",
     "load_head",
     "load_morph_mesh",
     "load_morph_targets",
@@ -230,8 +241,10 @@ __all__ = [
     "save_morph_targets",
     "save_preset",
     "score",
+    "speak",
     "timed_frames",
     "transcribe",
+    "voices",
 ]
 
 __version__: str

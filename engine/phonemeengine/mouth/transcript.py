@@ -1,5 +1,6 @@
 """What was said in one sound: all that a mouth needs to know of an analysis."""
 
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -9,6 +10,8 @@ import numpy as np
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.features.front_end import F0
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -52,3 +55,37 @@ def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path
         pitches.append(np.array(analysis.features.values[:, F0], np.float32))
     runs += joiner.finish(duration)
     return Transcript(name, duration, tuple(runs), np.concatenate(loud), np.concatenate(pitches), path)
+
+
+def transcript_of_utterance(
+    utterance: Utterance,
+    intensities: Float32Array,
+    pitches: Float32Array,
+    name: str,
+    path: str | os.PathLike[str] | None = None,
+) -> Transcript:
+    """Return what is known of a sound as a mouth needs it; what lies between phones is silence.
+
+    Parameters
+    ----------
+    utterance : what is said, and when.
+    intensities, pitches : of the sound's frames; see `Transcript`.
+    name, path : of the sound's file, for people; and the file, where there is one.
+    """
+    runs: list[Segment] = []
+    at = 0.0
+    for phone in utterance.phones:
+        if phone.start > at:
+            runs.append(Segment(at, phone.start, Phoneme.SILENCE, 0.0))
+        runs.append(Segment(phone.start, phone.end, phone.phoneme, _loudness(intensities, phone.start, phone.end)))
+        at = phone.end
+    runs.append(Segment(at, utterance.duration, Phoneme.SILENCE, 0.0))
+    place = None if path is None else Path(path)
+    return Transcript(name, utterance.duration, tuple(runs), intensities, pitches, place)
+
+
+def _loudness(intensities: Float32Array, start: float, end: float) -> float:
+    """Return the mean intensity from one time to another; 0 where nobody measured it."""
+    first = round(start / FRAME_PERIOD)
+    part = intensities[first : max(round(end / FRAME_PERIOD), first + 1)]
+    return float(part.mean()) if len(part) else 0.0

@@ -3,10 +3,14 @@
 import os
 import shlex
 import subprocess
+import tempfile
 from pathlib import Path
 
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import VoiceError
 from phonemeengine.files import printable
+from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.speech.voice import SpokenSentence
 
 TEXT, OUTPUT = "{text}", "{output}"
 TIMEOUT = 600.0
@@ -45,6 +49,27 @@ def run_speech_program(template: str, text: str, output: Path) -> None:
         raise VoiceError(f"{name}: it failed with exit code {ended.returncode} ({said}); try it by itself")
     if not output.is_file():
         raise VoiceError(f"{name}: it wrote no sound file; put {OUTPUT} where its name belongs in the command")
+
+
+def speak_by_program(template: str, text: str) -> SpokenSentence:
+    """Return what a program spoke, whole; see `run_speech_program`.
+
+    Its words are those of a TextGrid that it wrote beside the sound, of the same name; none where there is none.
+
+    Raises
+    ------
+    VoiceError : the command cannot be run, fails, or leaves no file.
+    AudioError : what it wrote is no sound.
+    CorpusError : what it wrote beside it is no TextGrid with the sound's phones.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        output = Path(folder) / "speech.wav"
+        run_speech_program(template, text, output)
+        with SoundReader(output) as reader:
+            samples, duration = reader.read_mono(), reader.duration
+        labels = output.with_suffix(".TextGrid")
+        words = read_utterance(labels, duration).words if labels.is_file() else ()
+    return SpokenSentence(samples, words, text)
 
 
 def _words_of(template: str) -> list[str]:

@@ -1,0 +1,80 @@
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from phonemeanalyser.cli.main import main
+from phonemeengine import SoundReader
+from phonemeengine.labels.textgrid import tiers_of
+
+HELLO = ["speak", "Hello there. How are you?", "--language", "en-us"]
+
+
+def test_a_text_becomes_a_sound_labels_and_a_mouth(tmp_path: Path) -> None:
+    sound, labels, mouth = (tmp_path / name for name in ("h.wav", "h.TextGrid", "h.json"))
+    assert (
+        main([*HELLO, "-o", str(sound), "--labels", str(labels), "--export", str(mouth), "--format", "rhubarb-json"])
+        == 0
+    )
+    with SoundReader(sound) as reader:
+        assert reader.file_rate == 44100
+        duration = reader.duration
+    tiers = {tier.name: tier.raw_labels for tier in tiers_of(labels.read_text("utf-8"), "h")}
+    assert list(tiers) == ["words", "syllables", "phones"]
+    assert [raw.name for raw in tiers["words"] if raw.name != "sil"] == ["Hello", "there", "How", "are", "you"]
+    for raw_labels in tiers.values():
+        assert raw_labels[0].start == 0
+        assert raw_labels[-1].end == pytest.approx(duration, abs=1e-4)
+        assert all(a.end == b.start for a, b in pairwise(raw_labels))
+    assert '"value"' in mouth.read_text()
+
+
+def test_a_text_may_be_read_from_a_file(tmp_path: Path) -> None:
+    (tmp_path / "t.txt").write_text("Guten Tag.", "utf-8")
+    out = tmp_path / "t.TextGrid"
+    assert main(["speak", "--file", str(tmp_path / "t.txt"), "--language", "de", "--labels", str(out)]) == 0
+    assert '"Guten"' in out.read_text("utf-8")
+
+
+def test_what_is_left_out_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["speak", "Hi \U0001f389", "--language", "en-us", "-o", str(tmp_path / "o.wav")]) == 0
+    assert "emoji have no sound" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["", "--language", "de"], "no word to speak"),
+        (["\U0001f389", "--language", "de"], "no word to speak"),
+        (["\x01\x02", "--language", "de"], "no word to speak"),
+        (["Hallo"], "not guessed"),
+        (["Hallo", "--language", "xx"], "no voice speaks"),
+        (["Привет", "--language", "de"], "another script"),
+        (["Hallo", "--language", "de", "--voice", "xx"], "no voice 'xx'"),
+        (["Hallo", "--language", "de", "--rate", "99"], "rate of a voice"),
+        (["Hallo", "--program", "nothing"], "where the sound goes"),
+        (["Hallo", "--language", "de", "--export", "x.json"], "go together"),
+    ],
+)
+def test_what_cannot_be_spoken_is_refused_in_a_sentence_and_nothing_is_written(
+    words: list[str], sentence: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["speak", *words, "-o", str(tmp_path / "o.wav")]) == 1
+    said = capsys.readouterr().err
+    assert sentence in said
+    assert len(said.splitlines()) == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_that_is_there_is_left_alone_unless_it_is_given_up(tmp_path: Path) -> None:
+    out = tmp_path / "o.wav"
+    out.write_bytes(b"mine")
+    assert main([*HELLO, "-o", str(out)]) == 1
+    assert out.read_bytes() == b"mine"
+    assert main([*HELLO, "-o", str(out), "--overwrite"]) == 0
+    assert out.read_bytes()[:4] == b"RIFF"
+
+
+def test_without_a_file_the_text_is_played_and_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["speak", "Hi. Ho.", "--language", "en-us", "--rate", "9"]) == 0
+    assert capsys.readouterr().out.splitlines() == ["Hi.", "Ho."]
