@@ -43,6 +43,11 @@ Movestates (morph targets) move the vertices of a mesh::
     states.set_percentage("jawOpen", 60, Mode.INTERACT)
     positions = states.morphed()             # of all vertices
 
+A text is spoken, and it is known what is said when::
+
+    samples, utterance = speak("Good evening.", Voice("en-gb"))
+    [(word.text, word.start, word.end) for word in utterance.words]
+
 A preset learns a voice from labelled recordings of it, and is told how right it is on others::
 
     result = calibrate(preset, read_recordings("takes"), held_back=read_recordings("sentence.flac"))
@@ -126,6 +131,9 @@ _PAGE = {
     "recognition.spec": "Recogniser RecogniserConfig RecogniserSpec Tuning",
     "recognition.recognition": "Recognition",
     "recognition.trace": "RuleComparison Trace",
+    # A text, as a voice says it
+    "speech.voice": "SpokenSentence Voice speak",
+    "text.espeak": "Language languages voices",
     # A voice, and how well it is recognised
     "calibration.scores.corpus": "FrameLabels LabelledUtterance read_recordings",
     "labels.label": "Label",
@@ -142,8 +150,8 @@ _PAGE = {
     # What is refused
     "errors": (
         "AudioError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
-        "MouthError PresetError RecogniserError RecordingError SettingsError SpeechError TakeError "
-        "UnknownPhonemeError"
+        "MouthError PresetError RecogniserError RecordingError SettingsError TakeError TextError UnknownPhonemeError "
+        "VoiceError"
     ),
 }
 _ALIASES = {"SOUND_SUFFIXES": "SUFFIXES"}

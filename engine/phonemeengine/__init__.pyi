@@ -29,9 +29,10 @@ from phonemeengine.errors import (
     RecogniserError,
     RecordingError,
     SettingsError,
-    SpeechError,
     TakeError,
+    TextError,
     UnknownPhonemeError,
+    VoiceError,
 )
 from phonemeengine.features.front_end import FrameBlock
 from phonemeengine.features.measure import Features
@@ -97,6 +98,8 @@ from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow, format_pla
 from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
+from phonemeengine.speech.voice import SpokenSentence, Voice, speak
+from phonemeengine.text.espeak import Language, languages, voices
 
 __all__ = [
     "BIN_WIDTH",
@@ -144,6 +147,7 @@ __all__ = [
     "Kind",
     "Label",
     "LabelledUtterance",
+    "Language",
     "Latency",
     "Layer",
     "Level",
@@ -203,13 +207,14 @@ __all__ = [
     "Sound",
     "SoundReader",
     "Spectrum",
-    "SpeechError",
     "SpokenPhone",
+    "SpokenSentence",
     "Spring",
     "Status",
     "Syllable",
     "TakeError",
     "Templates",
+    "TextError",
     "Thresholds",
     "TimedFrame",
     "Trace",
@@ -220,6 +225,8 @@ __all__ = [
     "Utterance",
     "Variable",
     "VisemeOverride",
+    "Voice",
+    "VoiceError",
     "WindowFunction",
     "Word",
     "__version__",
@@ -232,6 +239,7 @@ __all__ = [
     "export",
     "format_plan",
     "high_pass_gains",
+    "languages",
     "load_head",
     "load_morph_mesh",
     "load_morph_targets",
@@ -253,9 +261,11 @@ __all__ = [
     "save_morph_targets",
     "save_preset",
     "score",
+    "speak",
     "timed_frames",
     "transcribe",
     "transcript_of_utterance",
+    "voices",
 ]
 
 __version__: str

@@ -21,7 +21,7 @@ COMMANDS = {
     "record": "Record a microphone to a file; Ctrl-C ends it.",
     "score": "Recognise labelled recordings with one or two presets, and tell how right the answers are.",
     "screenshot": "Take a picture of the window, without a display.",
-    "speak": "Have a mouth say a Chinese text, without sound or in step with a recording.",
+    "speak": "Have a voice say a text, aloud or into a sound, labels and a mouth's movement.",
     "takes": "Say what a folder of takes holds, and remove deleted takes for ever.",
     "train": "Train the learned recogniser on folders of labelled speech.",
 }

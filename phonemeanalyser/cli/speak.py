@@ -1,115 +1,188 @@
-"""``phonemeanalyser speak``: a mouth says a Chinese text, without sound or in step with a recording of it."""
+"""``phonemeanalyser speak``: a voice says a text: aloud, or into a sound, labels, and a mouth's movement."""
 
 import argparse
-import sys
-from dataclasses import replace
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import BinaryIO
 
-from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, number
-from phonemeanalyser.cli.output_files import Guard, write_whole_bytes
-from phonemeanalyser.cli.pinyin import add_pinyin, pinyin_table_of, write_plan
+from phonemeanalyser.cli.arguments import add_overwrite, number
+from phonemeanalyser.cli.jobs import say_note
+from phonemeanalyser.cli.output_files import Guard, write_whole, write_whole_bytes, write_whole_file
 from phonemeengine import (
     FORMATS,
+    SAMPLE_RATE,
+    Analyser,
+    Analysis,
     EngineError,
     ExportOptions,
     IdleMotion,
-    PinyinTrack,
-    SoundReader,
+    SpokenSentence,
     Transcript,
+    Utterance,
+    Voice,
+    Word,
     load_preset,
-    pinyin_track,
-    read_syllables,
-    transcribe,
 )
+from phonemeengine.audio.wav import WavEncoder
+from phonemeengine.errors import TextError
 from phonemeengine.files import read_text_file
+from phonemeengine.labels.utterance_tiers import format_spoken
+from phonemeengine.live.player import Player
 from phonemeengine.mouth.exports.exporter import Exporter
+from phonemeengine.mouth.transcript import transcript_of, transcript_of_utterance
+from phonemeengine.presets.files import DEFAULT_PRESET
+from phonemeengine.speech.program import speak_by_program
+from phonemeengine.speech.spooled import SpooledSpeech
+from phonemeengine.speech.voice import USUAL_RATE, shifted
+from phonemeengine.text.cleaning import speakable
 
-LARGEST_TEXT = 16 << 20
+LARGEST = 64 << 20
 """Bytes of a text."""
-SHOWN = 8
-"""Words that are named of those that are not said."""
+LOOK = 0.05
+"""Seconds between two looks at what is heard."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Say what is spoken, how, and what is written of it."""
+    """Say what is spoken, by whom, and what is written of it."""
     said = parser.add_mutually_exclusive_group(required=True)
-    said.add_argument("text", nargs="?", metavar="TEXT", help="a Chinese text")
-    said.add_argument("--file", type=Path, metavar="F", help="a file of it, UTF-8")
-    said.add_argument("--recording", type=Path, metavar="SOUND", help="a sound; its .TextGrid has the syllables")
-    parser.add_argument("--silent", action="store_true", help="without sound")
-    parser.add_argument(
-        "--text-driver", choices=["auto", "pinyin", "rules"], default="auto", help="what moves a face (auto: pinyin)"
-    )
-    add_pinyin(parser)
+    said.add_argument("text", nargs="?", metavar="TEXT", help="what is said")
+    said.add_argument("--file", type=Path, metavar="F", help="a text file (UTF-8) of it")
+    parser.add_argument("--language", metavar="L", help="of the text, such as en-us, de, fr, cmn")
+    parser.add_argument("--voice", default="", metavar="V", help="another voice, such as f2, m3 or klatt")
+    parser.add_argument("--rate", type=number, default=USUAL_RATE, metavar="N", help="syllables a second (4)")
+    program = "another voice: a command that writes a WAV file {output} of {text}"
+    parser.add_argument("--program", metavar="COMMAND", help=program)
+    parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="write the sound as WAV (default: play it)")
+    parser.add_argument("--labels", type=Path, metavar="OUT", help="write words, syllables and phones as TextGrid")
     parser.add_argument("--export", type=Path, metavar="OUT", help="write the mouth for another program")
     parser.add_argument("--format", choices=FORMATS, dest="kind", metavar="F", help="as `export` has them")
     parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: the format's)")
     parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
     parser.add_argument("--no-head", action="store_true", help="keep the head still")
-    add_preset(parser)
-    add_channel(parser)
     add_overwrite(parser)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write what the command line asks for."""
-    _check(options)
-    exporter = _exporter_of(options) if options.export else None
-    track, speech = _said(options)
-    if track.utterance.skipped:
-        print(_skipped(track.utterance.skipped), file=sys.stderr)
-    if exporter is not None:
-        _export(options, exporter, track, speech)
-    if options.plan is not None:
-        write_plan(track, options.plan)
+    """Speak as the command line asks."""
+    written = _Written.of(options)
+    text = options.text if options.file is None else read_text_file(options.file, LARGEST, "a text", TextError)
+    for note in speakable(text).notes:
+        say_note("the text", note)
+    sentences = _spoken(options, text)
+    if written.nothing:
+        _play(sentences)
+    else:
+        written.write(sentences)
     return 0
 
 
-def _check(options: argparse.Namespace) -> None:
-    if options.plan is None and options.export is None:
-        raise EngineError("there is nothing to write; ask for the plan with --plan, or for a file with --export")
-    if (options.export is None) != (options.kind is None):
-        raise EngineError("--export and --format go together; name both")
-    if options.recording is None and not options.silent:
-        raise EngineError("a text has no voice here; have it said without sound, with --silent")
+def _spoken(options: argparse.Namespace, text: str) -> Iterator[SpokenSentence]:
+    if options.program is None:
+        return Voice(options.language or "", options.voice, options.rate).speak(text)
+    return iter([speak_by_program(options.program, speakable(text).text)])
 
 
-def _exporter_of(options: argparse.Namespace) -> Exporter:
-    idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed or 0)
-    exporter = Exporter(options.kind, ExportOptions(rate=options.fps, idle=idle))
-    Guard(exporter.format.owns, options.overwrite).check(options.export)
-    return exporter
+def _play(sentences: Iterator[SpokenSentence]) -> None:
+    """Let the sentences be heard, and print each when it begins."""
+    spooled = SpooledSpeech(sentences)
+    player = Player(spooled, load_preset(DEFAULT_PRESET))
+    shown = -1.0
+    try:
+        player.play()
+        while not player.finished:
+            player.take_analyses()
+            track = spooled.track_at(player.position)
+            if track is not None and track.start > shown:
+                print(track.text, flush=True)
+                shown = track.start
+            time.sleep(LOOK)
+        player.take_analyses()
+    finally:
+        player.close()
 
 
-def _said(options: argparse.Namespace) -> tuple[PinyinTrack, Transcript]:
-    """Return what is said, and how loud and high."""
-    table = pinyin_table_of(options)
-    if options.recording is None:
-        text = options.text if options.file is None else _read(options.file)
-        track = pinyin_track(text, table, rate=options.rate, seed=options.seed)
-        return track, track.silent_transcript(options.file.name if options.file else "text")
-    with SoundReader(options.recording, options.channel) as reader:
-        duration = reader.duration
-    said = read_syllables(options.recording.with_suffix(".TextGrid"), duration)
-    track = pinyin_track(said, table, seed=options.seed)
-    heard = transcribe(options.recording, load_preset(options.preset), channel=options.channel, pitch=True)
-    return track, replace(heard, runs=track.runs(heard.duration))
+@dataclass(frozen=True)
+class _Written:
+    """What is written of speech; None where it is not asked for."""
+
+    sound: Path | None
+    labels: Path | None
+    export: Path | None
+    exporter: Exporter | None
+    language: str
+    overwrite: bool
+
+    @classmethod
+    def of(cls, options: argparse.Namespace) -> "_Written":
+        """Check what the command line asks for, before anything is spoken."""
+        if (options.export is None) != (options.kind is None):
+            raise EngineError("--export and --format go together; name both")
+        idle = IdleMotion(not options.no_blinks, not options.no_head)
+        exporter = Exporter(options.kind, ExportOptions(rate=options.fps, idle=idle)) if options.kind else None
+        language = "" if options.program else options.language or ""
+        written = cls(options.out, options.labels, options.export, exporter, language, options.overwrite)
+        for target in (written.sound, written.labels, written.export):
+            written._guard.check(target)
+        return written
+
+    @property
+    def nothing(self) -> bool:
+        """Whether nothing is written, so that the speech is played."""
+        return self.sound is None and self.labels is None and self.export is None
+
+    def write(self, sentences: Iterator[SpokenSentence]) -> None:
+        """Write what was asked for."""
+        said = _Said(loud=self.exporter is not None)
+        if self.sound is None:
+            said.take(sentences, None)
+        else:
+            write_whole_file(self.sound, lambda file: said.take(sentences, file), self._guard)
+        utterance = said.utterance(self.language)
+        if self.labels is not None:
+            write_whole(self.labels, lambda file: file.writelines([format_spoken(utterance)]), self._guard)
+        if self.export is not None and self.exporter is not None:
+            speech = said.transcript(utterance, self.sound)
+            write_whole_bytes(self.export, self.exporter.chunks_of(speech), self._guard)
+
+    @property
+    def _guard(self) -> Guard:
+        """What leaves every file alone that is there, as no voice says a text twice in the same way."""
+        return Guard(lambda _content: False, self.overwrite)
 
 
-def _read(path: Path) -> str:
-    return read_text_file(path, LARGEST_TEXT, "a text", EngineError)
+@dataclass
+class _Said:
+    """What has been said, and if it is wanted, how loud and high."""
 
+    loud: bool
+    words: list[Word] = field(default_factory=list)
+    analyses: list[Analysis] = field(default_factory=list)
+    n_samples: int = 0
 
-def _export(options: argparse.Namespace, exporter: Exporter, track: PinyinTrack, speech: Transcript) -> None:
-    """Write a movement by the letters, or drawings and other movestates by the phones."""
-    by_letters = exporter.format.moves_head and options.text_driver != "rules"
-    if options.text_driver == "pinyin" and not by_letters:
-        print(f"phonemeanalyser: {exporter.name} has shapes of its own, which follow the phones", file=sys.stderr)
-    movement = track.animation(speech, exporter.rate, exporter.idle) if by_letters else None
-    guard = Guard(exporter.format.owns, options.overwrite)
-    write_whole_bytes(options.export, exporter.chunks_of(speech, movement), guard)
+    def take(self, sentences: Iterator[SpokenSentence], file: BinaryIO | None) -> None:
+        """Take sentences as they are spoken; write their sound as WAV."""
+        analyser = Analyser(load_preset(DEFAULT_PRESET), pitch=True) if self.loud else None
+        encoder = None if file is None else WavEncoder(file, SAMPLE_RATE, 1)
+        for sentence in sentences:
+            if encoder is not None:
+                encoder.write(sentence.samples[:, None])
+            if analyser is not None:
+                self.analyses.append(analyser.push(sentence.samples))
+            self.words += (shifted(word, self.n_samples / SAMPLE_RATE) for word in sentence.words)
+            self.n_samples += len(sentence.samples)
+        if analyser is not None:
+            self.analyses.append(analyser.finish())
+        if encoder is not None:
+            encoder.close()
 
+    def utterance(self, language: str) -> Utterance:
+        """Return all that was said."""
+        return Utterance(tuple(self.words), self.n_samples / SAMPLE_RATE, language)
 
-def _skipped(words: tuple[str, ...]) -> str:
-    named = ", ".join(repr(word[:20]) for word in words[:SHOWN]) + (" ..." if len(words) > SHOWN else "")
-    return f"phonemeanalyser: {named} is no Chinese, and so not said without a voice"
+    def transcript(self, utterance: Utterance, path: Path | None) -> Transcript:
+        """Return it as a mouth needs it."""
+        name = "text" if path is None else path.name
+        heard = transcript_of(self.analyses, name, utterance.duration)
+        return transcript_of_utterance(utterance, heard.intensities, heard.pitches, name, path)

@@ -7,7 +7,7 @@ MOST_DIGITS = 16
 """A longer number is read digit by digit, as is one that begins with 0, and a telephone number."""
 
 _PLACES, _GROUPS = ("", "十", "百", "千"), ("", "万", "亿", "万亿")
-_NUMBER = re.compile(r"(?<![0-9A-Za-z])\d+(?:[.,:：]\d+)*[%％年]?(?![A-Za-z])", re.ASCII)
+NUMBER = re.compile(r"(?<![0-9A-Za-z])[+-]?\d+(?:[.,:：]\d+)*[%％年]?(?![A-Za-z])", re.ASCII)
 """With the marks in it; numbers that touch Latin letters belong to their word."""
 _YEAR = re.compile(r"(\d{4})年")
 _TIME = re.compile(r"(\d{1,2})[:：]([0-5]\d)")
@@ -20,10 +20,18 @@ def numbers_spelt(text: str) -> str:
 
     Years are read digit by digit, times as hours and minutes, and what has no known form digit by digit.
     """
-    return _NUMBER.sub(lambda number: _spelt(number[0]), text.translate(_FULL_WIDTH))
+    return NUMBER.sub(lambda number: read_number(number[0]), to_ascii_digits(text))
 
 
-def _spelt(number: str) -> str:
+def to_ascii_digits(text: str) -> str:
+    """Return a text with digits of full width as narrow ones."""
+    return text.translate(_FULL_WIDTH)
+
+
+def read_number(number: str) -> str:
+    """Return the characters that a number is read as; it matches `NUMBER`."""
+    if number[0] in "+-":
+        return ("负" if number[0] == "-" else "正") + read_number(number[1:])
     if year := _YEAR.fullmatch(number):
         return f"{_one_by_one(year[1])}年"
     if time := _TIME.fullmatch(number):

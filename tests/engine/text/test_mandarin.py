@@ -1,50 +1,106 @@
-"""Mandarin and its numbers, read as people read them."""
-
+import pypinyin
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from pypinyin.contrib.tone_convert import to_tone3
 
-from phonemeengine.text.chinese_numbers import numbers_spelt
-from phonemeengine.text.mandarin import pinyin_of
+from phonemeengine.labels.phone_sets import ipa_class
+from phonemeengine.text.chinese_numbers import read_number
+from phonemeengine.text.espeak import Event, EventKind, language_of, synthesise
+from phonemeengine.text.mandarin import PinyinWord, read, read_pinyin, spelt_for_voice, syllable_of
+from phonemeengine.text.pronunciation import words_of
+
+FIRST, LAST = 0x4E00, 0x9FFF
+"""The basic block of Chinese characters."""
+
+
+def _all_syllables() -> set[str]:
+    readings = pypinyin.pinyin_dict.pinyin_dict
+    spelt = {one for code in range(FIRST, LAST + 1) for one in readings.get(code, "").split(",") if one}
+    return {to_tone3(one, v_to_u=True).rstrip("12345") for one in spelt}
+
+
+def test_each_of_the_420_syllables_is_made_of_known_phones() -> None:
+    syllables = _all_syllables()
+    assert len(syllables) == 420
+    for syllable in syllables:
+        phones = syllable_of(f"{syllable}1").phones
+        assert phones
+        assert all(ipa_class(phone) for phone in phones), syllable
+        assert phones != ("ə",), syllable
+
+
+def test_the_voice_says_each_syllable_as_one_word() -> None:
+    spoken = []
+
+    def hear(_samples: object, events: tuple[Event, ...]) -> bool:
+        spoken.extend(event.position for event in events if event.kind is EventKind.WORD)
+        return True
+
+    syllables = sorted(_all_syllables())
+    text = " ".join(spelt_for_voice(f"{syllable}3") for syllable in syllables[:: len(syllables) // 60])
+    synthesise(text, language_of("cmn-latn-pinyin"), hear, phonemes=True)
+    assert len(spoken) == len(text.split())
 
 
 @pytest.mark.parametrize(
-    ("hanzi", "pinyin"),
+    ("pinyin", "phones"),
     [
-        ("银行", "yin2 hang2"), ("长大", "zhang3 da4"), ("音乐", "yin1 yue4"), ("快乐", "kuai4 le4"),
-        ("你好", "ni2 hao3"), ("不是", "bu2 shi4"), ("绿女", "lü4 nü3"), ("吗", "ma5"),
-        ("儿", "er2"), ("", ""),
+        ("hua4", "x w a"), ("dong1", "t ʊ ŋ"), ("zhi1", "ʈ ʂ ɨ"), ("ju2", "t ɕ y"), ("yuan2", "ɥ ɛ n"),
+        ("you3", "j oʊ"), ("wei4", "w eɪ"), ("lü4", "l y"), ("xiong2", "ɕ j ʊ ŋ"),
+        ("er2", "ɚ"), ("yi1", "i"), ("wu3", "u"), ("m2", "m̩"),
     ],
 )  # fmt: skip
-def test_characters_are_read_as_their_phrase_says(hanzi: str, pinyin: str) -> None:
-    assert pinyin_of(hanzi) == pinyin.split()
+def test_syllables_sound_as_the_phonetician_says(pinyin: str, phones: str) -> None:
+    assert syllable_of(pinyin).phones == tuple(phones.split())
 
 
-@given(st.text(st.characters(min_codepoint=0x3400, max_codepoint=0x9FFF), max_size=20))
-def test_every_character_has_one_syllable(hanzi: str) -> None:
-    assert len(pinyin_of(hanzi)) == len(hanzi)
+def test_characters_with_several_readings_come_right_in_their_phrase() -> None:
+    words = [word for word in read("银行长大还钱音乐") if isinstance(word, PinyinWord)]
+    assert [word.syllables[0] for word in words] == [
+        "yin2",
+        "hang2",
+        "zhang3",
+        "da4",
+        "huan2",
+        "qian2",
+        "yin1",
+        "yue4",
+    ]
+
+
+def test_words_of_other_scripts_and_marks_are_left_as_they_are() -> None:
+    assert [word for word in read("说hello world，好") if isinstance(word, str)] == ["hello", "world", "，"]
+
+
+def test_a_number_is_one_word_of_several_syllables() -> None:
+    (year, *_) = read("2024年")
+    assert year == PinyinWord("2024年", ("er4", "ling2", "er4", "si4", "nian2"))
+
+
+def test_pinyin_is_read_with_digits_or_marks_for_tones() -> None:
+    assert [word.syllables[0] for word in read_pinyin("nǐ hao3 lǜ") if isinstance(word, PinyinWord)] == [
+        "ni3",
+        "hao3",
+        "lü4",
+    ]
+
+
+def test_chinese_and_english_words_stand_in_one_script() -> None:
+    words = words_of("我说hello。", "cmn")
+    assert [word.text for word in words] == ["我", "说", "hello"]
+    assert words[0].pronunciations[0].syllables[0].text == "wo3"
 
 
 @pytest.mark.parametrize(
-    ("text", "read"),
+    ("number", "characters"),
     [
-        ("2026年", "二零二六年"), ("3.5元", "三点五元"), ("12:30", "十二点三十分"), ("12:05", "十二点零五分"),
-        ("8:00", "八点"), ("50%", "百分之五十"), ("1,234,567", "一百二十三万四千五百六十七"), ("007", "零零七"),
-        ("10", "十"), ("15", "十五"), ("110", "一百一十"), ("105", "一百零五"), ("1000", "一千"),
-        ("1001", "一千零一"), ("10000", "一万"), ("100000", "十万"), ("10001", "一万零一"), ("110000", "十一万"),
-        ("100000000", "一亿"), ("100010001", "一亿零一万零一"), ("0", "零"), ("0.25", "零点二五"),
-        ("13812345678", "一三八一二三四五六七八"), ("MP3", "MP3"), ("３个", "三个"),
-        ("192.168.1.1", "一九二一六八一一"),
-        ("1,2", "一二"), ("没有", "没有"),
+        ("0", "零"), ("10", "十"), ("11", "十一"), ("110", "一百一十"), ("1005", "一千零五"), ("1010", "一千零一十"),
+        ("10010", "一万零一十"), ("100000", "十万"), ("123456789", "一亿二千三百四十五万六千七百八十九"),
+        ("1,234,567", "一百二十三万四千五百六十七"), ("007", "零零七"), ("1.05", "一点零五"), ("-3", "负三"),
+        ("99%", "百分之九十九"),
+        ("12:05", "十二点零五分"), ("8:00", "八点"), ("2024年", "二零二四年"), ("5年", "五年"),
+        ("1000000001", "十亿零一"),
+        ("13800138000138000", "一三八零零一三八零零零一三八零零零"),
     ],
 )  # fmt: skip
-def test_numbers_are_read_as_people_read_them(text: str, read: str) -> None:
-    assert numbers_spelt(text) == read
-
-
-@given(st.integers(1, 10**15))
-def test_a_number_names_its_digits_in_order(number: int) -> None:
-    read = numbers_spelt(f"有{number}个")
-    named = [str("零一二三四五六七八九".index(c)) for c in read if c in "一二三四五六七八九"]
-    written = [c for c in str(number) if c != "0"]
-    assert named[-len(written) :] == written or (read[1] == "十" and named == written[1:]) or len(str(number)) == 11
+def test_numbers_are_read_as_a_newsreader_would(number: str, characters: str) -> None:
+    assert read_number(number) == characters

@@ -14,7 +14,7 @@ FADE = 220
 
 
 @dataclass(frozen=True)
-class _Voice:
+class _Oscillator:
     """A waveform that goes round at a steady rate, so that it is known at every sample.
 
     Attributes
@@ -41,15 +41,15 @@ class _Voice:
         """Return the sound at samples."""
         return self.gain * self.wave.at(self.cycles(samples))
 
-    def begun(self, sample: int, phase: float) -> "_Voice":
+    def begun(self, sample: int, phase: float) -> "_Oscillator":
         """Return the same with a given phase at a sample."""
-        return _Voice(self.kind, self.wave, self.gain, sample, phase % 1.0)
+        return _Oscillator(self.kind, self.wave, self.gain, sample, phase % 1.0)
 
 
 class _Change:
     """The way from one voice to the next: a fade, during which one rate glides into the other if the kind stays."""
 
-    def __init__(self, old: _Voice, new: _Voice, start: int) -> None:
+    def __init__(self, old: _Oscillator, new: _Oscillator, start: int) -> None:
         self._old = old
         self._start = start
         self._glides = old.kind is new.kind
@@ -149,5 +149,5 @@ class ToneReader:
         return n
 
 
-def _voice_of(tone: Tone) -> _Voice:
-    return _Voice(tone.kind, waveform_of(tone), 10 ** (tone.level / 20))
+def _voice_of(tone: Tone) -> _Oscillator:
+    return _Oscillator(tone.kind, waveform_of(tone), 10 ** (tone.level / 20))

@@ -4,7 +4,7 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
-from phonemeengine.errors import CorpusError, SpeechError
+from phonemeengine.errors import CorpusError, TextError
 from phonemeengine.files import printable_name
 from phonemeengine.labels.label import RawLabel, in_order
 from phonemeengine.labels.phone_sets import own_phone_class
@@ -32,7 +32,7 @@ def read_syllables(path: str | os.PathLike[str], duration: float) -> Utterance:
     Raises
     ------
     CorpusError : it cannot be read, has no such tier, or times are impossible.
-    SpeechError : a label is no syllable of pinyin.
+    TextError : a label is no syllable of pinyin.
     """
     name = printable_name(Path(path))
     labels = in_order(_chosen(tiers_of(read_text(Path(path)), name), name).raw_labels, name, duration)
@@ -58,7 +58,7 @@ def _is_silence(label: RawLabel) -> bool:
 def _word_of(label: RawLabel, name: str) -> Word:
     try:
         sound = sound_of(label.name)
-    except SpeechError as error:
-        raise SpeechError(f"{name}, {label.place}: {error}") from error
+    except TextError as error:
+        raise TextError(f"{name}, {label.place}: {error}") from error
     turn = label.start + HALF * (label.end - label.start)
     return Word(label.name, (syllable_of(sound, label.start, turn, label.end),))

@@ -6,7 +6,7 @@ Pinyin writes some finals shorter than they are: iu for iou, ui for uei, un for 
 
 import unicodedata
 
-from phonemeengine.errors import SpeechError
+from phonemeengine.errors import TextError
 
 INITIALS = (
     "b", "p", "m", "f", "d", "t", "n", "l", "g", "k", "h", "j", "q", "x", "zh", "ch", "sh", "r", "z", "c", "s", "y",
@@ -38,11 +38,11 @@ def sound_of(written: str) -> str:
 
     Raises
     ------
-    SpeechError : it is no syllable of pinyin.
+    TextError : it is no syllable of pinyin.
     """
     toneless, tone = _without_tone(written)
     if toneless not in NASALS and initial_and_final(toneless)[1] not in FINALS:
-        raise SpeechError(f"{written!r:.40} is no syllable of pinyin; write one such as hao3 or lü4")
+        raise TextError(f"{written!r:.40} is no syllable of pinyin; write one such as hao3 or lü4")
     return f"{toneless}{tone}"
 
 
@@ -50,7 +50,7 @@ def is_sound(written: str) -> bool:
     """Return whether this is a syllable of pinyin with its tone as a digit, such as ``lü4``."""
     try:
         return written == sound_of(written)
-    except SpeechError:
+    except TextError:
         return False
 
 
@@ -82,5 +82,5 @@ def _without_tone(written: str) -> tuple[str, str]:
     letters = "".join(c for c in bare if c not in _TONE_MARKS)
     tone = "".join((*marks, digit)) or NEUTRAL
     if len(tone) > 1:
-        raise SpeechError(f"{written!r:.40} has more than one tone; write a syllable of pinyin such as hao3")
+        raise TextError(f"{written!r:.40} has more than one tone; write a syllable of pinyin such as hao3")
     return unicodedata.normalize("NFC", letters), tone

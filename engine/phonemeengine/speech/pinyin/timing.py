@@ -3,7 +3,7 @@
 import random
 from collections.abc import Iterator, Sequence
 
-from phonemeengine.errors import SpeechError
+from phonemeengine.errors import TextError
 from phonemeengine.labels.label import ROUNDING
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance
 from phonemeengine.speech.pinyin.letters import is_sound
@@ -21,10 +21,10 @@ def pause_unit(table: PinyinTable, rate: float) -> float:
 
     Raises
     ------
-    SpeechError : the rate lies outside 0.5..10.
+    TextError : the rate lies outside 0.5..10.
     """
     if not SLOWEST <= rate <= FASTEST:
-        raise SpeechError(
+        raise TextError(
             f"the rate must lie in {SLOWEST:g}..{FASTEST:g} syllables per second, got {rate:g}; choose another"
         )
     return table.pause / rate
@@ -44,10 +44,10 @@ def plan_at_rate(
 
     Raises
     ------
-    SpeechError : there is no syllable, or the rate lies outside its range.
+    TextError : there is no syllable, or the rate lies outside its range.
     """
     if not any(isinstance(item, WrittenSyllable) for item in script):
-        raise SpeechError("there is no Chinese syllable in the text; write some, or choose another driver")
+        raise TextError("there is no Chinese syllable in the text; write some, or choose another driver")
     closing, row_of = pause_unit(table, rate), _SyllableRows(table, seed)
     rows, at = [], 0.0  # counted in syllables, so that the sum of all is exact
     for item in script:
@@ -73,11 +73,11 @@ def plan_of(
 
     Raises
     ------
-    SpeechError : there is no syllable of pinyin in it.
+    TextError : there is no syllable of pinyin in it.
     """
     syllables = [s for word in utterance.words for s in word.syllables if is_sound(s.text)]
     if not syllables:
-        raise SpeechError("there is no syllable of pinyin in what is said; choose another driver")
+        raise TextError("there is no syllable of pinyin in what is said; choose another driver")
     marks = _marks_of(script, len(syllables))
     rows = list(_rows_of(utterance, _SyllableRows(table, seed), marks))
     return Plan(tuple(rows), pause_unit(table, USUAL_RATE))

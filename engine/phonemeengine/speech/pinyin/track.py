@@ -95,7 +95,7 @@ def pinyin_track(
 
     Raises
     ------
-    SpeechError : there is no Chinese syllable in it, or the rate lies outside its range.
+    TextError : there is no Chinese syllable in it, or the rate lies outside its range.
     """
     table = table or load_pinyin_table()
     if isinstance(said, Utterance):

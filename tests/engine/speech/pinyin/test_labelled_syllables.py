@@ -6,7 +6,7 @@ import parselmouth
 import pytest
 from parselmouth.praat import call
 
-from phonemeengine.errors import CorpusError, SpeechError
+from phonemeengine.errors import CorpusError, TextError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.labelled import read_syllables
@@ -47,7 +47,7 @@ def test_phones_of_a_syllable_are_its_onset_and_its_nucleus(tmp_path: Path) -> N
 
 def test_what_is_no_pinyin_is_refused_with_its_place(tmp_path: Path) -> None:
     path = saved(tmp_path / "a.TextGrid", ["ma1", "hello"])
-    with pytest.raises(SpeechError, match=r"^a.TextGrid, tier 'syllables', interval 2: 'hello' is no syllable"):
+    with pytest.raises(TextError, match=r"^a.TextGrid, tier 'syllables', interval 2: 'hello' is no syllable"):
         read_syllables(path, DURATION)
 
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.errors import SpeechError
+from phonemeengine.errors import TextError
 from phonemeengine.speech.pinyin.letters import initial_and_final, is_sound, sound_of
 from phonemeengine.speech.pinyin.table import load_pinyin_table
 
@@ -121,7 +121,7 @@ def test_a_tone_may_be_written_as_a_digit_or_a_mark(written: str, sound: str) ->
 @pytest.mark.parametrize("written", ["", "5", "hello", "r5", "hao6", "hǎo3", "好", "b1", "ong\0", "hao3 hao3"])
 def test_what_is_no_syllable_is_refused(written: str) -> None:
     assert not is_sound(written)
-    with pytest.raises(SpeechError, match=r"write .* such as hao3"):
+    with pytest.raises(TextError, match=r"write .* such as hao3"):
         sound_of(written)
 
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.errors import SpeechError
+from phonemeengine.errors import TextError
 from phonemeengine.speech.pinyin.letters import is_sound
 from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable, script_of
 from phonemeengine.speech.pinyin.track import pinyin_track
@@ -73,7 +73,7 @@ def test_what_is_no_chinese_is_skipped_and_told() -> None:
 
 @pytest.mark.parametrize("text", ["", " ", "hello", "。。。", "🙂", "\0", "[[tS]]", "<b>", "\u202e", "\ud800"])
 def test_a_text_without_a_chinese_character_is_refused(text: str) -> None:
-    with pytest.raises(SpeechError, match="there is no Chinese syllable in the text; write some"):
+    with pytest.raises(TextError, match="there is no Chinese syllable in the text; write some"):
         pinyin_track(text)
 
 

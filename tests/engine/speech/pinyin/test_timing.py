@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.errors import SpeechError
+from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, Plan, PlanKind, format_plan
@@ -78,13 +78,13 @@ def test_the_plan_as_csv_reads_as_the_text_does() -> None:
 
 @pytest.mark.parametrize("rate", [0, -1, 0.49, 10.1, float("nan"), float("inf")])
 def test_a_rate_out_of_range_is_refused(rate: float) -> None:
-    with pytest.raises(SpeechError, match=r"the rate must lie in 0\.5\.\.10 syllables per second, got"):
+    with pytest.raises(TextError, match=r"the rate must lie in 0\.5\.\.10 syllables per second, got"):
         plan_at_rate(SCRIPT, TABLE, rate)
 
 
 @pytest.mark.parametrize("script", [[], [WrittenMark("。", 1.0)]])
 def test_a_text_without_a_chinese_syllable_is_refused(script: list[WrittenMark]) -> None:
-    with pytest.raises(SpeechError, match="there is no Chinese syllable in the text; write some"):
+    with pytest.raises(TextError, match="there is no Chinese syllable in the text; write some"):
         plan_at_rate(script, TABLE)
 
 
@@ -118,5 +118,5 @@ def test_an_english_name_among_chinese_words_moves_the_mouth_by_its_phones() -> 
 
 def test_what_holds_no_pinyin_is_refused() -> None:
     said = Utterance((Word("me", (Syllable((Phone(0, 1, "m", Phoneme.M),)),)),), 1.0)
-    with pytest.raises(SpeechError, match="there is no syllable of pinyin in what is said; choose another driver"):
+    with pytest.raises(TextError, match="there is no syllable of pinyin in what is said; choose another driver"):
         plan_of(said, TABLE)

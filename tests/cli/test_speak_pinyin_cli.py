@@ -1,0 +1,104 @@
+"""`phonemeanalyser speak`: a Chinese text, or a recording of one, as a plan and as files of other programs."""
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.cli.window import DEMO
+from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
+
+
+def spoken(*words: object) -> None:
+    assert main(["speak", *(str(word) for word in words)]) == 0
+
+
+def jaw(path: Path) -> list[float]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return [float(row["JawOpen"]) for row in csv.DictReader(file)]
+
+
+def test_the_plan_of_a_text_is_printed_or_written_alike(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spoken("你好，吗。", "--silent", "--plan", "-")
+    printed = capsys.readouterr().out
+    assert printed.splitlines()[1] == "0.000,0.075,0.250,syllable,你,ni2,di"
+    (tmp_path / "text.txt").write_text("你好，吗。", encoding="utf-8")
+    spoken("--file", tmp_path / "text.txt", "--silent", "--plan", tmp_path / "plan.csv")
+    assert (tmp_path / "plan.csv").read_text(encoding="utf-8") == printed
+
+
+def test_a_rate_a_table_of_ones_own_and_a_spring_change_the_mouth(tmp_path: Path) -> None:
+    table = tmp_path / "mine.toml"
+    table.write_text(USUAL_PINYIN_TABLE.read_text(encoding="utf-8").replace("reach = 0.5", "reach = 1"), "utf-8")
+    changes = {"": [], "slow": ["--rate", 2], "mine": ["--pinyin-table", table], "spring": ["--spring", "1,400,40"]}
+    for name, change in changes.items():
+        spoken("妈妈。", "--silent", *change, "--export", tmp_path / f"{name}.csv", "--format", "livelink-csv")
+    opened = {name: jaw(tmp_path / f"{name}.csv") for name in changes}
+    assert len({tuple(weights) for weights in opened.values()}) == 4
+    assert len(opened["slow"]) > 1.7 * len(opened[""])
+    assert max(opened[""]) == pytest.approx(0.66)
+
+
+def test_drawings_are_made_of_the_phones(tmp_path: Path) -> None:
+    spoken("妈，风。", "--silent", "--export", tmp_path / "a.json", "--format", "rhubarb-json")
+    cues = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))["mouthCues"]
+    assert {"A", "D", "X"} <= {cue["value"] for cue in cues}
+
+
+def test_rules_move_a_face_by_its_phones_and_other_movestates_always(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for driver in ("pinyin", "rules"):
+        export = ["--export", tmp_path / f"{driver}.csv", "--format", "livelink-csv"]
+        spoken("妈妈。", "--silent", "--text-driver", driver, *export)
+    assert jaw(tmp_path / "pinyin.csv") != jaw(tmp_path / "rules.csv")
+    assert capsys.readouterr().err == ""
+    export = ["--export", tmp_path / "o.csv", "--format", "oculus-csv"]
+    spoken("妈妈。", "--silent", "--text-driver", "pinyin", *export)
+    assert capsys.readouterr().err == "phonemeanalyser: oculus-csv has shapes of its own, which follow the phones\n"
+
+
+def test_a_recording_is_said_when_its_labels_say(tmp_path: Path) -> None:
+    sound = tmp_path / "talk.flac"
+    sound.write_bytes(DEMO.read_bytes())
+    tier = '"IntervalTier"\n"syllables"\n0\n2\n3\n0\n0.5\n""\n0.5\n0.8\n"ma1"\n0.8\n2\n""\n'
+    grid = f'File type = "ooTextFile"\nObject class = "TextGrid"\n\n0\n2\n<exists>\n1\n{tier}'
+    (tmp_path / "talk.TextGrid").write_text(grid, encoding="utf-8")
+    export = ["--export", tmp_path / "a.csv", "--format", "livelink-csv"]
+    spoken("--recording", sound, "--plan", tmp_path / "p.csv", *export)
+    rows = (tmp_path / "p.csv").read_text(encoding="utf-8").splitlines()
+    assert rows[1:3] == ["0.000,0.000,0.500,pause,,,&", "0.500,0.590,0.800,syllable,ma1,ma1,ba"]
+    opened = jaw(tmp_path / "a.csv")
+    assert opened[48] == pytest.approx(0.66)
+    assert opened[30] == opened[70] == 0
+
+
+def test_what_is_not_said_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    spoken("我用iPhone。", "--silent", "--plan", "-")
+    assert capsys.readouterr().err == "phonemeanalyser: 'iPhone' is no Chinese, and so not said without a voice\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["hello", "--silent", "--plan", "-"], "there is no Chinese syllable in the text; write some"),
+        (["你好", "--silent"], "there is nothing to write; ask for the plan with --plan"),
+        (["你好", "--plan", "-"], "a text has no voice here; have it said without sound, with --silent"),
+        (["你好", "--silent", "--export", "a.csv"], "--export and --format go together; name both"),
+        (["你好", "--silent", "--plan", "-", "--rate", "11"], "the rate must lie in 0.5..10 syllables per second"),
+        (["你好", "--silent", "--plan", "-", "--spring", "1,2"], "a spring is MASS,STIFFNESS,DAMPING, such as"),
+        (["你好", "--silent", "--plan", "-", "--pinyin-table", "none.toml"], "none.toml: cannot be read"),
+        (["--file", "none.txt", "--silent", "--plan", "-"], "none.txt: cannot be read"),
+        (["--recording", str(DEMO), "--plan", "-"], "demo.TextGrid: cannot be read"),
+    ],
+)
+def test_what_cannot_be_spoken_is_refused_in_one_sentence(
+    words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["speak", *words]) == 1
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.startswith(f"phonemeanalyser: {sentence}")
+    assert said.err.count("\n") == 1

@@ -1,0 +1,144 @@
+import numpy as np
+import pytest
+
+from phonemeengine import SAMPLE_RATE, TextError, Utterance, Voice, VoiceError, Word, speak
+from phonemeengine.arrays import Float32Array
+from phonemeengine.speech.voice import CHINESE_PAUSES, SENTENCE_PAUSE, USUAL_RATE
+from phonemeengine.text.pronunciation import words_of
+
+ENGLISH = Voice("en-us")
+
+
+def _level(samples: Float32Array, start: float, end: float) -> float:
+    return float(np.abs(samples[round(start * SAMPLE_RATE) : round(end * SAMPLE_RATE)]).max())
+
+
+def _phones(word: Word) -> str:
+    return " ".join(phone.ipa for phone in word.phones)
+
+
+def test_what_is_said_lies_within_the_sound_and_covers_its_words() -> None:
+    samples, utterance = speak("Good evening, dear guests.", ENGLISH)
+    assert [word.text for word in utterance.words] == ["Good", "evening", "dear", "guests"]
+    assert utterance.duration == len(samples) / SAMPLE_RATE
+    assert samples.dtype == np.float32
+    assert 0.1 < float(np.abs(samples).max()) <= 1
+
+
+@pytest.mark.parametrize(
+    ("language", "text"),
+    [
+        ("en-us", "Would you have changed the church of the judge in 1984?"),
+        ("de", "Der Zug pfeift auf die Bäckerei."),
+        ("fr", "Les enfants ont mangé un chat."),
+        ("ja", "こんにちは、せかい。"),
+        ("cmn", "我们2024年去hello银行吧。"),
+    ],
+)
+def test_each_word_of_the_script_is_said_once_and_in_order(language: str, text: str) -> None:
+    said = [word.text for word in speak(text, Voice(language))[1].words]
+    assert said == [word.text for word in words_of(text, language)]
+
+
+def test_between_sentences_there_is_silence_and_words_are_loud() -> None:
+    samples, utterance = speak("Yes. No.", ENGLISH)
+    yes, no = utterance.words
+    pause = SENTENCE_PAUSE / USUAL_RATE
+    assert no.start - yes.end == pytest.approx(pause, abs=0.15)
+    assert _level(samples, yes.end + 0.1, yes.end + pause - 0.05) < 0.01
+    assert all(_level(samples, word.start, word.end) > 0.1 for word in (yes, no))
+
+
+def test_a_vowel_begins_where_its_fricative_ends() -> None:
+    samples, utterance = speak("see", ENGLISH)
+    friction, vowel = utterance.words[0].phones
+    assert (friction.ipa, vowel.ipa) == ("s", "i")
+    turns = [
+        int(np.count_nonzero(np.diff(np.signbit(samples[round(a * SAMPLE_RATE) : round(b * SAMPLE_RATE)])))) / (b - a)
+        for a, b in ((friction.start + 0.02, friction.end - 0.01), (vowel.start + 0.01, vowel.end - 0.02))
+    ]
+    assert turns[0] > 2 * turns[1]
+
+
+def test_lips_close_before_the_burst_that_the_synthesizer_reports() -> None:
+    samples, utterance = speak("a happy papa", ENGLISH)
+    stops = [phone for phone in utterance.phones if phone.ipa == "p"]
+    assert len(stops) == 3
+    for stop in stops[:2]:
+        assert stop.end - stop.start > 0.04
+        assert _level(samples, stop.start + 0.005, stop.start + 0.02) < 0.3 * float(np.abs(samples).max())
+
+
+def test_an_affricate_is_a_closure_and_friction() -> None:
+    (church,) = speak("church", ENGLISH)[1].words
+    assert _phones(church) == "t ʃ ɜ t ʃ"
+
+
+def test_a_faster_voice_says_the_same_in_less_time() -> None:
+    slow, fast = (speak("An ordinary sentence of words", Voice("en-us", rate=rate)) for rate in (2.4, 7.3))
+    assert len(fast[0]) < 0.6 * len(slow[0])
+    assert [word.text for word in fast[1].words] == [word.text for word in slow[1].words]
+
+
+def test_another_voice_says_the_same_with_another_sound() -> None:
+    (plain, said), (other, said_too) = speak("hello", ENGLISH), speak("hello", Voice("en-us", "f3"))
+    assert [_phones(word) for word in said.words] == [_phones(word) for word in said_too.words]
+    assert len(plain) != len(other) or not np.array_equal(plain, other)
+
+
+def test_a_chinese_character_is_a_syllable_with_its_pinyin() -> None:
+    utterance = speak("银行，穷不穷？", Voice("cmn"))[1]
+    assert [word.syllables[0].text for word in utterance.words] == ["yin2", "hang2", "qiong2", "bu4", "qiong2"]
+    assert _phones(utterance.words[2]) == "t ɕ j ʊ ŋ"
+
+
+@pytest.mark.parametrize(("mark", "weight"), [("，", 1.2), ("、", 0.6), ("；", 1.8), ("。", 2.4)])
+def test_a_chinese_clause_is_followed_by_the_pause_of_its_mark(mark: str, weight: float) -> None:
+    assert weight in CHINESE_PAUSES.values()
+    before, after = speak(f"你好{mark}世界", Voice("cmn"))[1].words[1:3]
+    assert after.start - before.end == pytest.approx(weight / USUAL_RATE, abs=0.1)
+
+
+def test_pinyin_is_spoken_too() -> None:
+    assert [word.text for word in speak("nǐ hǎo", Voice("cmn-latn-pinyin"))[1].words] == ["nǐ", "hǎo"]
+
+
+def test_sentences_come_one_by_one_as_they_are_asked_for() -> None:
+    sentences = Voice("en-us").speak("One. " * 10_000)
+    assert next(iter(sentences)).text == "One."
+
+
+@pytest.mark.parametrize("text", ["", "🎉", "\0\x01", "[[", "..."])
+def test_what_nobody_can_speak_is_refused_before_anything_is_spoken(text: str) -> None:
+    with pytest.raises(TextError, match="no word to speak"):
+        ENGLISH.speak(text)
+
+
+def test_markup_is_spoken_and_not_obeyed() -> None:
+    utterance = speak('<break time="9s"/> hello [[h@]] \x01+10P there', ENGLISH)[1]
+    assert utterance.duration < 12
+    assert {"hello", "there"} <= {word.text for word in utterance.words}
+
+
+@pytest.mark.parametrize(
+    ("voice", "words"),
+    [
+        (Voice("xx"), "no voice speaks the language 'xx'"),
+        (Voice(""), "not guessed"),
+        (Voice("de", "nonsense"), "no voice 'nonsense'"),
+    ],
+)
+def test_a_voice_that_is_not_there_is_refused_at_once(voice: Voice, words: str) -> None:
+    with pytest.raises(TextError, match=words):
+        voice.speak("Hallo")
+
+
+@pytest.mark.parametrize("rate", [0.0, 1.5, 10.0, float("nan")])
+def test_a_rate_that_no_voice_has_is_refused(rate: float) -> None:
+    with pytest.raises(VoiceError, match=r"1\.6\.\.9\.5"):
+        Voice("de", rate=rate)
+
+
+def test_an_utterance_of_a_voice_has_stress() -> None:
+    utterance: Utterance = speak("potato", ENGLISH)[1]
+    assert [syllable.stress for syllable in utterance.words[0].syllables] == [0, 1, 0]
