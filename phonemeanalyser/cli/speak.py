@@ -1,15 +1,20 @@
-"""``phonemeanalyser speak``: a voice says a text: aloud, or into a sound, labels, and a mouth's movement."""
+"""``phonemeanalyser speak``: a voice says a text: aloud, or into a sound, labels, and a mouth's movement.
+
+A Chinese text moves the mouth by pinyin, also without a voice, or in step with a recording.
+"""
 
 import argparse
+import re
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import BinaryIO
 
-from phonemeanalyser.cli.arguments import add_overwrite, number
+from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, number
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import Guard, write_whole, write_whole_bytes, write_whole_file
+from phonemeanalyser.cli.pinyin import add_pinyin, pinyin_table_of, say_without_voice, write_plan
 from phonemeengine import (
     FORMATS,
     SAMPLE_RATE,
@@ -18,12 +23,14 @@ from phonemeengine import (
     EngineError,
     ExportOptions,
     IdleMotion,
+    PinyinTable,
     SpokenSentence,
     Transcript,
     Utterance,
     Voice,
     Word,
     load_preset,
+    pinyin_track,
 )
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import TextError
@@ -35,7 +42,8 @@ from phonemeengine.mouth.transcript import transcript_of, transcript_of_utteranc
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.spooled import SpooledSpeech
-from phonemeengine.speech.voice import USUAL_RATE, shifted
+from phonemeengine.speech.voice import shifted
+from phonemeengine.text import mandarin
 from phonemeengine.text.cleaning import speakable
 
 LARGEST = 64 << 20
@@ -49,9 +57,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     said = parser.add_mutually_exclusive_group(required=True)
     said.add_argument("text", nargs="?", metavar="TEXT", help="what is said")
     said.add_argument("--file", type=Path, metavar="F", help="a text file (UTF-8) of it")
+    said.add_argument(
+        "--recording", type=Path, metavar="SOUND", help="a sound; its .TextGrid has syllables of pinyin"
+    )
+    parser.add_argument("--silent", action="store_true", help="a Chinese text without sound")
+    driver = "what moves a face (auto: pinyin for Chinese, else rules)"
+    parser.add_argument("--text-driver", choices=["auto", "pinyin", "rules"], default="auto", help=driver)
     parser.add_argument("--language", metavar="L", help="of the text, such as en-us, de, fr, cmn")
     parser.add_argument("--voice", default="", metavar="V", help="another voice, such as f2, m3 or klatt")
-    parser.add_argument("--rate", type=number, default=USUAL_RATE, metavar="N", help="syllables a second (4)")
+    add_pinyin(parser)
     program = "another voice: a command that writes a WAV file {output} of {text}"
     parser.add_argument("--program", metavar="COMMAND", help=program)
     parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="write the sound as WAV (default: play it)")
@@ -61,13 +75,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: the format's)")
     parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
     parser.add_argument("--no-head", action="store_true", help="keep the head still")
+    add_preset(parser)
+    add_channel(parser)
     add_overwrite(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Speak as the command line asks."""
-    written = _Written.of(options)
-    text = options.text if options.file is None else read_text_file(options.file, LARGEST, "a text", TextError)
+    text = _text_of(options)
+    if options.silent or options.recording is not None:
+        say_without_voice(options, text)
+        return 0
+    written = _Written.of(options, text)
     for note in speakable(text).notes:
         say_note("the text", note)
     sentences = _spoken(options, text)
@@ -78,9 +97,20 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
+def _text_of(options: argparse.Namespace) -> str:
+    if options.file is not None:
+        return read_text_file(options.file, LARGEST, "a text", TextError)
+    return options.text or ""
+
+
+def _language_of(options: argparse.Namespace, text: str) -> str:
+    """Return the language that is asked for; Chinese characters tell theirs."""
+    return options.language or ("cmn" if re.search(mandarin.HANZI, text) else "")
+
+
 def _spoken(options: argparse.Namespace, text: str) -> Iterator[SpokenSentence]:
     if options.program is None:
-        return Voice(options.language or "", options.voice, options.rate).speak(text)
+        return Voice(_language_of(options, text), options.voice, options.rate).speak(text)
     return iter([speak_by_program(options.program, speakable(text).text)])
 
 
@@ -110,19 +140,30 @@ class _Written:
     sound: Path | None
     labels: Path | None
     export: Path | None
+    plan: Path | None
     exporter: Exporter | None
     language: str
+    text: str
+    letters: PinyinTable | None
+    seed: int | None
     overwrite: bool
 
     @classmethod
-    def of(cls, options: argparse.Namespace) -> "_Written":
+    def of(cls, options: argparse.Namespace, text: str) -> "_Written":
         """Check what the command line asks for, before anything is spoken."""
         if (options.export is None) != (options.kind is None):
             raise EngineError("--export and --format go together; name both")
-        idle = IdleMotion(not options.no_blinks, not options.no_head)
+        if options.plan is not None and options.text_driver == "rules":
+            raise EngineError("--plan tells of the pinyin mouth; leave --text-driver rules out")
+        idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed or 0)
         exporter = Exporter(options.kind, ExportOptions(rate=options.fps, idle=idle)) if options.kind else None
-        language = "" if options.program else options.language or ""
-        written = cls(options.out, options.labels, options.export, exporter, language, options.overwrite)
+        language = "" if options.program else _language_of(options, text)
+        chinese = language in {*mandarin.TAGS, mandarin.PINYIN_TAG}
+        by_letters = options.text_driver == "pinyin" or (options.text_driver == "auto" and chinese)
+        written = cls(
+            options.out, options.labels, options.export, options.plan, exporter, language, text,
+            pinyin_table_of(options) if by_letters or options.plan else None, options.seed, options.overwrite,
+        )  # fmt: skip
         for target in (written.sound, written.labels, written.export):
             written._guard.check(target)
         return written
@@ -130,7 +171,7 @@ class _Written:
     @property
     def nothing(self) -> bool:
         """Whether nothing is written, so that the speech is played."""
-        return self.sound is None and self.labels is None and self.export is None
+        return not any((self.sound, self.labels, self.export, self.plan))
 
     def write(self, sentences: Iterator[SpokenSentence]) -> None:
         """Write what was asked for."""
@@ -142,9 +183,15 @@ class _Written:
         utterance = said.utterance(self.language)
         if self.labels is not None:
             write_whole(self.labels, lambda file: file.writelines([format_spoken(utterance)]), self._guard)
+        track = (
+            None if self.letters is None else pinyin_track(utterance, self.letters, text=self.text, seed=self.seed)
+        )
         if self.export is not None and self.exporter is not None:
-            speech = said.transcript(utterance, self.sound)
-            write_whole_bytes(self.export, self.exporter.chunks_of(speech), self._guard)
+            speech, moves = said.transcript(utterance, self.sound), self.exporter.format.moves_head
+            movement = track.animation(speech, self.exporter.rate, self.exporter.idle) if track and moves else None
+            write_whole_bytes(self.export, self.exporter.chunks_of(speech, movement), self._guard)
+        if self.plan is not None and track is not None:
+            write_plan(track, self.plan)
 
     @property
     def _guard(self) -> Guard:

@@ -18,6 +18,7 @@ from tools.bench import (
     speed,
     start,
     talking,
+    voice,
     whole_file,
 )
 from tools.bench.figures import Figure, table_of
@@ -37,6 +38,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "learned": learned.figures,
     "mouth": mouth.figures,
     "movestates": movestates.figures,
+    "voice": voice.figures,
 }
 
 

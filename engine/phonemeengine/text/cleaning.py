@@ -41,8 +41,9 @@ def speakable(text: str) -> SpeakableText:
     """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").replace("\t", " ")
     without_emoji, n_emoji = _EMOJI.subn(" ", lines)
-    kept = "".join(c for c in without_emoji if not _is_unspeakable(c))
-    n_others = len(without_emoji) - len(kept) - sum(map(without_emoji.count, _SILENT))
+    unspeakable = set(filter(_is_unspeakable, set(without_emoji)))  # each character once: a text may be long
+    kept = without_emoji.translate(dict.fromkeys(map(ord, unspeakable)))
+    n_others = sum(map(without_emoji.count, unspeakable - _SILENT))
     n_brackets = kept.count("[[")
     kept = re.sub(r"\[{2,}", "[", kept)
     if not any(c.isalnum() for c in kept):

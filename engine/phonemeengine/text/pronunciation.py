@@ -22,7 +22,7 @@ MARKS = ".,;:!?…\"“”„‚‘’'«»‹›()[]{}<>¿¡—–-。！？；
 """What stands around words and is not part of them."""
 
 
-_LETTERS = re.compile(r"[^\W\d_]+")
+_LETTERS = re.compile(r"[^\W\d_]{1,40}")
 _PAUSE = 2 * espeak.SEPARATOR
 """Between the names of two letters that are spelt."""
 _SAMPLED = 40

@@ -91,3 +91,8 @@ def test_a_voice_that_fails_is_heard_until_then() -> None:
 def test_closing_ends_a_voice_that_has_much_to_say() -> None:
     with SpooledSpeech(Voice("en-us").speak("A sentence that is long enough. " * 30_000)) as speech:
         assert len(speech.read(1000)) == 1000
+
+
+def test_a_megabyte_without_a_mark_or_a_space_begins_with_a_short_sentence() -> None:
+    first = next(iter(Voice("en-us").speak("a" * 1_000_000)))
+    assert len(first.text) <= 400
