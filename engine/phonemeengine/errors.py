@@ -68,10 +68,6 @@ class ExportError(MouthError):
     """Speech cannot be written in the form that was asked for."""
 
 
-class SpeechError(EngineError, ValueError):
-    """A text cannot be spoken as it was asked for."""
-
-
 class MeshError(EngineError, ValueError):
     """A mesh, or movestates, cannot be used, or their file."""
 

@@ -75,6 +75,17 @@ def test_a_recording_is_said_when_its_labels_say(tmp_path: Path) -> None:
     assert opened[30] == opened[70] == 0
 
 
+def test_a_voice_that_speaks_chinese_moves_the_mouth_by_letters(tmp_path: Path) -> None:
+    for driver in ("auto", "rules"):
+        export = ["--export", tmp_path / f"{driver}.csv", "--format", "livelink-csv"]
+        spoken("妈妈好。", "--text-driver", driver, *export, *(["--plan", tmp_path / "p.csv"] * (driver == "auto")))
+    with (tmp_path / "p.csv").open(encoding="utf-8", newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["kind"] == "syllable"]
+    assert [(row["sound"], row["letters"]) for row in rows] == [("ma1", "ba"), ("ma5", "ba"), ("hao3", "ga")]
+    assert max(jaw(tmp_path / "auto.csv")) > 0.5
+    assert jaw(tmp_path / "auto.csv") != jaw(tmp_path / "rules.csv")
+
+
 def test_what_is_not_said_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     spoken("我用iPhone。", "--silent", "--plan", "-")
     assert capsys.readouterr().err == "phonemeanalyser: 'iPhone' is no Chinese, and so not said without a voice\n"
@@ -85,7 +96,11 @@ def test_what_is_not_said_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     [
         (["hello", "--silent", "--plan", "-"], "there is no Chinese syllable in the text; write some"),
         (["你好", "--silent"], "there is nothing to write; ask for the plan with --plan"),
-        (["你好", "--plan", "-"], "a text has no voice here; have it said without sound, with --silent"),
+        (["你好", "--plan", "-", "--text-driver", "rules"], "--plan tells of the pinyin mouth; leave --text-driver"),
+        (
+            ["你好", "--silent", "--plan", "-", "-o", "a.wav"],
+            "without a voice there are no sound and labels to write",
+        ),
         (["你好", "--silent", "--export", "a.csv"], "--export and --format go together; name both"),
         (["你好", "--silent", "--plan", "-", "--rate", "11"], "the rate must lie in 0.5..10 syllables per second"),
         (["你好", "--silent", "--plan", "-", "--spring", "1,2"], "a spring is MASS,STIFFNESS,DAMPING, such as"),
