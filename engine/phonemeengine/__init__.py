@@ -124,7 +124,8 @@ _PAGE = {
     # What is refused
     "errors": (
         "AudioError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
-        "MouthError PresetError RecogniserError RecordingError SettingsError TakeError UnknownPhonemeError"
+        "MouthError PresetError RecogniserError RecordingError SettingsError TakeError TextError UnknownPhonemeError "
+        "VoiceError"
     ),
 }
 _ALIASES = {"SOUND_SUFFIXES": "SUFFIXES"}

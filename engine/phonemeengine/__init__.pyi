@@ -30,7 +30,9 @@ from phonemeengine.errors import (
     RecordingError,
     SettingsError,
     TakeError,
+    TextError,
     UnknownPhonemeError,
+    VoiceError,
 )
 from phonemeengine.features.front_end import FrameBlock
 from phonemeengine.features.measure import Features
@@ -189,6 +191,7 @@ __all__ = [
     "Status",
     "TakeError",
     "Templates",
+    "TextError",
     "Thresholds",
     "TimedFrame",
     "Trace",
@@ -198,6 +201,7 @@ __all__ = [
     "UnknownPhonemeError",
     "Variable",
     "VisemeOverride",
+    "VoiceError",
     "WindowFunction",
     "__version__",
     "aligned",

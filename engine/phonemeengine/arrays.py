@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 Float32Array = NDArray[np.float32]
 Float64Array = NDArray[np.float64]
+Int16Array = NDArray[np.int16]
 UInt8Array = NDArray[np.uint8]
 UInt32Array = NDArray[np.uint32]
 Int64Array = NDArray[np.int64]

@@ -12,6 +12,8 @@ EngineError
 ├── MeshError       a mesh, or movestates, that cannot be used
 ├── MouthError      a mouth table that cannot be used
 │   └── ExportError     speech that cannot be written in the form that was asked for
+├── TextError       a text, or a lexicon, that cannot be spoken
+│   └── VoiceError      a voice that cannot be used
 └── CorpusError     labelled recordings that cannot be read
     ├── UnknownPhonemeError names of sounds that stand for no phoneme
     └── TakeError       takes that cannot be kept or used
@@ -68,6 +70,14 @@ class ExportError(MouthError):
 
 class MeshError(EngineError, ValueError):
     """A mesh, or movestates, cannot be used, or their file."""
+
+
+class TextError(EngineError, ValueError):
+    """A text, or a lexicon, cannot be spoken."""
+
+
+class VoiceError(TextError):
+    """A voice cannot be used."""
 
 
 class CorpusError(EngineError, ValueError):

@@ -1,4 +1,4 @@
-"""Where recordings and presets go: folders and free names. The only door to platformdirs."""
+"""Where recordings, presets and copies go: folders and free names. The only door to platformdirs."""
 
 from datetime import datetime
 from pathlib import Path
@@ -29,6 +29,13 @@ def journal_folder() -> Path:
     from platformdirs import user_data_path  # noqa: PLC0415 - takes 15 ms, which only who records should wait for
 
     return user_data_path(FOLDER, appauthor=False) / "unfinished"
+
+
+def cache_folder() -> Path:
+    """Return the folder of what can be made again at any time; it need not exist."""
+    from platformdirs import user_cache_path  # noqa: PLC0415 - as above
+
+    return user_cache_path(FOLDER, appauthor=False)
 
 
 def new_recording_path(folder: Path, suffix: str) -> Path:

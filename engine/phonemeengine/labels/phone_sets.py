@@ -5,6 +5,7 @@ begin with, and an affricate is a closure that ends in friction.
 """
 
 import re
+import unicodedata
 from dataclasses import dataclass
 
 from phonemeengine.labels.label import CORE
@@ -59,24 +60,26 @@ IPA: tuple[Row, ...] = (
     (Phoneme.SCH, AFFRICATE, "tʃ dʒ tɕ dʑ tʂ dʐ ʧ ʤ"),
     (Phoneme.M, CORE, "m mʲ m̩"),
     (Phoneme.M, AMBIGUOUS, "ɱ"),
-    (Phoneme.P, CORE, "p b pʲ bʲ"),
+    (Phoneme.P, CORE, "p b pʲ bʲ ɓ"),
+    (Phoneme.P, AMBIGUOUS, "β"),
     (Phoneme.P, AFFRICATE, "pf"),
-    (Phoneme.A, CORE, "a ɑ ä ɑ̃"),
-    (Phoneme.A, AMBIGUOUS, "ʌ ɐ ɜ"),
+    (Phoneme.A, CORE, "a ɑ ä ɑ̃ ã"),
+    (Phoneme.A, AMBIGUOUS, "ʌ ɐ ɜ ɐ̃ ɶ"),
     (Phoneme.A, DIPHTHONG, "aɪ aʊ ai au aj aw ɑɪ ɑʊ aɪə aʊə"),
     (Phoneme.E, CORE, "e ɛ"),
-    (Phoneme.E, AMBIGUOUS, "æ ə ɘ ɚ ɝ ɛ̃ œ̃"),
+    (Phoneme.E, AMBIGUOUS, "æ ə ɘ ɚ ɝ ɞ ɤ ɛ̃ œ̃ ẽ"),
     (Phoneme.E, DIPHTHONG, "eɪ ei ej eə ɛɪ ɛə"),
     (Phoneme.I, CORE, "i ɪ"),
-    (Phoneme.I, AMBIGUOUS, "ɨ ᵻ"),
+    (Phoneme.I, AMBIGUOUS, "ɨ ᵻ ĩ"),
     (Phoneme.I, DIPHTHONG, "iə ɪə"),
     (Phoneme.O, CORE, "o ɔ"),
     (Phoneme.O, AMBIGUOUS, "ɒ ɔ̃ õ ɵ ø œ"),
     (Phoneme.O, DIPHTHONG, "oʊ ou ow əʊ ɔɪ ɔʏ ɔj ɔø"),
     (Phoneme.U, CORE, "u ʊ"),
-    (Phoneme.U, AMBIGUOUS, "y ʏ ʉ"),
+    (Phoneme.U, AMBIGUOUS, "y ʏ ʉ ɯ ũ"),
     (Phoneme.U, DIPHTHONG, "ʊə uə"),
     (X, CORE, "n n̩ nʲ ɲ ŋ l l̩ lʲ ɫ ʎ ɭ r ɹ ɾ ʁ ʀ rʲ ɻ j w ɥ ʍ h ɦ x χ ç ɣ ʝ t tʲ d dʲ c ɟ k ɡ g q f v ʋ θ ð ʔ"),
+    (X, CORE, "ŋ̩ r̩ ɻ̩ z̩ ɳ ɴ ʈ ɖ ɗ ɬ ɮ r̝ r̝̊ ɽ ɺ ɸ ħ ʕ ɢ ɠ ɰ"),
 )
 
 SAMPA: tuple[Row, ...] = (
@@ -115,6 +118,10 @@ def _table(rows: tuple[Row, ...]) -> dict[str, PhoneClass]:
 
 
 _SILENCES, _ARPABET, _IPA, _SAMPA = (_table(rows) for rows in (SILENCES, ARPABET, IPA, SAMPA))
+_MOST_LETTERS = max(map(len, _IPA))
+_WHOLE = frozenset(name for name, phone_class in _IPA.items() if phone_class.certainty != AFFRICATE)
+_MODIFIERS = frozenset({"Mn", "Lm", "Sk"})
+_SPELT_OTHERWISE = str.maketrans({"ʧ": "tʃ", "ʤ": "dʒ", "ʦ": "ts", "ʣ": "dz", "ɝ": "ɚ", "g": "ɡ"})
 _OWN = {phoneme.label: PhoneClass(phoneme) for phoneme in Phoneme}
 
 
@@ -137,3 +144,29 @@ def phone_classes_in(name: str) -> tuple[PhoneClass | None, PhoneClass | None, P
 def plain_ipa(name: str) -> str:
     """Return a sound of the phonetic alphabet without marks of stress, length and ties."""
     return name.translate(_IPA_MARKS)
+
+
+def ipa_class(symbol: str) -> PhoneClass | None:
+    """Return what a symbol of `split_ipa` means; None for one that nobody knows."""
+    return _IPA.get(symbol)
+
+
+def ipa_phoneme(symbol: str) -> Phoneme:
+    """Return the class of a symbol of `split_ipa`; one that nobody knows is unidentified."""
+    return _IPA[symbol].phoneme if symbol in _IPA else X
+
+
+def split_ipa(name: str) -> tuple[str, ...]:
+    """Return the symbols of IPA that a name is made of, the halves of an affricate apart.
+
+    A diphthong is one symbol, and a letter that nobody knows is one, too. Marks of stress and length, and modifiers
+    that no symbol here has, are left out.
+    """
+    rest = unicodedata.normalize("NFC", name.translate(_IPA_MARKS)).translate(_SPELT_OTHERWISE)
+    symbols = []
+    while rest:
+        known = next((rest[:n] for n in range(_MOST_LETTERS, 0, -1) if rest[:n] in _WHOLE), "")
+        if known or unicodedata.category(rest[0]) not in _MODIFIERS:
+            symbols.append(known or rest[0])
+        rest = rest[len(known) or 1 :]
+    return tuple(symbols)

@@ -1,0 +1,67 @@
+"""What of a text can be spoken: emoji, control characters and the like are taken out, and that is said."""
+
+import re
+import unicodedata
+from dataclasses import dataclass
+
+from phonemeengine.errors import TextError
+
+_EMOJI = re.compile(
+    "[\U0001f000-\U0001fbff\u2300-\u23ff\u25a0-\u27bf\u2b00-\u2bff\u20e3]"
+    "[\U0001f000-\U0001fbff\u2300-\u23ff\u25a0-\u27bf\u2b00-\u2bff\u20e3\u200d\ufe0e\ufe0f\U000e0020-\U000e007f]*"
+)
+_SILENT = frozenset("\u00ad\u200b\u2060\ufeff\u200e\u200f\ufe0e\ufe0f")
+"""Characters of layout, which nobody misses."""
+_UNSPEAKABLE = frozenset({"Cc", "Cf", "Cs", "Co", "Cn"})
+_JOINERS = frozenset("\u200c\u200d")
+"""Of Persian and the scripts of India."""
+_SAMPLE = 40
+
+
+@dataclass(frozen=True)
+class SpeakableText:
+    """A text that a voice can speak.
+
+    Attributes
+    ----------
+    text : what is left.
+    notes : remarks for the user on what was taken out, a sentence each; mostly none.
+    """
+
+    text: str
+    notes: tuple[str, ...] = ()
+
+
+def speakable(text: str) -> SpeakableText:
+    """Return what of a text can be spoken; line ends become ``\\n``.
+
+    Raises
+    ------
+    TextError : nothing is left.
+    """
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").replace("\t", " ")
+    without_emoji, n_emoji = _EMOJI.subn(" ", lines)
+    kept = "".join(c for c in without_emoji if not _is_unspeakable(c))
+    n_others = len(without_emoji) - len(kept) - sum(map(without_emoji.count, _SILENT))
+    n_brackets = kept.count("[[")
+    kept = re.sub(r"\[{2,}", "[", kept)
+    if not any(c.isalnum() for c in kept):
+        raise TextError(f"there is no word to speak in {_shown(text)}; write some")
+    remarks = (
+        (n_emoji, "emoji have no sound and are left out"),
+        (n_others, "control characters and the like have no sound and are left out"),
+        (n_brackets, "[[ would ask for phonemes and is read as ["),
+    )
+    return SpeakableText(kept, tuple(f"{words} ({n} x)" for n, words in remarks if n))
+
+
+def _is_unspeakable(character: str) -> bool:
+    if character in _SILENT:
+        return True
+    return unicodedata.category(character) in _UNSPEAKABLE and character not in _JOINERS and character != "\n"
+
+
+def _shown(text: str) -> str:
+    if not text.strip():
+        return "an empty text"
+    return repr(text[:_SAMPLE]) + ("…" if len(text) > _SAMPLE else "")

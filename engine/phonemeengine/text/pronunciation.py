@@ -1,0 +1,128 @@
+"""How the words of a text are pronounced: by a lexicon first, then by pinyin, then by the voice of their language."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from phonemeengine.errors import TextError
+from phonemeengine.text import espeak
+from phonemeengine.text.clauses import clauses_of
+from phonemeengine.text.cleaning import speakable
+from phonemeengine.text.espeak import Language, language_of, phone_names, symbols_of
+from phonemeengine.text.lexicon import Lexicon
+from phonemeengine.text.syllables import SpokenSyllable, syllables_of
+
+BREAK = "\u200b"
+"""Before each word, it keeps the voice from melting words together, such as *of the*; nobody hears it."""
+
+MARKS = ".,;:!?…\"“”„‚‘’'«»‹›()[]{}<>¿¡—–-。！？；：，、「」『』（）《》·*_~|/\\"
+"""What stands around words and is not part of them."""
+
+
+@dataclass(frozen=True)
+class Pronunciation:
+    """A way to pronounce a word: its syllables, at least one."""
+
+    syllables: tuple[SpokenSyllable, ...]
+
+    @property
+    def phones(self) -> tuple[str, ...]:
+        """Its phones, symbols of IPA; the halves of an affricate are two."""
+        return tuple(phone for syllable in self.syllables for phone in syllable.phones)
+
+
+@dataclass(frozen=True)
+class ScriptWord:
+    """A word of a script.
+
+    Attributes
+    ----------
+    text : as it is written, without the marks around it.
+    pronunciations : the likeliest first: as it is said in its clause, then alone; or as a lexicon has it. At least
+        one.
+    """
+
+    text: str
+    pronunciations: tuple[Pronunciation, ...]
+
+
+def words_of(text: str, language: str | None, lexicon: Lexicon | None = None) -> tuple[ScriptWord, ...]:
+    """Return the words of a text, in order, and how they are pronounced.
+
+    Numbers, dates and abbreviations are read as the voice of the language reads them.
+
+    Parameters
+    ----------
+    text : of any length; what nobody can speak is left out, see `speakable`.
+    language : such as ``en-us`` or ``de``; see `espeak.languages`.
+    lexicon : goes before the voice.
+
+    Raises
+    ------
+    TextError : there is nothing to speak, or no such language.
+    VoiceError : the library of voices is missing or broken.
+    """
+    reader = _Reader(language_of(language), lexicon or Lexicon())
+    clauses = clauses_of(speakable(text).text)
+    words = tuple(word for clause in clauses for word in reader.words_of(clause))
+    if not words:
+        raise TextError(f"the voice of {language} has no sounds for this text; check its language")
+    return words
+
+
+class _Reader:
+    """Reads clauses of one language, and remembers how words are pronounced that stand alone."""
+
+    def __init__(self, language: Language, lexicon: Lexicon) -> None:
+        self._language = language
+        self._lexicon = lexicon
+        self._alone: dict[str, tuple[str, ...]] = {}
+
+    def words_of(self, clause: str) -> Iterator[ScriptWord]:
+        tokens = clause.split()
+        for token, names in zip(tokens, self._names_of(tokens), strict=True):
+            text = token.strip(MARKS) or token
+            variants = self._lexicon.pronunciations.get(text.casefold()) or _distinct(
+                [syllables_from(names), syllables_from(self._names_alone(token))]
+            )
+            if variants:
+                yield ScriptWord(text, tuple(map(Pronunciation, variants)))
+
+    def _names_of(self, tokens: Sequence[str]) -> list[tuple[str, ...]]:
+        """Return what each word is called in its clause, or alone, where it cannot be told which is which."""
+        spoken = self._spoken(" ".join(BREAK + token for token in tokens))
+        alone = [self._names_alone(token) for token in tokens]
+        if sum(map(len, alone)) != len(spoken):
+            return alone
+        rest = iter(spoken)
+        return [tuple(next(rest) for _ in names) for names in alone]
+
+    def _names_alone(self, token: str) -> tuple[str, ...]:
+        if token not in self._alone:
+            self._alone[token] = self._spoken(token)
+        return self._alone[token]
+
+    def _spoken(self, text: str) -> tuple[str, ...]:
+        return tuple(name for name in phone_names(text, self._language).split() if symbols_of(name))
+
+
+def syllables_from(names: Sequence[str]) -> tuple[SpokenSyllable, ...]:
+    """Return the syllables of a word from what the voice calls its parts; none for a pause."""
+    return tuple(syllable for name in names for syllable in _syllables_of(name))
+
+
+def _syllables_of(name: str) -> tuple[SpokenSyllable, ...]:
+    phones: list[str] = []
+    stresses: list[int] = []
+    for part in name.split(espeak.SEPARATOR):
+        symbols = symbols_of(part)
+        phones += symbols
+        stresses += [espeak.stress_of(part)] * len(symbols)
+    return syllables_of(phones, stresses) if phones else ()
+
+
+def _distinct(variants: Sequence[tuple[SpokenSyllable, ...]]) -> list[tuple[SpokenSyllable, ...]]:
+    """Return variants that differ in more than stress."""
+    by_phones: dict[tuple[str, ...], tuple[SpokenSyllable, ...]] = {}
+    for variant in filter(None, variants):
+        by_phones.setdefault(tuple(phone for syllable in variant for phone in syllable.phones), variant)
+    return list(by_phones.values())
