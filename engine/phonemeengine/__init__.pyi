@@ -1,5 +1,6 @@
 """The types of the page in ``__init__.py``, for type checkers and editors."""
 
+from phonemeengine.alignment.align import align
 from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, recognise_window
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
@@ -12,7 +13,7 @@ from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder,
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_recordings
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions, score
 from phonemeengine.calibration.scores.scoring import Scores
-from phonemeengine.calibration.sentences import SENTENCES, Sentence, SpokenPhone
+from phonemeengine.calibration.sentences import SENTENCES, Sentence
 from phonemeengine.calibration.takes.room_noise import ConfidenceInterval, SilenceAccuracy
 from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
 from phonemeengine.errors import (
@@ -40,6 +41,7 @@ from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.labels.label import Label
 from phonemeengine.labels.phone_sets import PhoneClass
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
@@ -90,6 +92,9 @@ from phonemeengine.settings import (
     Filter,
     WindowFunction,
 )
+from phonemeengine.text.lexicon import Lexicon, load_lexicon
+from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, words_of
+from phonemeengine.text.syllables import SpokenSyllable
 
 __all__ = [
     "BIN_WIDTH",
@@ -139,6 +144,7 @@ __all__ = [
     "Latency",
     "Layer",
     "Level",
+    "Lexicon",
     "Listener",
     "Material",
     "Mesh",
@@ -161,6 +167,7 @@ __all__ = [
     "OscMouth",
     "OutputHead",
     "Performer",
+    "Phone",
     "PhoneClass",
     "Phoneme",
     "PhonemeData",
@@ -169,6 +176,7 @@ __all__ = [
     "Preset",
     "PresetError",
     "Progress",
+    "Pronunciation",
     "Reading",
     "Recogniser",
     "RecogniserConfig",
@@ -180,6 +188,7 @@ __all__ = [
     "Rule",
     "RuleComparison",
     "Scores",
+    "ScriptWord",
     "Segment",
     "Sentence",
     "SettingsError",
@@ -187,8 +196,9 @@ __all__ = [
     "Sound",
     "SoundReader",
     "Spectrum",
-    "SpokenPhone",
+    "SpokenSyllable",
     "Status",
+    "Syllable",
     "TakeError",
     "Templates",
     "TextError",
@@ -199,11 +209,14 @@ __all__ = [
     "TransitionTimes",
     "Tuning",
     "UnknownPhonemeError",
+    "Utterance",
     "Variable",
     "VisemeOverride",
     "VoiceError",
     "WindowFunction",
+    "Word",
     "__version__",
+    "align",
     "aligned",
     "analyse_blocks",
     "calibrate",
@@ -213,6 +226,7 @@ __all__ = [
     "export",
     "high_pass_gains",
     "load_head",
+    "load_lexicon",
     "load_morph_mesh",
     "load_morph_targets",
     "load_phoneme_map",
@@ -232,6 +246,7 @@ __all__ = [
     "score",
     "timed_frames",
     "transcribe",
+    "words_of",
 ]
 
 __version__: str

@@ -10,7 +10,8 @@ from enum import IntEnum
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.labels.phone_sets import plain_ipa
+from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import WINDOW
 
 HEARD = slice(WINDOW // 2 - 330, WINDOW // 2 + 331)
@@ -42,13 +43,12 @@ class Manner(IntEnum):
 
 
 CONSONANTS: dict[Manner, str] = {
-    Manner.STOP: "p b pʲ bʲ pf t d tʲ dʲ k ɡ g kʲ ɡʲ c ɟ q ʔ",
-    Manner.NASAL: "m mʲ m̩ ɱ n n̩ nʲ ɲ ŋ",
-    Manner.APPROXIMANT: "l l̩ lʲ ɫ ʎ ɭ r ɹ ɾ ʁ ʀ rʲ ɻ j w ɥ ʍ v ʋ ð",
-    Manner.FRICATIVE: "f θ h ɦ x χ ç ɣ ʝ",
-    Manner.SIBILANT: "s z sʲ zʲ s̪ z̪ ʃ ʒ ʂ ʐ ʃʲ ɕ ʑ",
+    Manner.STOP: "p b pʲ bʲ pf ɓ t d tʲ dʲ ʈ ɖ ɗ k ɡ g kʲ ɡʲ ɠ c ɟ q ɢ ʔ",
+    Manner.NASAL: "m mʲ m̩ ɱ n n̩ nʲ ɲ ŋ ŋ̩ ɳ ɴ",
+    Manner.FRICATIVE: "f θ h ɦ x χ ç ɣ ʝ ɸ β ħ ʕ ɬ ɮ r̝ r̝̊",
+    Manner.SIBILANT: "s z sʲ zʲ s̪ z̪ z̩ ʃ ʒ ʂ ʐ ʃʲ ɕ ʑ",
 }
-"""The consonants of each manner; all other sounds are vowels."""
+"""The consonants of each manner; unidentified sounds that are not among them are approximants, all others vowels."""
 
 _MANNERS = {ipa: manner for manner, names in CONSONANTS.items() for ipa in names.split()}
 
@@ -115,7 +115,7 @@ MANNERS: dict[Manner, tuple[Blob, ...]] = {
 
 def manner_of(ipa: str) -> Manner:
     """Return how a sound is made, by its symbol in the phonetic alphabet."""
-    return _MANNERS.get(plain_ipa(ipa), Manner.VOWEL)
+    return _MANNERS.get(ipa) or (Manner.APPROXIMANT if ipa_phoneme(ipa) is Phoneme.UNIDENTIFIED else Manner.VOWEL)
 
 
 def levels_of(windows: Float32Array) -> Float32Array:

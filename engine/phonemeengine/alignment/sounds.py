@@ -3,8 +3,7 @@
 from dataclasses import dataclass
 
 from phonemeengine.alignment.manners import Manner, manner_of
-from phonemeengine.errors import CorpusError
-from phonemeengine.labels.phone_sets import phone_classes_in, plain_ipa
+from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.phonemes import VOWELS, Phoneme
 
 LEAST_FRAMES: dict[Manner, int] = {
@@ -46,31 +45,16 @@ KINDS: tuple[SoundKind, ...] = (
 """All of them; silence is the first."""
 
 _NUMBERS = {kind: k for k, kind in enumerate(KINDS)}
+_BY_PHONEME = {kind.phoneme: k for k, kind in enumerate(KINDS)}
+"""For sounds that are made otherwise than those of their phoneme usually are."""
 
 
 def kind_of(ipa: str) -> int:
-    """Return the number of the kind of a sound, by its symbol in the phonetic alphabet.
-
-    Raises
-    ------
-    CorpusError : it is no such symbol.
-    """
-    return _NUMBERS[SoundKind(phoneme_of(ipa), manner_of(ipa))]
-
-
-def phoneme_of(ipa: str) -> Phoneme:
-    """Return the phoneme that a sound counts as, by its symbol in the phonetic alphabet.
-
-    Raises
-    ------
-    CorpusError : it is no such symbol.
-    """
-    sense = phone_classes_in(ipa)[1]
-    if sense is None:
-        raise CorpusError(f"{ipa!r:.40} is no sound of the phonetic alphabet; spell the words with those of IPA")
-    return sense.phoneme
+    """Return the number of the kind of a sound, by its symbol in the phonetic alphabet."""
+    phoneme, manner = ipa_phoneme(ipa), manner_of(ipa)
+    return _NUMBERS.get(SoundKind(phoneme, manner)) or _BY_PHONEME[phoneme]
 
 
 def least_frames_of(ipa: str) -> int:
     """Return how many frames a sound lasts at least in speech that is not hurried."""
-    return LEAST_SHORT if plain_ipa(ipa) in SHORT else LEAST_FRAMES[manner_of(ipa)]
+    return LEAST_SHORT if ipa in SHORT else LEAST_FRAMES[manner_of(ipa)]

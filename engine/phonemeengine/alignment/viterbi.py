@@ -51,7 +51,7 @@ class LeastFrames:
     strange: int = 10
 
 
-class Step(NamedTuple):
+class WayStep(NamedTuple):
     """A piece of a way: frames first..last-1.
 
     `sound` is the number of a sound of the lattice, or `NOWHERE` for silence and what the text does not hold, where
@@ -75,7 +75,7 @@ SOUND = 0
 class Way:
     """The cheapest way: its steps in order of time, and its cost."""
 
-    steps: tuple[Step, ...]
+    steps: tuple[WayStep, ...]
     cost: float
 
 
@@ -107,12 +107,10 @@ class _Search:
         self._reached = np.full((n + 1, n_junctions), -np.inf)
         self._whence = np.zeros((n + 1, n_junctions), np.uint8)
         strange = np.full((n, 1), -prices.strange_frame)
-        self._runs = _Runs(
-            (shortfalls[:, lattice.columns], lattice.before, least.sounds, 0.0),
-            (shortfalls[:, :1], np.arange(n_junctions), least.silence, prices.silence),
-            (strange, np.arange(lattice.n_words + 1), least.strange, prices.strange),
-        )
-        self._block = int(self._runs.least.min())
+        self._sounds = _Runs(shortfalls[:, lattice.columns], lattice.before, least.sounds, 0.0)
+        self._pauses = _Runs(shortfalls[:, :1], np.arange(n_junctions), np.array([least.silence]), prices.silence)
+        self._strays = _Runs(strange, np.arange(lattice.n_words + 1), np.array([least.strange]), prices.strange)
+        self._block = int(min(*least.sounds, least.silence, least.strange))
 
     def run(self) -> None:
         self._reached[0, 0] = 0.0
@@ -121,7 +119,9 @@ class _Search:
             self._advance(slice(first, min(first + self._block, self._n + 1)))
 
     def _advance(self, frames: slice) -> None:
-        said, paused, strayed = self._runs.extend(frames, self._reached)
+        said, paused, strayed = (
+            runs.extend(frames, self._reached) for runs in (self._sounds, self._pauses, self._strays)
+        )
         reached, whence = self._reached[frames], self._whence[frames]
         first, *others = self._lattice.arrivals
         np.take(said, first, axis=1, out=reached, mode="wrap")
@@ -148,71 +148,66 @@ class _Search:
         cost = -float(self._reached[-1, end])
         return Way(tuple(reversed([*self._steps_back_from(end)])), cost) if np.isfinite(cost) else None
 
-    def _steps_back_from(self, junction: int) -> Iterator[Step]:
-        lattice, frame, n_sounds = self._lattice, self._n, len(self._lattice.columns)
+    def _steps_back_from(self, junction: int) -> Iterator[WayStep]:
+        lattice, frame = self._lattice, self._n
         while frame or junction:
             whence = int(self._whence[frame, junction])
             if whence == SKIPPED:
                 junction -= 1
-                yield Step(frame, frame, SKIPPED, junction)
+                yield WayStep(frame, frame, SKIPPED, junction)
                 continue
             if whence == SILENT:
-                step = Step(self._runs.begin_of(frame, n_sounds + junction), frame, SILENT, NOWHERE)
+                step = WayStep(self._pauses.begin_of(frame, junction), frame, SILENT, NOWHERE)
             elif whence == STRANGE:
-                n_before = n_sounds + lattice.arrivals.shape[1]
-                step = Step(self._runs.begin_of(frame, n_before + junction), frame, STRANGE, NOWHERE)
+                step = WayStep(self._strays.begin_of(frame, junction), frame, STRANGE, NOWHERE)
             else:
                 sound = int(lattice.arrivals[whence, junction])
-                step = Step(self._runs.begin_of(frame, sound), frame, SOUND, sound)
+                step = WayStep(self._sounds.begin_of(frame, sound), frame, SOUND, sound)
                 junction = int(lattice.before[sound])
             yield step
             frame = step.first
 
 
-Part = tuple[Float64Array, IndexArray, IndexArray | int, float]
-"""States of one sort: their scores in each frame, shape (n_frames, n_states) or (n_frames, 1), the junctions from
-which they are entered, how many frames they last at least, and the price of entering one."""
-
-
 class _Runs:
-    """States that last: how good they are, and when each was entered best, as the frames go by."""
+    """States of one sort that last: how good they are, and when each was entered best, as the frames go by.
 
-    def __init__(self, *parts: Part) -> None:
-        ends = np.cumsum([len(at) for _, at, _, _ in parts]).tolist()
-        self._parts = [slice(first, end) for first, end in zip([0, *ends], ends, strict=False)]
-        self._at = np.concatenate([at for _, at, _, _ in parts])
-        self.least = np.concatenate([np.broadcast_to(least, at.shape) for _, at, least, _ in parts])
-        prices = np.concatenate([np.full(len(at), price) for _, at, _, price in parts])
-        n = len(parts[0][0])
-        self._sums = np.zeros((n + 1, len(self._at)))
-        np.cumsum(
-            np.concatenate([np.broadcast_to(s, (n, len(at))) for s, at, _, _ in parts], axis=1),
-            axis=0,
-            out=self._sums[1:],
+    Parameters
+    ----------
+    scores : in each frame, shape (n_frames, n_states), or (n_frames, 1) where all have the same.
+    at : the junctions from which they are entered, shape (n_states,).
+    least : frames that they last at least, shape (n_states,), or (1,) where all have the same.
+    price : of entering one.
+    """
+
+    def __init__(self, scores: Float64Array, at: IndexArray, least: IndexArray, price: float) -> None:
+        self._at, self._least = at, least
+        self._sums = np.zeros((len(scores) + 1, scores.shape[1]))
+        np.cumsum(scores, axis=0, out=self._sums[1:])
+        begun = np.maximum(np.arange(len(self._sums))[:, np.newaxis] - least, 0)
+        self._before = np.take_along_axis(self._sums, begun, axis=0) + price
+        self._best = np.full((1, len(at)), -np.inf)
+        self._entered = np.zeros((len(self._sums), len(at)), bool)
+
+    def extend(self, frames: slice, reached: Float64Array) -> Float64Array:
+        """Return the scores of those that may end with each frame, shape (n_frames, n_states)."""
+        begun = np.arange(frames.start, frames.stop)[:, np.newaxis] - self._least
+        best = np.empty((len(begun) + 1, len(self._at)))
+        best[:1] = self._best
+        np.subtract(
+            reached.take(begun * reached.shape[1] + self._at, mode="clip"), self._before[frames], out=best[1:]
         )
-        begun = np.maximum(np.arange(n + 1)[:, np.newaxis] - self.least, 0)
-        self._before = np.take_along_axis(self._sums, begun, axis=0) + prices
-        self._best = np.full((1, len(self._at)), -np.inf)
-        self._entered = np.zeros(self._sums.shape, bool)
-
-    def extend(self, frames: slice, reached: Float64Array) -> list[Float64Array]:
-        """Return, for each part, the scores of those that may end with each frame, shape (n_frames, n_states)."""
-        begun = np.arange(frames.start, frames.stop)[:, np.newaxis] - self.least
-        entering = reached.take(begun * reached.shape[1] + self._at, mode="clip")
-        entering -= self._before[frames]
         if frames.start < LONGEST_LEAST:
-            entering[begun < 0] = -np.inf
-        best = np.concatenate([self._best, entering])
+            best[1:][np.broadcast_to(begun < 0, best[1:].shape)] = -np.inf
         np.maximum.accumulate(best, axis=0, out=best)
         np.greater(best[1:], best[:-1], out=self._entered[frames])
         self._best = best[-1:]
-        ended = best[1:] + self._sums[frames]
-        return [ended[:, part] for part in self._parts]
+        ended: Float64Array = best[1:] + self._sums[frames]
+        return ended
 
     def begin_of(self, frame: int, state: int) -> int:
         """Return the frame with which a run begins that ends before `frame`."""
         back = int(self._entered[frame::-1, state].argmax())
-        return frame - back - int(self.least[state])
+        return frame - back - int(self._least[state % len(self._least)])
 
 
 def _improve(reached: Float64Array, whence: UInt8Array, scores: Float64Array, kind: int) -> None:

@@ -136,14 +136,9 @@ def phone_classes_in(name: str) -> tuple[PhoneClass | None, PhoneClass | None, P
     spelt = name.upper() if name.islower() and name.isascii() else name
     return (
         _ARPABET.get(_STRESS.sub("", spelt)),
-        _IPA.get(plain_ipa(name)),
+        _IPA.get(name.translate(_IPA_MARKS)),
         _SAMPA.get(_SAMPA_MARKS.sub("", name)),
     )
-
-
-def plain_ipa(name: str) -> str:
-    """Return a sound of the phonetic alphabet without marks of stress, length and ties."""
-    return name.translate(_IPA_MARKS)
 
 
 def ipa_class(symbol: str) -> PhoneClass | None:

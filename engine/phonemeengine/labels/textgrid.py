@@ -7,7 +7,7 @@ praatio and textgrid give a cut-off file as if it were whole, or leave out stret
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from phonemeengine.errors import CorpusError
@@ -23,10 +23,11 @@ _WORD = re.compile(
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|nan|inf(?:inity)?)", re.IGNORECASE | re.ASCII)
 
 Interval = tuple[float, float, str]
+"""Start and end, seconds, and the text."""
 
 owns = begins_like(
-    b"%sxmin = 0 \nxmax = [0-9.]+ \ntiers\\? <exists> \nsize = [12] \nitem \\[\\]: \n    item \\[1\\]: \n"
-    b'        class = "IntervalTier" \n        name = "phonemes" \n' % _HEADER.encode()
+    b"%sxmin = 0 \nxmax = [0-9.]+ \ntiers\\? <exists> \nsize = [123] \nitem \\[\\]: \n    item \\[1\\]: \n"
+    b'        class = "IntervalTier" \n        name = "(?:phonemes|words)" \n' % _HEADER.encode()
 )
 """Whether the content of a file is a long TextGrid as it was written here: what Praat saves has no space after the
 number of an item."""
@@ -74,7 +75,11 @@ def format_textgrid(labels: Sequence[Label], duration: float, *, short: bool = F
     tiers = {"phonemes": [(label.start, label.end, label.phoneme.label) for label in labels]}
     if any(label.phone != label.phoneme.label for label in labels):
         tiers["phones"] = [(label.start, label.end, label.phone) for label in labels]
-    end = max([duration, *(label.end for label in labels)])
+    return format_tiers(tiers, max([duration, *(label.end for label in labels)]), short=short)
+
+
+def format_tiers(tiers: Mapping[str, Sequence[Interval]], end: float, *, short: bool = False) -> str:
+    """Write tiers of stretches, by name, as the text of a TextGrid that ends at `end` seconds."""
     lines = list(_lines(tiers, end))
     if short:
         return _HEADER + "".join(f"{value}\n" for _, value in lines if value is not None)
@@ -160,7 +165,7 @@ def _next_label(words: _Words, kind: str, place: str) -> RawLabel:
     return RawLabel(start, end, words.text(f"the name of {place}").strip(), place)
 
 
-def _lines(tiers: dict[str, list[Interval]], end: float) -> Iterator[tuple[str, str | None]]:
+def _lines(tiers: Mapping[str, Sequence[Interval]], end: float) -> Iterator[tuple[str, str | None]]:
     """Return what stands in front of each value in the long format, and the value; None where there is none."""
     yield "xmin = ", "0"
     yield "xmax = ", _seconds(end)
@@ -182,7 +187,7 @@ def _lines(tiers: dict[str, list[Interval]], end: float) -> Iterator[tuple[str, 
             yield "            text = ", _quoted(text)
 
 
-def _filled(stretches: list[Interval], end: float) -> Iterator[tuple[str, str, str]]:
+def _filled(stretches: Sequence[Interval], end: float) -> Iterator[tuple[str, str, str]]:
     """Return stretches that follow each other from 0 to the end, with empty ones in between."""
     at = "0"
     for first, last, text in [*((_seconds(a), _seconds(b), text) for a, b, text in stretches)]:

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from phonemeengine.alignment.evidence import SHARES, Evidence, shortfalls_of
-from phonemeengine.alignment.manners import MANNERS, Manner, levels_of, log_likelihoods, manner_of, measured_of
+from phonemeengine.alignment.manners import MANNERS, Manner, levels_of, log_likelihoods, measured_of
 from phonemeengine.alignment.sounds import KINDS, kind_of, least_frames_of
-from phonemeengine.errors import CorpusError
-from phonemeengine.labels.phone_sets import IPA
+from phonemeengine.labels.phone_sets import IPA, ipa_phoneme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import HOP, WINDOW
 from tests.sounds import noise, silence, tone
@@ -17,19 +16,15 @@ EVERY_SOUND = [name for _, certainty, names in IPA if certainty != "affricate" f
 
 @pytest.mark.parametrize("ipa", EVERY_SOUND)
 def test_every_sound_of_the_phonetic_alphabet_is_listened_for(ipa: str):
-    assert KINDS[kind_of(ipa)].manner is manner_of(ipa) is not Manner.SILENCE
+    kind = KINDS[kind_of(ipa)]
+    assert kind.phoneme is ipa_phoneme(ipa)
+    assert kind.manner is not Manner.SILENCE
     assert 3 <= least_frames_of(ipa) <= 6
 
 
-def test_marks_of_length_and_stress_change_nothing():
-    assert kind_of("ˈaː") == kind_of("a")
-    assert manner_of("nː") is Manner.NASAL
-    assert least_frames_of("əː") == least_frames_of("ə")
-
-
-def test_what_is_no_sound_is_refused():
-    with pytest.raises(CorpusError, match="'qqq' is no sound of the phonetic alphabet"):
-        kind_of("qqq")
+def test_a_sound_that_nobody_knows_is_listened_for_as_an_unidentified_one():
+    kind = KINDS[kind_of("𝕏")]
+    assert (kind.phoneme, kind.manner) == (Phoneme.UNIDENTIFIED, Manner.APPROXIMANT)
 
 
 def test_shares_of_phonemes_are_shares():

@@ -13,8 +13,8 @@ from phonemeengine.alignment.viterbi import (
     STRANGE,
     LeastFrames,
     Prices,
-    Step,
     Way,
+    WayStep,
     cheapest_way,
 )
 
@@ -145,4 +145,4 @@ def test_no_way_is_cheaper_than_the_one_that_is_found(seed: int, columns: list[i
     assert way.cost == pytest.approx(cost)
     said = -sum(scores[step.first : step.last, lattice.columns[step.sound]].sum() for step in way.steps)
     assert said == pytest.approx(cost)
-    assert all(isinstance(step, Step) and step.last - step.first >= least for step in way.steps)
+    assert all(isinstance(step, WayStep) and step.last - step.first >= least for step in way.steps)
