@@ -54,7 +54,7 @@ def align(
 
 
 def align_analyses(
-    analyses: Iterable[Analysis], words: Sequence[ScriptWord], duration: float, language: str
+    analyses: Iterable[Analysis], words: Sequence[ScriptWord], duration: float, language: str = ""
 ) -> Utterance:
     """Return where words are in a sound of `duration` seconds, from its consecutive analyses; see `align`."""
     n_frames = math.ceil(duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound

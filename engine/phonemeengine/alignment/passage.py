@@ -152,5 +152,5 @@ def _calmed(kinds: IndexArray) -> IndexArray:
 
 
 def _phone_at(begin: int, end: int, ipa: str, phoneme: Phoneme, shortfalls: Float64Array, first: int) -> Phone:
-    score = -float(shortfalls[begin:end].mean())
+    score = abs(float(shortfalls[begin:end].mean()))
     return Phone((first + begin) * FRAME_PERIOD, (first + end) * FRAME_PERIOD, ipa, phoneme, score)

@@ -46,7 +46,7 @@ def aligned(samples: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
     duration = len(samples) / SAMPLE_RATE
     if duration < LEAST_FRAMES * len(sentence.sounds) * FRAME_PERIOD:
         raise TakeError("what was heard is too short for this sentence; read all of it, without haste")
-    found = align_analyses(analyse_blocks([samples], _judge()), sentence.words, duration, "")
+    found = align_analyses(analyse_blocks([samples], _judge()), sentence.words, duration)
     if found.skipped or any(word.text == UNKNOWN_WORD for word in found.words):
         raise TakeError("what was heard is not this sentence; read it again, as it stands there, without haste")
     return labels_of(found)

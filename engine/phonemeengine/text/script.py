@@ -1,0 +1,120 @@
+"""Scripts: the words that are said in sounds, in a file of their own.
+
+A text file holds the words of one sound, or, for a folder, a table: in each line the name of a sound, a tab, and what
+is said in it. Lines of the same sound follow each other in it.
+"""
+
+import os
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from phonemeengine.errors import TextError
+from phonemeengine.files import printable, printable_name, read_text_file
+
+LARGEST = 64 << 20
+"""Bytes of a script at most."""
+_SHOWN = 5
+_AUDACITY = re.compile(r"\s*\d+([.,]\d+)?\t\d+([.,]\d+)?\t")
+
+
+@dataclass(frozen=True)
+class Script:
+    """What is said in sounds.
+
+    Attributes
+    ----------
+    name : of its file, for people.
+    text : what is said in the one sound; empty where there is a table.
+    texts : by the name of a sound, as the table has it.
+    """
+
+    name: str
+    text: str = ""
+    texts: Mapping[str, str] = field(default_factory=dict)
+
+    def texts_of(self, sounds: Sequence[Path]) -> tuple[dict[Path, str], tuple[str, ...]]:
+        """Return what is said in each sound, and remarks on sounds without text, and texts without sound.
+
+        A sound is found by its path, its name, or its name without ending.
+
+        Raises
+        ------
+        TextError : not one sound has a text, or there are several and the script is of one.
+        """
+        if not self.texts:
+            return self._only(sounds), ()
+        keys = {sound: self._key_of(sound) for sound in sounds}
+        texts = {sound: self.texts[key] for sound, key in keys.items() if key is not None}
+        if not texts:
+            raise TextError(
+                f"{self.name}: there is no text in it for {_listed(sound.name for sound in sounds)}; a line holds "
+                "the name of a sound, a tab and its words"
+            )
+        unsaid = [sound.name for sound in sounds if keys[sound] is None]
+        unheard = [key for key in self.texts if key not in keys.values()]
+        notes = [f"there is no text for {_listed(unsaid)}; add a line for each"] if unsaid else []
+        notes += [f"there is no sound {_listed(unheard)}; name them as the sounds are"] if unheard else []
+        return texts, tuple(notes)
+
+    def _only(self, sounds: Sequence[Path]) -> dict[Path, str]:
+        if len(sounds) != 1:
+            raise TextError(
+                f"{self.name}: it holds the words of one sound, and there are {len(sounds)}; write a table with the "
+                "name of a sound, a tab and its words in each line"
+            )
+        return {sounds[0]: self.text}
+
+    def _key_of(self, sound: Path) -> str | None:
+        ends = ["/".join(sound.parts[-k:]) for k in range(len(sound.parts), 0, -1)]
+        candidates = (*ends, *(end.removesuffix(sound.suffix) for end in ends))
+        return next((name for name in candidates if name in self.texts), None)
+
+
+def load_script(path: str | os.PathLike[str]) -> Script:
+    """Load a script: the words of one sound, or a table.
+
+    Raises
+    ------
+    TextError : it cannot be read, or is empty, or only some of its lines are a table's.
+    """
+    path = Path(path)
+    name, text = printable_name(path), read_text_file(path, LARGEST, "a script", TextError)
+    lines = [(number, line) for number, line in enumerate(text.split("\n"), 1) if line.strip()]
+    if not lines:
+        raise TextError(f"{name}: there is no word in it; write what is said")
+    odd = next((number for number, line in lines if "\t" not in line), None)
+    if odd == lines[0][0]:
+        return Script(name, text)
+    if odd is not None:
+        raise TextError(f"{name}, line {odd}: a table has the name of a sound, a tab and its words; add the tab")
+    texts: dict[str, list[str]] = {}
+    for _, line in lines:
+        sound, _, words = line.partition("\t")
+        texts.setdefault(sound.strip().replace("\\", "/"), []).append(words.replace("\t", " ").strip())
+    return Script(name, "", {sound: "\n".join(words) for sound, words in texts.items()})
+
+
+def script_beside(sound: Path) -> Script | None:
+    """Return the script ``x.txt`` beside a sound ``x.wav``; None where there is none, or Audacity's labels are there.
+
+    Raises
+    ------
+    TextError : it cannot be read, or is empty.
+    """
+    path = sound.with_suffix(".txt")
+    if not path.is_file():
+        return None
+    text = read_text_file(path, LARGEST, "a script", TextError)
+    if _AUDACITY.match(text):
+        return None
+    if not text.strip():
+        raise TextError(f"{printable_name(path)}: there is no word in it; write what is said")
+    return Script(printable_name(path), text)
+
+
+def _listed(names: Iterable[str]) -> str:
+    shown = [printable(name) for name in names]
+    more = f" and {len(shown) - _SHOWN} more" if len(shown) > _SHOWN else ""
+    return ", ".join(shown[:_SHOWN]) + more
