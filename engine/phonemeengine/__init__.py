@@ -131,6 +131,11 @@ _PAGE = {
     "recognition.spec": "Recogniser RecogniserConfig RecogniserSpec Tuning",
     "recognition.recognition": "Recognition",
     "recognition.trace": "RuleComparison Trace",
+    # What is said in a sound, by its script
+    "alignment.align": "align",
+    "text.lexicon": "Lexicon load_lexicon",
+    "text.pronunciation": "Pronunciation ScriptWord words_of",
+    "text.syllables": "SpokenSyllable",
     # A text, as a voice says it
     "speech.voice": "SpokenSentence Voice speak",
     "text.espeak": "Language languages voices",
@@ -140,7 +145,7 @@ _PAGE = {
     "labels.phoneme_map": "PhonemeMap load_phoneme_map",
     "labels.phone_sets": "PhoneClass",
     "calibration.alignment": "aligned",
-    "calibration.sentences": "SENTENCES Sentence SpokenPhone",
+    "calibration.sentences": "SENTENCES Sentence",
     "calibration.calibrate": "CalibrationResult calibrate",
     "calibration.takes.room_noise": "ConfidenceInterval SilenceAccuracy",
     "calibration.scores.evaluation": "CorpusScores GroupScores Predictions score",

@@ -1,5 +1,6 @@
 """The types of the page in ``__init__.py``, for type checkers and editors."""
 
+from phonemeengine.alignment.align import align
 from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, recognise_window
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
@@ -12,7 +13,7 @@ from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder,
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_recordings
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions, score
 from phonemeengine.calibration.scores.scoring import Scores
-from phonemeengine.calibration.sentences import SENTENCES, Sentence, SpokenPhone
+from phonemeengine.calibration.sentences import SENTENCES, Sentence
 from phonemeengine.calibration.takes.room_noise import ConfidenceInterval, SilenceAccuracy
 from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
 from phonemeengine.errors import (
@@ -100,6 +101,9 @@ from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 from phonemeengine.speech.voice import SpokenSentence, Voice, speak
 from phonemeengine.text.espeak import Language, languages, voices
+from phonemeengine.text.lexicon import Lexicon, load_lexicon
+from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, words_of
+from phonemeengine.text.syllables import SpokenSyllable
 
 __all__ = [
     "BIN_WIDTH",
@@ -151,6 +155,7 @@ __all__ = [
     "Latency",
     "Layer",
     "Level",
+    "Lexicon",
     "Listener",
     "Material",
     "Mesh",
@@ -189,6 +194,7 @@ __all__ = [
     "Preset",
     "PresetError",
     "Progress",
+    "Pronunciation",
     "Reading",
     "Recogniser",
     "RecogniserConfig",
@@ -200,6 +206,7 @@ __all__ = [
     "Rule",
     "RuleComparison",
     "Scores",
+    "ScriptWord",
     "Segment",
     "Sentence",
     "SettingsError",
@@ -207,8 +214,8 @@ __all__ = [
     "Sound",
     "SoundReader",
     "Spectrum",
-    "SpokenPhone",
     "SpokenSentence",
+    "SpokenSyllable",
     "Spring",
     "Status",
     "Syllable",
@@ -230,6 +237,7 @@ __all__ = [
     "WindowFunction",
     "Word",
     "__version__",
+    "align",
     "aligned",
     "analyse_blocks",
     "calibrate",
@@ -241,6 +249,7 @@ __all__ = [
     "high_pass_gains",
     "languages",
     "load_head",
+    "load_lexicon",
     "load_morph_mesh",
     "load_morph_targets",
     "load_phoneme_map",
@@ -266,6 +275,7 @@ __all__ = [
     "transcribe",
     "transcript_of_utterance",
     "voices",
+    "words_of",
 ]
 
 __version__: str

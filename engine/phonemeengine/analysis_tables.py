@@ -3,6 +3,7 @@
 import csv
 import json
 import re
+from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, TextIO
@@ -14,6 +15,9 @@ from phonemeengine.files import JSON_TEXT, Owns, begins_like
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.audacity import format_audacity
 from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Phone, Utterance, Word
+from phonemeengine.labels.utterance_files import format_utterance
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, labels_of_segments, segments_of
@@ -21,6 +25,12 @@ from phonemeengine.settings import FRAME_PERIOD
 
 Writer = Callable[[TextIO, Iterator[Analysis], SoundReader, Preset], None]
 """Writes the consecutive analyses of a sound, with its reader and the preset, into a file."""
+
+WordWriter = Callable[[TextIO, Utterance, Transcript, Preset], None]
+"""Writes what is said in a sound whose words are known into a file, and how loud it is."""
+
+WORD_COLUMNS = (*SEGMENT_COLUMNS, "phone", "word", "score")
+"""The columns of a table of phones."""
 
 
 @dataclass(frozen=True)
@@ -31,12 +41,14 @@ class TableFormat:
     ----------
     ending : of its files, such as ``.csv``.
     write_runs : writes stretches of equal phonemes.
+    write_words : writes words and phones.
     write_frames : writes every frame of 10 ms with its variables; None where the format has no place for them.
     owns : says which files the format wrote; None where those of another program look alike.
     """
 
     ending: str
     write_runs: Writer
+    write_words: WordWriter
     write_frames: Writer | None = None
     owns: Owns | None = None
 
@@ -71,6 +83,51 @@ def _csv_of_frames(file: TextIO, analyses: Iterator[Analysis], reader: SoundRead
 
 def _json_of_frames(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, preset: Preset) -> None:
     _write_json(file, _heading(reader, preset), "frames", _frames(analyses, reader))
+
+
+def _csv_of_words(file: TextIO, utterance: Utterance, transcript: Transcript, _preset: Preset) -> None:
+    rows = csv.writer(file, lineterminator="\n")
+    rows.writerow(WORD_COLUMNS)
+    said = deque((phone, word.text) for word in utterance.words for phone in word.phones)
+    for run in transcript.runs:
+        middle = (run.start + run.end) / 2
+        while said and said[0][0].end <= middle:
+            said.popleft()
+        phone, word = said[0] if said and said[0][0].start <= middle else (None, "")
+        ends = ("", "", "") if phone is None else (phone.ipa, word, _score(phone.score))
+        rows.writerow([*run.row().values(), *ends])
+
+
+def _json_of_words(file: TextIO, utterance: Utterance, transcript: Transcript, preset: Preset) -> None:
+    heading = {"file": transcript.name, "duration_s": _seconds(transcript.duration), "preset": preset.name}
+    words = {"skipped": list(utterance.skipped), "words": [_word_entry(word) for word in utterance.words]}
+    json.dump(heading | words, file, indent=1, ensure_ascii=False)
+    file.write("\n")
+
+
+def _word_entry(word: Word) -> dict[str, Any]:
+    syllables = [{"stress": s.stress, "phones": [_phone_entry(phone) for phone in s.phones]} for s in word.syllables]
+    return {"word": word.text, **_times(word), "syllables": syllables}
+
+
+def _phone_entry(phone: Phone) -> dict[str, Any]:
+    return {"phone": phone.ipa, "phoneme": phone.phoneme.label, **_times(phone)}
+
+
+def _times(said: Word | Phone) -> dict[str, Any]:
+    return {"start_s": _seconds(said.start), "end_s": _seconds(said.end), "score": _score(said.score)}
+
+
+def _score(score: float | None) -> float | None:
+    return None if score is None else round(score, 3)
+
+
+def _textgrid_of_words(file: TextIO, utterance: Utterance, _transcript: Transcript, _preset: Preset) -> None:
+    file.write(format_utterance(utterance))
+
+
+def _audacity_of_words(file: TextIO, utterance: Utterance, _transcript: Transcript, _preset: Preset) -> None:
+    file.write(format_audacity([Label(p.start, p.end, p.ipa, p.phoneme) for p in utterance.phones]))
 
 
 def _write_json(file: TextIO, heading: dict[str, Any], name: str, rows: Iterator[dict[str, Any]]) -> None:
@@ -113,23 +170,24 @@ _RUNS = re.compile(
     b"%s\n(?:[0-9.e-]+,[0-9.e-]+,(?:%s),[0-9.e-]+\n)*"
     % (",".join(SEGMENT_COLUMNS).encode(), "|".join(phoneme.label for phoneme in Phoneme).encode())
 )
+_WORDS = ",".join(WORD_COLUMNS).encode() + b"\n"
 _FRAMES = ",".join([*SEGMENT_COLUMNS, *BUILT_IN_NAMES]).encode() + b","
 
 
 def _owns_csv(content: bytes) -> bool:
     """Take tables with all the columns that were written, and of runs with no other row either."""
-    return content.startswith(_FRAMES) or _RUNS.fullmatch(content) is not None
+    return content.startswith((_FRAMES, _WORDS)) or _RUNS.fullmatch(content) is not None
 
 
 _owns_json = begins_like(
-    rb'\{\n "file": %s,\n "duration_s": [0-9.e-]+,\n "preset": %s,\n "(?:phonemes|frames)": \['
+    rb'\{\n "file": %s,\n "duration_s": [0-9.e-]+,\n "preset": %s,\n "(?:phonemes|frames|skipped)": \['
     % (JSON_TEXT, JSON_TEXT)
 )
 
 TABLES: dict[str, TableFormat] = {
-    "csv": TableFormat(".csv", _csv_of_runs, _csv_of_frames, _owns_csv),
-    "json": TableFormat(".json", _json_of_runs, _json_of_frames, _owns_json),
-    "textgrid": TableFormat(".TextGrid", _textgrid_of_runs, owns=textgrid.owns),
-    "audacity": TableFormat(".txt", _audacity_of_runs),
+    "csv": TableFormat(".csv", _csv_of_runs, _csv_of_words, _csv_of_frames, _owns_csv),
+    "json": TableFormat(".json", _json_of_runs, _json_of_words, _json_of_frames, _owns_json),
+    "textgrid": TableFormat(".TextGrid", _textgrid_of_runs, _textgrid_of_words, owns=textgrid.owns),
+    "audacity": TableFormat(".txt", _audacity_of_runs, _audacity_of_words),
 }
 """What can be written, by the names that the command line has for it."""

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
-from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, add_sounds
+from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, add_script, add_sounds
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, is_single, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
+from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, spoken_texts
 from phonemeengine import Channel, EngineError, Preset, load_preset
 from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
 
@@ -50,6 +51,7 @@ class AnalysisTable:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is analysed, and how that is written."""
     add_sounds(parser)
+    add_script(parser)
     add_preset(parser)
     parser.add_argument("--format", choices=list(TABLES), dest="kind", help="default: as OUT ends, else csv")
     parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
@@ -63,7 +65,10 @@ def run(options: argparse.Namespace) -> int:
     preset = load_preset(options.preset)
     jobs = jobs_of(options.inputs, options.out, table.format.ending)
     guard = Guard(table.format.owns, options.overwrite)
-    return 1 if run_all(jobs, lambda job: _analyse(job, options.channel, preset, table, guard)) else 0
+    texts = spoken_texts(options, [job.source for job in jobs])
+    if texts is not NO_TEXTS and table.features:
+        options.parser.error("--features are of frames, and --text or --script give words; leave one of them out")
+    return 1 if run_all(jobs, lambda job: _analyse(job, options.channel, preset, texts, table, guard)) else 0
 
 
 def kind_for(inputs: list[Path], out: Path | None) -> str:
@@ -73,12 +78,19 @@ def kind_for(inputs: list[Path], out: Path | None) -> str:
     return {form.ending.lower(): kind for kind, form in TABLES.items()}.get(out.suffix.lower(), "csv")
 
 
-def _analyse(job: Job, channel: Channel, preset: Preset, table: AnalysisTable, guard: Guard) -> None:
+def _analyse(
+    job: Job, channel: Channel, preset: Preset, texts: SpokenTexts, table: AnalysisTable, guard: Guard
+) -> None:
     guard.check(job.target)
     with open_sound(job, channel) as reader:
 
         def write(file: TextIO) -> None:
-            table.write(file, analyse_with_progress(reader, preset, pitch=table.features), reader, preset)
+            analyses = analyse_with_progress(reader, preset, pitch=table.features)
+            found = texts.aligned(reader, job.source, analyses)
+            if found is None:
+                table.write(file, analyses, reader, preset)
+            else:
+                table.format.write_words(file, *found, preset)
 
         if job.target is None:
             print_whole(write)

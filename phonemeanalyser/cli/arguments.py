@@ -34,6 +34,16 @@ def add_map(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
 
 
+def add_script(parser: argparse.ArgumentParser) -> None:
+    """Let the user say what is said in the sounds."""
+    known = parser.add_mutually_exclusive_group()
+    known.add_argument("--text", metavar="TEXT", help="what is said in the sound: recognition becomes far more exact")
+    words = "file with it, table with a line FILE<TAB>TEXT for each sound, .TextGrid, or auto: x.txt beside x.wav"
+    known.add_argument("--script", type=Path, metavar="FILE", help=words)
+    parser.add_argument("--language", metavar="L", help="the text's, such as en-us or de")
+    parser.add_argument("--lexicon", type=Path, metavar="FILE", help="how words are pronounced, .toml or .csv")
+
+
 def add_theme(parser: argparse.ArgumentParser) -> None:
     """Let the user choose the colours of a picture."""
     parser.add_argument("--theme", choices=["light", "dark"], default="light")

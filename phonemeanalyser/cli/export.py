@@ -3,14 +3,21 @@
 import argparse
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_overwrite, add_preset, add_sounds, number
+from phonemeanalyser.cli.arguments import (
+    add_channel,
+    add_mouth,
+    add_overwrite,
+    add_preset,
+    add_script,
+    add_sounds,
+    number,
+)
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
+from phonemeanalyser.cli.scripts import SpokenTexts, spoken_texts
 from phonemeengine import FORMATS, Channel, Detail, EngineError, ExportOptions, IdleMotion, Preset, load_preset
-from phonemeengine.files import printable_name
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.mouth.transcript import transcript_of
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -18,6 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _formats()
     add_sounds(parser)
+    add_script(parser)
     parser.add_argument("--format", choices=FORMATS, required=True, dest="kind", metavar="F", help="see below")
     add_preset(parser)
     parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
@@ -38,15 +46,16 @@ def run(options: argparse.Namespace) -> int:
     preset = load_preset(options.preset)
     jobs = jobs_of(options.inputs, options.out, exporter.format.full_ending)
     guard = Guard(exporter.format.owns, options.overwrite)
-    return 1 if run_all(jobs, lambda job: _export(job, options.channel, preset, exporter, guard)) else 0
+    texts = spoken_texts(options, [job.source for job in jobs])
+    return 1 if run_all(jobs, lambda job: _export(job, options.channel, preset, texts, exporter, guard)) else 0
 
 
-def _export(job: Job, channel: Channel, preset: Preset, exporter: Exporter, guard: Guard) -> None:
+def _export(job: Job, channel: Channel, preset: Preset, texts: SpokenTexts, exporter: Exporter, guard: Guard) -> None:
     guard.check(job.target)
     with open_sound(job, channel) as reader:
         pitch = exporter.format.moves_head and exporter.idle.head
         analyses = analyse_with_progress(reader, preset, pitch=pitch)
-        speech = transcript_of(analyses, printable_name(job.source), reader.duration, job.source)
+        speech = texts.transcript(reader, job.source, analyses)
     parts = exporter.chunks_of(speech)
     if job.target is None:
         text = b"".join(parts).decode()

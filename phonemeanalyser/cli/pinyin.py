@@ -75,9 +75,7 @@ def _check(options: argparse.Namespace) -> None:
     if (options.export is None) != (options.kind is None):
         raise EngineError("--export and --format go together; name both")
     if options.out is not None or options.labels is not None:
-        raise EngineError(
-            "without a voice there is no sound and no labels to write; leave --silent and --recording out"
-        )
+        raise EngineError("without a voice there are no sound and labels to write; leave --silent or --recording out")
 
 
 def _exporter_of(options: argparse.Namespace) -> Exporter:

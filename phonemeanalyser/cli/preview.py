@@ -7,9 +7,10 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_preset, add_theme, size_in
+from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_preset, add_script, add_theme, size_in
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, open_sound
 from phonemeanalyser.cli.output_files import write_whole_file
+from phonemeanalyser.cli.scripts import spoken_texts
 from phonemeanalyser.colours import DARK, LIGHT
 from phonemeanalyser.rendering.animation_player import AnimationPlayer
 from phonemeanalyser.rendering.camera import Camera
@@ -32,11 +33,9 @@ from phonemeengine import (
     matched,
 )
 from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.files import printable_name
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
 from phonemeengine.mouth.table import USUAL_TABLE, shipped_tables
-from phonemeengine.mouth.transcript import transcript_of
 
 SMALLEST, LARGEST = 16, 4096
 """Pixels along an edge of the picture."""
@@ -56,6 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=float, default=RATE, metavar="N", help=f"frames per second ({RATE:g})")
     size = size_in((SMALLEST, SMALLEST), (LARGEST, LARGEST))
     parser.add_argument("--size", type=size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
+    add_script(parser)
     add_preset(parser)
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
     add_mouth(parser)
@@ -104,8 +104,8 @@ def _morph_mesh_of(mesh: Path | None, movestates: Path | None) -> MorphMesh:
 def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation:
     idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
     table, preset = load_table(options.table), load_preset(options.preset)
-    name = printable_name(options.file)
-    speech = transcript_of(analyse_with_progress(reader, preset, pitch=idle.head), name, reader.duration)
+    texts = spoken_texts(options, [options.file])
+    speech = texts.transcript(reader, options.file, analyse_with_progress(reader, preset, pitch=idle.head))
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
     return animation_of(speech, cues, table, options.fps, idle)

@@ -81,7 +81,7 @@ def test_a_voice_that_speaks_chinese_moves_the_mouth_by_letters(tmp_path: Path) 
         spoken("妈妈好。", "--text-driver", driver, *export, *(["--plan", tmp_path / "p.csv"] * (driver == "auto")))
     with (tmp_path / "p.csv").open(encoding="utf-8", newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["kind"] == "syllable"]
-    assert [(row["sound"], row["letters"]) for row in rows] == [("ma1", "ba"), ("ma5", "ba"), ("hao3", "ga")]
+    assert [(row["sound"], row["letters"]) for row in rows] == [("ma1", "ba"), ("ma1", "ba"), ("hao3", "ga")]
     assert max(jaw(tmp_path / "auto.csv")) > 0.5
     assert jaw(tmp_path / "auto.csv") != jaw(tmp_path / "rules.csv")
 

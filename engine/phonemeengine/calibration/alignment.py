@@ -1,38 +1,32 @@
 """Where the sounds of a known sentence are in a recording of it, so that presets can be told by it.
 
-Nobody has labelled the recording by hand. What is said in it is known, though, in order: the most likely way through
-that order is found by dynamic programming (Viterbi) over how likely the shipped model finds each sound in each frame.
-That model is no part of the presets that are compared, unless one of them is the shipped one itself: that one is
-favoured a little where two sounds meet. So what lies within 10 ms of such a place, or 30 ms of a silence, does not
-count.
+Nobody has labelled the recording by hand. What is said in it is known, though, in order, and so it is aligned with
+what the shipped recogniser hears. That one is no part of the presets that are compared, unless one of them is the
+shipped one itself: that one is favoured a little where two sounds meet. So what lies within 10 ms of such a place, or
+30 ms of a silence, does not count.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-import numpy as np
-
+from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import analyse_blocks
-from phonemeengine.arrays import Float32Array, Float64Array, IndexArray
-from phonemeengine.calibration.sentences import Sentence, SpokenPhone
+from phonemeengine.arrays import Float32Array
+from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import TakeError
 from phonemeengine.labels.label import CORE, Label
+from phonemeengine.labels.phone_sets import phone_classes_in
+from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.scores import scores_in
-from phonemeengine.settings import FRAME_PERIOD, HOP
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
 
 LEAST_FRAMES = 3
-"""What a sound lasts at least, 10 ms each."""
-LEAST_LIKELY, LEAST_LIKELY_LOOSE = 0.001, 0.03
-"""How likely every sound is in every frame at least; one whose class is not certain, or that has none, sounds like
-much else."""
+"""Of a sound that is read without haste, 10 ms each, in the mean."""
 AROUND, AROUND_SILENCE = 0.01, 0.03
 """What does not count on each side of a place where two sounds meet, seconds."""
-LEAST_FITTING = 0.4
-"""Where the frames of clear sounds are found less likely than this, another sentence was read."""
 
 
 def aligned(samples: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
@@ -49,36 +43,45 @@ def aligned(samples: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
     ------
     TakeError : it is too short for the sentence, or something else was read.
     """
-    found = [scores_in(analysis.features) for analysis in analyse_blocks([samples], _judge())]
-    likely = np.concatenate([scores for scores in found if scores is not None])
-    return labels_of(likely[: len(samples) // HOP], sentence)
-
-
-def labels_of(likely: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
-    """Label frames of a sentence by how likely each phoneme is in them, shape (n_frames, n_phonemes)."""
-    sounds = sentence.sounds
-    places = _places_of(likely, sounds)
-    if _fitting(likely, sounds, places) < LEAST_FITTING:
+    duration = len(samples) / SAMPLE_RATE
+    if duration < LEAST_FRAMES * len(sentence.sounds) * FRAME_PERIOD:
+        raise TakeError("what was heard is too short for this sentence; read all of it, without haste")
+    found = align_analyses(analyse_blocks([samples], _judge()), sentence.words, duration)
+    if found.skipped or any(word.text == UNKNOWN_WORD for word in found.words):
         raise TakeError("what was heard is not this sentence; read it again, as it stands there, without haste")
-    borders = np.flatnonzero(np.diff(places)) + 1
-    runs = zip([0, *borders.tolist()], [*borders.tolist(), len(places)], strict=True)
-    segments = [(first * FRAME_PERIOD, end * FRAME_PERIOD, sounds[places[first]]) for first, end in runs]
-    return tuple(label for k in range(len(segments)) for label in _labels_at(segments, k))
+    return labels_of(found)
 
 
-def _labels_at(segments: Sequence[tuple[float, float, SpokenPhone]], k: int) -> Iterable[Label]:
-    """Return the labels of a sound: its middle, and what does not count where it meets another class."""
-    start, end, sound = segments[k]
-    before, after = (_around(sound, segments[n][2]) if 0 <= n < len(segments) else 0.0 for n in (k - 1, k + 1))
-    first = min(start + before, (start + end) / 2)
-    last = max(first, end - after)
-    name, phoneme = sound.phone or sound.sense.phoneme.label, sound.sense.phoneme
-    parts = ((start, first, TRIMMED), (first, last, sound.sense.certainty), (last, end, TRIMMED))
-    return [Label(a, b, name, phoneme, certainty) for a, b, certainty in parts if b - a > FRAME_PERIOD / 2]
+def labels_of(utterance: Utterance) -> tuple[Label, ...]:
+    """Return the phones of an utterance, and the silence between them, as labels without gaps."""
+    labels = [*_with_silence(utterance)]
+    return tuple(part for k in range(len(labels)) for part in _parts_of(labels, k))
 
 
-def _around(one: SpokenPhone, other: SpokenPhone) -> float:
-    classes = {one.sense.phoneme, other.sense.phoneme}
+def _with_silence(utterance: Utterance) -> Iterator[Label]:
+    at, silence = 0.0, Phoneme.SILENCE
+    for phone in utterance.phones:
+        if phone.start - at > FRAME_PERIOD / 2:
+            yield Label(at, phone.start, silence.label, silence)
+        sense = phone_classes_in(phone.ipa)[1]
+        yield Label(phone.start, phone.end, phone.ipa, phone.phoneme, sense.certainty if sense else CORE)
+        at = phone.end
+    if utterance.duration - at > FRAME_PERIOD / 2:
+        yield Label(at, utterance.duration, silence.label, silence)
+
+
+def _parts_of(labels: Sequence[Label], k: int) -> list[Label]:
+    """Return a label's middle, and what of it does not count, where it meets another class."""
+    label = labels[k]
+    before, after = (_around(label, labels[n]) if 0 <= n < len(labels) else 0.0 for n in (k - 1, k + 1))
+    first = min(label.start + before, (label.start + label.end) / 2)
+    last = max(first, label.end - after)
+    parts = ((label.start, first, TRIMMED), (first, last, label.certainty), (last, label.end, TRIMMED))
+    return [Label(a, b, label.phone, label.phoneme, c) for a, b, c in parts if b - a > FRAME_PERIOD / 2]
+
+
+def _around(one: Label, other: Label) -> float:
+    classes = {one.phoneme, other.phoneme}
     if len(classes) == 1:
         return 0.0
     return AROUND_SILENCE if Phoneme.SILENCE in classes else AROUND
@@ -87,63 +90,3 @@ def _around(one: SpokenPhone, other: SpokenPhone) -> float:
 @lru_cache(maxsize=1)
 def _judge() -> Preset:
     return load_preset(DEFAULT_PRESET)
-
-
-def _places_of(likely: Float32Array, sounds: Sequence[SpokenPhone]) -> IndexArray:
-    """Return the number of the sound in each frame, by the likeliest way through all that are not optional."""
-    owners = np.repeat(np.arange(len(sounds)), LEAST_FRAMES)
-    if len(likely) < LEAST_FRAMES * sum(not sound.optional for sound in sounds):
-        raise TakeError("what was heard is too short for this sentence; read all of it, without haste")
-    fits = _fits(likely, sounds)[:, owners]
-    n_frames, n_states = fits.shape
-    whence = _ways_into(sounds)
-    best = np.full(n_states, -np.inf)
-    firsts = [0, LEAST_FRAMES] if sounds[0].optional else [0]
-    best[firsts] = fits[0, firsts]
-    came = np.zeros((n_frames, n_states), np.intp)
-    for k in range(1, n_frames):
-        options = np.where(whence >= 0, best[whence], -np.inf)
-        chosen = options.argmax(axis=0)
-        came[k] = whence[chosen, np.arange(n_states)]
-        best = options.max(axis=0) + fits[k]
-    lasts = [n_states - 1, n_states - 1 - LEAST_FRAMES] if sounds[-1].optional else [n_states - 1]
-    state = max(lasts, key=lambda n: best[n])
-    path = np.zeros(n_frames, np.intp)
-    for k in range(n_frames - 1, -1, -1):
-        path[k], state = state, came[k, state]
-    return owners[path]
-
-
-def _ways_into(sounds: Sequence[SpokenPhone]) -> IndexArray:
-    """Return from where each state can be reached, shape (3, n_states), -1 for nowhere.
-
-    Each sound has `LEAST_FRAMES` states; it stays in the last of them, and goes on to the next sound, or past an
-    optional one.
-    """
-    n = LEAST_FRAMES * len(sounds)
-    options = np.full((3, n), -1)
-    options[0, 1:] = np.arange(n - 1)
-    for k in range(len(sounds)):
-        first, last = k * LEAST_FRAMES, (k + 1) * LEAST_FRAMES - 1
-        options[1, last] = last
-        if k > 1 and sounds[k - 1].optional:
-            options[2, first] = first - LEAST_FRAMES - 1
-    return options
-
-
-def _fits(likely: Float32Array, sounds: Sequence[SpokenPhone]) -> Float64Array:
-    """Return how well each sound fits each frame, a logarithm, shape (n_frames, n_sounds)."""
-    codes = [sound.sense.phoneme for sound in sounds]
-    least = [LEAST_LIKELY if _is_clear(sound) else LEAST_LIKELY_LOOSE for sound in sounds]
-    return np.log(np.maximum(likely[:, codes], least), dtype=np.float64)
-
-
-def _fitting(likely: Float32Array, sounds: Sequence[SpokenPhone], places: IndexArray) -> float:
-    """Return how likely the clear sounds are where they were found, 0..1, the mean of all of them."""
-    shares = likely[np.arange(len(places)), [sounds[place].sense.phoneme for place in places]]
-    clear = [k for k, s in enumerate(sounds) if _is_clear(s) and not s.optional]
-    return float(np.mean([shares[places == k].mean() for k in clear]))
-
-
-def _is_clear(sound: SpokenPhone) -> bool:
-    return sound.sense.certainty == CORE and sound.sense.phoneme is not Phoneme.UNIDENTIFIED

@@ -4,32 +4,15 @@ They are spelt in the phonetic alphabet, a space between sounds and ``|`` where 
 says `phonemeengine.labels.phone_sets`. Each holds all vowels, m, p, s and sh.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.labels.label import CORE
-from phonemeengine.labels.phone_sets import AFFRICATE, PhoneClass, phone_classes_in
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.labels.phone_sets import ipa_class, split_ipa
+from phonemeengine.text.pronunciation import Pronunciation, ScriptWord
+from phonemeengine.text.syllables import SpokenSyllable
 
 PAUSE = "|"
 """Where the speaker may pause; also at the beginning and at the end."""
-
-
-@dataclass(frozen=True)
-class SpokenPhone:
-    """One sound of a sentence.
-
-    Attributes
-    ----------
-    phone : in the phonetic alphabet; empty for a pause.
-    sense : what class it is, and how certain that is.
-    optional : whether it may be left out, as a pause.
-    """
-
-    phone: str
-    sense: PhoneClass
-    optional: bool = False
 
 
 @dataclass(frozen=True)
@@ -52,26 +35,22 @@ class Sentence:
     phones: str
 
     def __post_init__(self) -> None:
-        _ = self.sounds
+        for phone in self.sounds:
+            if ipa_class(phone) is None:
+                raise CorpusError(
+                    f"{phone!r} is no sound of the phonetic alphabet; spell the sentence with those of IPA"
+                )
 
     @property
-    def sounds(self) -> tuple[SpokenPhone, ...]:
-        """The sounds in order, with all places where a pause may be."""
-        phones = [PAUSE, *self.phones.split(), PAUSE]
-        return tuple(sound for phone in phones for sound in _sounds_of(phone))
+    def words(self) -> tuple[ScriptWord, ...]:
+        """What is said between two places where a pause may be, as words of a script."""
+        parts = (split_ipa("".join(part.split())) for part in self.phones.split(PAUSE))
+        return tuple(ScriptWord(" ".join(part), (Pronunciation((SpokenSyllable(part),)),)) for part in parts)
 
-
-def _sounds_of(phone: str) -> Iterator[SpokenPhone]:
-    """Return a phone's sounds: an affricate is a closure and friction."""
-    if phone == PAUSE:
-        yield SpokenPhone("", PhoneClass(Phoneme.SILENCE), optional=True)
-        return
-    sense = phone_classes_in(phone)[1]
-    if sense is None:
-        raise CorpusError(f"{phone!r} is no sound of the phonetic alphabet; spell the sentence with those of IPA")
-    if sense.certainty == AFFRICATE and sense.phoneme is not Phoneme.P:
-        yield SpokenPhone(phone, PhoneClass(Phoneme.UNIDENTIFIED, CORE))
-    yield SpokenPhone(phone, sense)
+    @property
+    def sounds(self) -> tuple[str, ...]:
+        """The sounds in order; an affricate is a closure and friction."""
+        return tuple(phone for word in self.words for phone in word.pronunciations[0].phones)
 
 
 SENTENCES = (

@@ -9,6 +9,7 @@ from phonemeengine.errors import ExportError
 from phonemeengine.files import atomic_write, printable_name, reason_of
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
+from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript, transcript_of
 from phonemeengine.presets.preset import Preset
@@ -16,7 +17,12 @@ from phonemeengine.settings import Channel
 
 
 def transcribe(
-    sound: str | os.PathLike[str], preset: Preset, *, channel: Channel = Channel.MIX, pitch: bool = False
+    sound: str | os.PathLike[str],
+    preset: Preset,
+    *,
+    channel: Channel = Channel.MIX,
+    pitch: bool = False,
+    script: Script | None = None,
 ) -> Transcript:
     """Return what a sound file says: its stretches of equal phonemes, and how loud it is.
 
@@ -26,14 +32,20 @@ def transcribe(
     preset : what to recognise with.
     channel : what is recognised of a file of several channels.
     pitch : measure the fundamental frequency too, by which a head moves.
+    script : what is said in it, where that is known: its words (see `words_of`), or an `Utterance`; far more exact
+        than listening alone.
 
     Raises
     ------
     AudioError : the file cannot be read.
+    CorpusError : there is no word in the script.
     """
     with SoundReader(sound, channel) as reader:
         analyses = analyse_file(reader, preset, pitch=pitch)
-        return transcript_of(analyses, printable_name(reader.path), reader.duration, reader.path)
+        name, duration = printable_name(reader.path), reader.duration
+        if script is None:
+            return transcript_of(analyses, name, duration, reader.path)
+        return scripted_transcript_of(analyses, script, name, duration, reader.path)[1]
 
 
 def cues(
@@ -44,12 +56,13 @@ def cues(
     minimum: float = MINIMUM,
     anticipation: float = 0.0,
     channel: Channel = Channel.MIX,
+    script: Script | None = None,
 ) -> tuple[Cue, ...]:
     """Return which shape the mouth has from when to when while a sound file is heard, without gaps.
 
     Parameters
     ----------
-    sound, preset, channel : as in `transcribe`.
+    sound, preset, channel, script : as in `transcribe`.
     table : the mouth shapes: a table, its file, or the name of one that ships, such as ``rhubarb``.
     minimum : least duration of a cue, seconds.
     anticipation : by how much the mouth is ahead of the sound, 0..0.12 s.
@@ -60,7 +73,7 @@ def cues(
     MouthError : the table cannot be used, or a time lies outside its range.
     """
     table = table if isinstance(table, MouthTable) else load_table(table)
-    said = transcribe(sound, preset, channel=channel)
+    said = transcribe(sound, preset, channel=channel, script=script)
     return cues_of(said.runs, table, minimum=minimum, anticipation=anticipation)
 
 
@@ -72,12 +85,13 @@ def export(
     options: ExportOptions | None = None,
     *,
     channel: Channel = Channel.MIX,
+    script: Script | None = None,
 ) -> None:
     """Write what a sound file says, as mouth cues or the movement of a face for another program.
 
     Parameters
     ----------
-    sound, preset, channel : as in `transcribe`.
+    sound, preset, channel, script : as in `transcribe`.
     target : the new file; an old one stays until the new one is complete.
     form : name of the format, such as ``rhubarb-json``, ``textgrid``, ``livelink`` or ``gltf``; see `FORMATS`.
     options : how it shall be written; what suits the format, unless they are given.
@@ -89,7 +103,8 @@ def export(
     ExportError : there is no such format, it cannot do what is asked for, or the file cannot be written.
     """
     exporter, target = Exporter(form, options), Path(target)
-    said = transcribe(sound, preset, channel=channel, pitch=exporter.format.moves_head and exporter.idle.head)
+    pitch = exporter.format.moves_head and exporter.idle.head
+    said = transcribe(sound, preset, channel=channel, pitch=pitch, script=script)
     try:
         with atomic_write(target) as file:
             file.writelines(exporter.chunks_of(said))

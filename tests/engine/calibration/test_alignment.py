@@ -15,6 +15,7 @@ from phonemeengine.calibration.takes.spoken import keep_sentence
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError, TakeError
 from phonemeengine.labels.label import Label
+from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.labels.table import format_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
@@ -74,12 +75,12 @@ def test_another_sentence_is_not_taken_for_it(read: tuple[Sound, tuple[Label, ..
 
 @pytest.mark.parametrize("sentence", SENTENCES, ids=lambda sentence: sentence.language)
 def test_every_sentence_holds_all_vowels_m_p_s_and_sh(sentence: Sentence):
-    assert {sound.sense.phoneme for sound in sentence.sounds} == set(Phoneme)
+    assert {ipa_phoneme(sound) for sound in sentence.sounds} == set(Phoneme) - {Phoneme.SILENCE}
 
 
 def test_a_sound_that_nobody_knows_is_refused():
-    with pytest.raises(CorpusError, match="'qqq' is no sound of the phonetic alphabet"):
-        Sentence("None", "?", "m a qqq")
+    with pytest.raises(CorpusError, match="'3' is no sound of the phonetic alphabet"):
+        Sentence("None", "?", "m a 3")
 
 
 def test_what_was_read_lies_beside_the_takes_and_teaches_nothing(

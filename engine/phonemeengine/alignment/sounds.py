@@ -1,0 +1,60 @@
+"""What can be told apart of the sounds of speech: a phoneme of the recogniser, made in one manner."""
+
+from dataclasses import dataclass
+
+from phonemeengine.alignment.manners import Manner, manner_of
+from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.phonemes import VOWELS, Phoneme
+
+LEAST_FRAMES: dict[Manner, int] = {
+    Manner.SILENCE: 4,
+    Manner.STOP: 5,
+    Manner.NASAL: 5,
+    Manner.APPROXIMANT: 3,
+    Manner.FRICATIVE: 5,
+    Manner.SIBILANT: 6,
+    Manner.VOWEL: 6,
+}
+"""What sounds of a manner last at least in speech that is not hurried, 10 ms each."""
+
+SHORT = frozenset("əɐɪʊɨᵻɾ")
+LEAST_SHORT = 4
+"""Sounds that are shorter than others of their manner, and what they last at least."""
+
+
+@dataclass(frozen=True)
+class SoundKind:
+    """What is listened for: a phoneme, and how it is made."""
+
+    phoneme: Phoneme
+    manner: Manner
+
+
+KINDS: tuple[SoundKind, ...] = (
+    SoundKind(Phoneme.SILENCE, Manner.SILENCE),
+    *(SoundKind(vowel, Manner.VOWEL) for vowel in VOWELS),
+    *(
+        SoundKind(Phoneme.UNIDENTIFIED, manner)
+        for manner in (Manner.STOP, Manner.NASAL, Manner.APPROXIMANT, Manner.FRICATIVE)
+    ),
+    SoundKind(Phoneme.P, Manner.STOP),
+    SoundKind(Phoneme.M, Manner.NASAL),
+    SoundKind(Phoneme.SZ, Manner.SIBILANT),
+    SoundKind(Phoneme.SCH, Manner.SIBILANT),
+)
+"""All of them; silence is the first."""
+
+_NUMBERS = {kind: k for k, kind in enumerate(KINDS)}
+_BY_PHONEME = {kind.phoneme: k for k, kind in enumerate(KINDS)}
+"""For sounds that are made otherwise than those of their phoneme usually are."""
+
+
+def kind_of(ipa: str) -> int:
+    """Return the number of the kind of a sound, by its symbol in the phonetic alphabet."""
+    phoneme, manner = ipa_phoneme(ipa), manner_of(ipa)
+    return _NUMBERS.get(SoundKind(phoneme, manner)) or _BY_PHONEME[phoneme]
+
+
+def least_frames_of(ipa: str) -> int:
+    """Return how many frames a sound lasts at least in speech that is not hurried."""
+    return LEAST_SHORT if ipa in SHORT else LEAST_FRAMES[manner_of(ipa)]

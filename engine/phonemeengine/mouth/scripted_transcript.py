@@ -1,0 +1,42 @@
+"""What is said in a sound whose words are known: aligned, and as mouths need it."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from phonemeengine.alignment.align import align_analyses
+from phonemeengine.analyser import Analysis
+from phonemeengine.features.front_end import F0
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
+from phonemeengine.text.pronunciation import ScriptWord
+
+Script = Sequence[ScriptWord] | Utterance
+"""The words of a sound with their pronunciations, or all that is said in it with times, as label files have it."""
+
+
+def scripted_transcript_of(
+    analyses: Iterable[Analysis], script: Script, name: str, duration: float, path: Path | None = None
+) -> tuple[Utterance, Transcript]:
+    """Return what is said in a sound of `duration` seconds, from its consecutive analyses; `path` is its file.
+
+    Raises
+    ------
+    CorpusError : there is no word in the script.
+    """
+    loud, pitches = [NOTHING], [NOTHING]
+
+    def kept() -> Iterator[Analysis]:
+        for analysis in analyses:
+            loud.append(analysis.intensities)
+            pitches.append(np.array(analysis.features.values[:, F0], np.float32))
+            yield analysis
+
+    if isinstance(script, Utterance):
+        utterance = script
+        for _ in kept():
+            pass
+    else:
+        utterance = align_analyses(kept(), script, duration)
+    return utterance, transcript_of_utterance(utterance, np.concatenate(loud), np.concatenate(pitches), name, path)

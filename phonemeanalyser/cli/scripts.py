@@ -1,0 +1,127 @@
+"""What is said in the sounds of a command, as its arguments say, and what is found of it."""
+
+import argparse
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from phonemeanalyser.cli.jobs import say_note
+from phonemeengine import Analysis, EngineError, Lexicon, SoundReader, Transcript, Utterance, load_lexicon, words_of
+from phonemeengine.alignment.align import is_other_text
+from phonemeengine.files import printable, printable_name
+from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
+from phonemeengine.mouth.transcript import transcript_of
+from phonemeengine.text.script import load_script, script_beside
+
+AUTO = "auto"
+LABELS = ".textgrid"
+SHOWN_WORDS = 8
+
+
+@dataclass(frozen=True)
+class SpokenTexts:
+    """What is said in sounds, as far as it is known.
+
+    Attributes
+    ----------
+    texts : by the sound's file.
+    labels : a TextGrid with the sounds of the only one; None where there are texts.
+    language : of the texts.
+    lexicon : goes before the language's voice.
+    """
+
+    texts: Mapping[Path, str]
+    labels: Path | None
+    language: str | None
+    lexicon: Lexicon | None
+
+    def script_of(self, sound: Path, duration: float) -> Script | None:
+        """Return what is said in a sound of `duration` seconds; None where that is not known.
+
+        Raises
+        ------
+        EngineError : its text cannot be spoken, or its labels cannot be read.
+        """
+        if self.labels is not None:
+            return read_utterance(self.labels, duration)
+        text = self.texts.get(sound)
+        return None if text is None else words_of(text, self.language, self.lexicon)
+
+    def aligned(
+        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]
+    ) -> tuple[Utterance, Transcript] | None:
+        """Return what is said in an open sound, and say on standard error what does not fit its text.
+
+        Where nothing is known of it, the answer is None, and no analysis is taken.
+
+        Raises
+        ------
+        EngineError : its text cannot be spoken, or its labels cannot be read.
+        """
+        script = self.script_of(sound, reader.duration)
+        if script is None:
+            return None
+        found = scripted_transcript_of(analyses, script, printable_name(sound), reader.duration, sound)
+        say_misfits(printable_name(sound), found[0])
+        return found
+
+    def transcript(self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]) -> Transcript:
+        """Return what is said in an open sound, with its text where that is known; see `aligned`."""
+        found = self.aligned(reader, sound, analyses)
+        return found[1] if found else transcript_of(analyses, printable_name(sound), reader.duration, sound)
+
+
+NO_TEXTS = SpokenTexts({}, None, None, None)
+"""Nothing is known of what is said."""
+
+
+def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenTexts:
+    """Return what is said in the sounds of a command line with the arguments of `add_script`.
+
+    Raises
+    ------
+    EngineError : a script or the lexicon cannot be read, or says nothing about the sounds.
+    """
+    if options.text is None and options.script is None:
+        if options.language is not None or options.lexicon is not None:
+            options.parser.error("--language and --lexicon go with --text or --script: say what is said in the sound")
+        return NO_TEXTS
+    lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
+    if options.script is not None and options.script.suffix.lower() == LABELS:
+        return SpokenTexts({}, _labels_of(options.script, sounds), None, None)
+    return SpokenTexts(_texts_of(options, sounds), None, options.language, lexicon)
+
+
+def say_misfits(name: str, utterance: Utterance) -> None:
+    """Say on standard error what of a text nobody says, or that another one is said."""
+    if is_other_text(utterance):
+        say_note(
+            name, "another text is said in it, so it is recognised without the text; check the text and its language"
+        )
+    elif utterance.skipped:
+        words = " ".join(printable(word) for word in utterance.skipped[:SHOWN_WORDS])
+        more = len(utterance.skipped) - SHOWN_WORDS
+        say_note(name, f"nobody says: {words}" + (f" and {more} more words" if more > 0 else ""))
+
+
+def _texts_of(options: argparse.Namespace, sounds: Sequence[Path]) -> Mapping[Path, str]:
+    if options.text is not None:
+        return dict.fromkeys(sounds, options.text)
+    if str(options.script) == AUTO:
+        beside = {sound: script_beside(sound) for sound in sounds}
+        for sound in (sound for sound, script in beside.items() if script is None):
+            say_note(
+                printable_name(sound), f"there is no {sound.stem}.txt beside it, so it is recognised without text"
+            )
+        return {sound: script.text for sound, script in beside.items() if script is not None}
+    texts, notes = load_script(options.script).texts_of(sounds)
+    for note in notes:
+        say_note(printable_name(options.script), note)
+    return texts
+
+
+def _labels_of(path: Path, sounds: Sequence[Path]) -> Path:
+    if len(sounds) != 1:
+        raise EngineError(f"{path.name}: it is of one sound, and there are {len(sounds)}; name that sound alone")
+    return path

@@ -1,0 +1,109 @@
+"""`analyse`, `export` and `preview` with what is said: words where they are, and a sentence for what does not fit."""
+
+import json
+import shutil
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from phonemeanalyser.cli.main import main
+from phonemeengine.labels.utterance_files import read_utterance, script_in
+from tests.conftest import CORPUS
+from tests.tables import refused, rows_of
+
+SAID = CORPUS / "espeak_de" / "de" / "de_01.flac"
+TEXT = "Es regnet, aber der See ist eben und leer."
+WORDS = TEXT.replace(",", "").replace(".", "").split()
+OTHER = "Der Onkel trinkt Kaffee mit Zucker und singt laut dazu."
+
+
+def run(*words: object) -> None:
+    assert main([str(word) for word in words]) == 0
+
+
+def test_phones_and_words_stand_in_the_table(capsys: pytest.CaptureFixture[str]) -> None:
+    run("analyse", SAID, "--text", TEXT, "--language", "de")
+    rows = rows_of(capsys.readouterr().out)
+    assert list(dict.fromkeys(row["word"] for row in rows if row["word"])) == WORDS
+    assert all(one["end_s"] == other["start_s"] for one, other in pairwise(rows))
+    assert {row["phone"] for row in rows if row["phoneme"] == "sz"} == {"s", "z"}
+    assert all(float(row["score"]) >= 0 for row in rows if row["phone"])
+
+
+def test_a_textgrid_holds_words_phones_and_phonemes_and_is_read_again(tmp_path: Path) -> None:
+    grid = tmp_path / "said.TextGrid"
+    run("analyse", SAID, "--text", TEXT, "--language", "de", "-o", grid)
+    run("analyse", SAID, "--text", TEXT, "--language", "de", "-o", grid)  # its own file is replaced
+    assert script_in(grid) == " ".join(WORDS)
+    again = read_utterance(grid, 3.0)
+    assert [word.text for word in again.words] == WORDS
+    run("analyse", SAID, "--script", grid, "-o", tmp_path / "again.TextGrid")
+    assert (tmp_path / "again.TextGrid").read_text("utf-8") == grid.read_text("utf-8")
+
+
+def test_a_word_that_nobody_says_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    run("analyse", SAID, "--text", TEXT.replace("See", "kleine See"), "--language", "de", "--format", "json")
+    said = capsys.readouterr()
+    assert said.err == "phonemeanalyser: de_01.flac: note: nobody says: kleine\n"
+    found = json.loads(said.out)
+    assert found["skipped"] == ["kleine"]
+    assert [word["word"] for word in found["words"]] == WORDS
+
+
+def test_another_text_is_said_to_be_one_and_the_sound_is_recognised_without_it(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    run("analyse", SAID)
+    without = rows_of(capsys.readouterr().out)
+    run("analyse", SAID, "--text", OTHER, "--language", "de")
+    said = capsys.readouterr()
+    assert "another text is said in it, so it is recognised without the text; check the text" in said.err
+    assert [(r["start_s"], r["phoneme"]) for r in rows_of(said.out)] == [
+        (r["start_s"], r["phoneme"]) for r in without
+    ]
+
+
+def test_a_table_tells_what_is_said_in_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    sounds, out = tmp_path / "sounds", tmp_path / "out"
+    sounds.mkdir()
+    for name in ("a.flac", "b.flac"):
+        shutil.copy(SAID, sounds / name)
+    table = tmp_path / "table.tsv"
+    table.write_text(f"a.flac\t{TEXT}\nz.flac\t{TEXT}\n", encoding="utf-8")
+    run("export", sounds, "--script", table, "--language", "de", "--format", "rhubarb-tsv", "-o", out)
+    said = capsys.readouterr().err
+    assert "there is no text for b.flac; add a line for each" in said
+    assert "there is no sound z.flac" in said
+    assert len(list(out.iterdir())) == 2
+
+
+def test_the_text_beside_a_sound_is_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("a.flac", "b.flac"):
+        shutil.copy(SAID, tmp_path / name)
+    (tmp_path / "a.txt").write_text(TEXT, encoding="utf-8")
+    run("analyse", tmp_path, "--script", "auto", "--language", "de", "-o", tmp_path / "out")
+    assert "b.flac: note: there is no b.txt beside it, so it is recognised without text" in capsys.readouterr().err
+    heads = [(tmp_path / "out" / f"{name}.csv").read_text("utf-8").splitlines()[0] for name in "ab"]
+    assert heads == ["start_s,end_s,phoneme,intensity,phone,word,score", "start_s,end_s,phoneme,intensity"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["--text", TEXT], "the language of a text is not guessed; name it with --language"),
+        (["--text", TEXT, "--language", "klingon"], "no voice speaks the language 'klingon'"),
+        (["--text", "", "--language", "de"], "there is no word to speak in an empty text"),
+        (["--script", "nowhere.txt", "--language", "de"], "nowhere.txt: cannot be read"),
+    ],
+)
+def test_what_cannot_be_said_is_refused_in_a_sentence(
+    words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert sentence in refused(capsys, "analyse", SAID, *words)
+
+
+def test_a_language_alone_is_no_text(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        main(["analyse", str(SAID), "--language", "de"])
+    assert "go with --text or --script" in capsys.readouterr().err
