@@ -61,7 +61,6 @@ IPA: tuple[Row, ...] = (
     (Phoneme.M, CORE, "m mʲ m̩"),
     (Phoneme.M, AMBIGUOUS, "ɱ"),
     (Phoneme.P, CORE, "p b pʲ bʲ ɓ"),
-    (Phoneme.P, AMBIGUOUS, "β"),
     (Phoneme.P, AFFRICATE, "pf"),
     (Phoneme.A, CORE, "a ɑ ä ɑ̃ ã"),
     (Phoneme.A, AMBIGUOUS, "ʌ ɐ ɜ ɐ̃"),
@@ -79,7 +78,7 @@ IPA: tuple[Row, ...] = (
     (Phoneme.U, AMBIGUOUS, "y ʏ ʉ ɯ ũ"),
     (Phoneme.U, DIPHTHONG, "ʊə uə"),
     (X, CORE, "n n̩ nʲ ɲ ŋ l l̩ lʲ ɫ ʎ ɭ r ɹ ɾ ʁ ʀ rʲ ɻ j w ɥ ʍ h ɦ x χ ç ɣ ʝ t tʲ d dʲ c ɟ k ɡ g q f v ʋ θ ð ʔ"),
-    (X, CORE, "ɸ ʙ ɬ ɮ ɽ ʈ ɖ ɗ ɳ ɰ ɢ ɠ ɴ ħ ʕ ŋ̩ r̩ ɻ̩ z̩ r̝ r̝̊ ɺ"),
+    (X, CORE, "ɸ β ʙ ɬ ɮ ɽ ʈ ɖ ɗ ɳ ɰ ɢ ɠ ɴ ħ ʕ ŋ̩ r̩ ɻ̩ z̩ r̝ r̝̊ ɺ"),
 )
 
 SAMPA: tuple[Row, ...] = (

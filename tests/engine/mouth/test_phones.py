@@ -112,7 +112,7 @@ def test_lips_meet_for_p_b_and_m_and_for_nothing_else_in_every_shipped_table(nam
     table = load_table(name)
     closed = {table.phonemes[phoneme] for phoneme in table.closed_phonemes}
     labials = {phone for phone in IPA_LETTERS if shape(table, phone) in closed | {table.phonemes[Phoneme.SILENCE]}}
-    assert {"p", "b", "m"} - {"b" if name == "annosoft" else ""} <= labials <= {"p", "b", "m", "ɱ"}
+    assert {"p", "b", "m"} - {"b" if name == "annosoft" else ""} <= labials <= {"p", "b", "m", "ɱ", "ɓ"}
     assert (table.shape_weights() >= 0).all()
     assert (table.shape_weights() <= 1).all()
 
