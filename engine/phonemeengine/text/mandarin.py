@@ -173,6 +173,6 @@ def _pypinyin() -> ModuleType:
         import pypinyin  # noqa: PLC0415 - half a second that only Chinese needs
     except ImportError as error:
         raise VoiceError(
-            "Chinese text needs the package pypinyin, which is missing; pip install 'phonemeanalyser[speech]'"
+            "Chinese text needs the package pypinyin, which is missing; pip install 'pypinyin'"
         ) from error
     return pypinyin
