@@ -45,6 +45,7 @@ HINTS = {
     SoundSource.FILE: "Press Space to play",
     SoundSource.MICROPHONE: "Press Space to listen, R to record",
     SoundSource.TONE: "Press Space to hear the tone",
+    SoundSource.TEXT: "Write a text on the page Talk, and press Ctrl+Return there",
 }
 """What the user may do while the time view is empty."""
 
