@@ -46,7 +46,9 @@ def with_boundary(utterance: Utterance, unit: Unit, boundary: int, seconds: floa
     ranges, spans = _phones_in(utterance, unit), spans_of(utterance, unit)
     k, is_end = divmod(boundary, 2)
     if not 0 <= k < len(spans):
-        raise CorpusError(f"there are {len(spans)} {unit}s, found boundary {boundary}; choose 0..{2 * len(spans) - 1}")
+        raise CorpusError(
+            f"there are {len(spans)} {unit}s, found boundary {boundary}; choose 0..{2 * len(spans) - 1}"
+        )
     phones = list(utterance.phones)
     other = k + 1 if is_end else k - 1
     moved = [(k, is_end)]
