@@ -6,6 +6,9 @@ HEAD = [
     ("Go round; with Shift move it", "Arrows"), ("Nearer, farther", "+, −"), ("The whole of it", "Home"),
     ("Wireframe", "W"), ("Move the light", "Comma, full stop"), ("Hold a mouth shape", "Q S H M P I A E U O"),
 ]  # fmt: skip
+TEXT = [
+    ("Say the text", "Ctrl+Return"), ("Stop saying it", "Esc"), ("Align it with the sound", "Ctrl+Shift+Return"),
+]  # fmt: skip
 CALIBRATE = [
     ("Guided calibration", "G"), ("Record a take while held", "Q S H M P I A E U O"),
     ("Mark where a stretch begins, ends", "[, ]"), ("Play the take", "Return"), ("Exclude the take, or not", "X"),
@@ -35,6 +38,7 @@ class ShortcutsDialog(QDialog):
         blocks.append(_block("The page Calibrate", CALIBRATE))
         blocks.append(_block("Guided calibration", GUIDE))
         blocks.append(_block("The head, when it has the focus", HEAD))
+        blocks.append(_block("The text below the head", TEXT))
         self.list = QLabel(_side_by_side([block for block in blocks if block]))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)

@@ -45,6 +45,7 @@ HINTS = {
     SoundSource.FILE: "Press Space to play",
     SoundSource.MICROPHONE: "Press Space to listen, R to record",
     SoundSource.TONE: "Press Space to hear the tone",
+    SoundSource.TEXT: "Write a text on the page Talk, and press Ctrl+Return there",
 }
 """What the user may do while the time view is empty."""
 
@@ -154,6 +155,9 @@ class MainWindow(QMainWindow):
         page.preset_asked.connect(self.dialogs.ask_preset)
         page.choices.mesh_asked.connect(dialogs.ask_mesh)
         page.choices.table_asked.connect(dialogs.ask_table)
+        page.text.lexicon_asked.connect(dialogs.ask_lexicon)
+        page.text.save_asked.connect(dialogs.ask_save_words)
+        page.text.lanes.menu.save_asked.connect(self.dialogs.ask_save_picture)
         self.installEventFilter(page.keys)
         return page
 
@@ -242,6 +246,7 @@ class MainWindow(QMainWindow):
         session, preset, dialogs = self._session, self._preset, self.dialogs
         self.transport.open_asked.connect(dialogs.ask_sound)
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
+        self._talking.text.info.connect(self.banner.show_info)
         session.microphone.recorded.connect(dialogs.offer_recording)
         session.microphone.info.connect(self.banner.show_info)
         session.writer.info.connect(self.banner.show_info)

@@ -121,15 +121,19 @@ def timed_frames(analysis: Analysis, end: float, known: Transcript | None = None
 
 
 def known_frames(frames: Sequence[TimedFrame], first: int, known: Transcript) -> list[TimedFrame]:
-    """Return frames, of which the first has this number in its sound, with what is known of that."""
+    """Return frames, of which the first has this number in its sound, with what is known of that.
+
+    Where nobody measured the loudness before, it is that of the frames.
+    """
     return [_known_frame(frame, number, known) for number, frame in enumerate(frames, first)]
 
 
 def _known_frame(frame: TimedFrame, number: int, known: Transcript) -> TimedFrame:
     run = known.run_at((number + 0.5) * FRAME_PERIOD)
-    if run is None or number >= len(known.intensities):
+    if run is None:
         return frame
-    return frame._replace(phoneme=run.phoneme, intensity=float(known.intensities[number]), phone=run.phone)
+    loud = float(known.intensities[number]) if number < len(known.intensities) else frame.intensity
+    return frame._replace(phoneme=run.phoneme, intensity=loud, phone=run.phone)
 
 
 class Performer:

@@ -88,7 +88,7 @@ class Transport(QWidget):
         if session.source is SoundSource.MICROPHONE:
             self.microphone.refresh()
         text = format_clock(session.position, True)
-        if session.source is SoundSource.FILE:
+        if not session.source.live:
             text += f" / {format_clock(session.duration, True)}"
         recording = session.microphone.recording
         if recording:
@@ -213,6 +213,7 @@ class Transport(QWidget):
             SoundSource.FILE: self.position_slider,
             SoundSource.MICROPHONE: self.microphone,
             SoundSource.TONE: self.tone,
+            SoundSource.TEXT: self.position_slider,
         }
         self.pages.setCurrentWidget(pages[source])
         self.pages.updateGeometry()

@@ -1,4 +1,4 @@
-"""The sound in hand: a file, a microphone or a tone; played or heard, and what is known of it."""
+"""The sound in hand: a file, a microphone, a tone or a spoken text; played or heard, and what is known of it."""
 
 from collections.abc import Callable
 from enum import StrEnum
@@ -13,6 +13,7 @@ from phonemeanalyser.desktop.session.results import AnalysisResults
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import Output, open_output
+from phonemeengine.audio.source import Reader
 from phonemeengine.audio.tone.reader import ToneReader
 from phonemeengine.audio.tone.settings import Tone
 from phonemeengine.errors import EngineError
@@ -29,6 +30,12 @@ class SoundSource(StrEnum):
     FILE = "file"
     MICROPHONE = "microphone"
     TONE = "tone"
+    TEXT = "text"
+
+    @property
+    def live(self) -> bool:
+        """Whether nothing is known of the sound before it is heard, and nobody can go through it."""
+        return self in {SoundSource.MICROPHONE, SoundSource.TONE}
 
 
 class Session(QObject):
@@ -43,13 +50,15 @@ class Session(QObject):
     cleared : everything gathered was forgotten.
     rewritten : the columns of the history from this one on are others now.
     heard : a list of the blocks that were heard since the last tick; see `phonemeengine.analyser.Analysis`.
-    sought : the file stands elsewhere.
+    sought : the file, or the spoken text, stands elsewhere.
+    speech_asked : a text is to be spoken, and `speak` to be called.
     error : a sentence for the user.
     """
 
     opened = Signal()
     heard = Signal(list)
     sought = Signal()
+    speech_asked = Signal()
     transport_changed = Signal()
     cleared = Signal()
     rewritten = Signal(int)
@@ -91,7 +100,9 @@ class Session(QObject):
 
     @property
     def duration(self) -> float:
-        """Seconds of the file in hand; 0 while another source is in use."""
+        """Seconds of the file in hand, or of what is spoken so far of a text; 0 while another source is in use."""
+        if self.source is SoundSource.TEXT:
+            return self._player.reader.duration if self._player else 0.0
         return self._file.duration if self._file and self.source is SoundSource.FILE else 0.0
 
     @property
@@ -117,7 +128,7 @@ class Session(QObject):
 
     @property
     def name(self) -> str:
-        """What is in hand: the file's name, the microphone or the tone."""
+        """What is in hand: the file's name, the microphone, the tone or the text."""
         if self.source is SoundSource.FILE:
             return self._file.path.name if self._file else "no sound"
         return str(self.source)
@@ -129,6 +140,8 @@ class Session(QObject):
             return self.microphone.words
         if self.source is SoundSource.TONE:
             return self.tone.kind.replace("_", " ")
+        if self.source is SoundSource.TEXT:
+            return "a text that a voice speaks"
         if self._file is None:
             return "no sound"
         n = self._file.n_file_channels
@@ -189,7 +202,7 @@ class Session(QObject):
         return True
 
     def set_source(self, source: SoundSource) -> None:
-        """Follow a file, the microphone or a tone, which is heard at once; a file goes on from where it was left."""
+        """Follow a file, which goes on from where it was left, or what is heard at once: microphone, tone or text."""
         if source is self.source:
             if source is SoundSource.TONE and not self.playing:
                 self.play()
@@ -210,6 +223,15 @@ class Session(QObject):
         if source is not SoundSource.FILE:
             self.play()
         self.opened.emit()
+
+    def speak(self, speech: Reader) -> None:
+        """Play a spoken text, which may be spoken while it is played; it is closed when another sound is in hand."""
+        if self.source is SoundSource.FILE:
+            self._left_at = self.position
+        self._detach()
+        self.source = SoundSource.TEXT
+        self._attach(Player(speech, self.preset.in_force, self._open_device))
+        self.play()
 
     def set_tone(self, tone: Tone) -> None:
         """Generate another tone, which is heard at once."""
@@ -240,6 +262,9 @@ class Session(QObject):
 
     def play(self) -> None:
         """Play or listen; the averaged spectrum begins anew when that is the beginning."""
+        if self.source is SoundSource.TEXT and self._player is None:
+            self.speech_asked.emit()
+            return
         if self.source is not SoundSource.MICROPHONE and self._player is None:
             return
         if self.position == 0:
@@ -266,9 +291,9 @@ class Session(QObject):
             self.play()
 
     def stop(self) -> None:
-        """Hold still; a file stands at its beginning."""
+        """Hold still; a file, or a spoken text, stands at its beginning."""
         self.pause()
-        if self.source is SoundSource.FILE and self._player is not None:
+        if not self.source.live and self._player is not None:
             self._player.seek(0)
             self.sought.emit()
         self.transport_changed.emit()
@@ -289,10 +314,13 @@ class Session(QObject):
         self.transport_changed.emit()
 
     def seek(self, seconds: float) -> None:
-        """Go to a place in the file; while nothing plays, the seconds before it are shown in place of the old."""
-        if self._player is not None and self.source is SoundSource.FILE:
+        """Go to a place in the file, or in what is spoken of a text.
+
+        While nothing plays, the seconds of the file before it are shown in place of the old.
+        """
+        if self._player is not None and not self.source.live:
             self._player.seek(seconds)
-            if not self.playing and self._file is not None:
+            if not self.playing and self._file is not None and self.source is SoundSource.FILE:
                 self.results.show_before(self._file.path, self.channel, self.position)
             self.sought.emit()
             self.transport_changed.emit()
@@ -369,8 +397,8 @@ class Session(QObject):
         self.sought.emit()
 
     def upcoming(self) -> list[tuple[float, Analysis]]:
-        """Return what is known of the file before it is heard, each block with the seconds until then."""
-        return self._player.upcoming() if self._player is not None and self.source is SoundSource.FILE else []
+        """Return what is known of the sound before it is heard, each block with the seconds until then."""
+        return self._player.upcoming() if self._player is not None and not self.source.live else []
 
     def _forget(self, cause: str) -> None:
         self.averages.begin(cause, self.name)

@@ -5,15 +5,21 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeengine.files import free_path
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
 
 MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))})"
 TABLES = "Mouth tables (*.toml)"
+LEXICONS = "Lexicons (*.toml *.csv)"
+WORDS = "Praat TextGrid (*.TextGrid)"
+MOST_KEPT = 10_000
+"""Characters of a text that is kept for the next start."""
 
 
 class TalkDialogs(QObject):
@@ -57,6 +63,24 @@ class TalkDialogs(QObject):
             self._settings.setValue("folder/table", str(Path(name).parent))
             self._talking.set_table(name)
 
+    def ask_lexicon(self) -> None:
+        """Let the user choose a lexicon."""
+        folder = str(self._settings.value("folder/lexicon", str(Path.home())))
+        name, _ = QFileDialog.getOpenFileName(self._window, "A lexicon", folder, LEXICONS)
+        if name:
+            self._settings.setValue("folder/lexicon", str(Path(name).parent))
+            self._talking.text.set_lexicon(Path(name))
+
+    def ask_save_words(self) -> None:
+        """Let the user choose a TextGrid to save the words to; beside the sound it is found again."""
+        sound = self._talking.session.path
+        of_file = sound is not None and self._talking.session.source is SoundSource.FILE
+        suggested = sound.with_suffix(".TextGrid") if sound is not None and of_file else Path.home() / "text.TextGrid"
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save the words", str(suggested), WORDS)
+        if name:
+            path = Path(name)
+            self._talking.text.save(path if path.suffix else free_path(path.with_name(f"{path.name}.TextGrid")))
+
     def save(self) -> None:
         """Keep what was chosen for the next start."""
         talking, keep = self._talking, self._settings.setValue
@@ -70,6 +94,9 @@ class TalkDialogs(QObject):
         keep("talk/release_percent", round(100 * talking.release_factor))
         for name, on in (("blinks", talking.idle.blinks), ("head", talking.idle.head), ("random", talking.random)):
             keep(f"talk/{name}", int(on))
+        keep("talk/text", talking.text.text if len(talking.text.text) <= MOST_KEPT else "")
+        keep("talk/language", talking.text.language)
+        keep("talk/lexicon", str(talking.text.lexicon_path or ""))
         keep("talk/osc_address", osc.address)
         keep("talk/osc_table", osc.table)
         keep("talk/osc", int(osc.on))
@@ -89,6 +116,11 @@ class TalkDialogs(QObject):
         talking.set_head_motion(self._kept("talk/head", "1") == "1")
         talking.set_random(self._kept("talk/random", "1") == "1")
         talking.set_speed(self._percent("attack") / 100, self._percent("release") / 100)
+        talking.text.set_text(self._kept("talk/text", ""))
+        talking.text.set_language(self._kept("talk/language", ""))
+        lexicon = Path(self._kept("talk/lexicon", ""))
+        if lexicon.is_file():
+            talking.text.set_lexicon(lexicon)
         talking.osc.set_address(self._kept("talk/osc_address", talking.osc.address))
         talking.osc.set_table(self._kept("talk/osc_table", talking.osc.table))
         talking.osc.set_on(self._kept("talk/osc", "0") == "1")

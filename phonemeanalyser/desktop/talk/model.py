@@ -8,15 +8,23 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.face_model import FaceModel
 from phonemeanalyser.desktop.talk.osc_model import OscModel
+from phonemeanalyser.desktop.talk.text_model import TextModel
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.performer import IdleMotion, Performer, TimedFrame, known_frames, timed_frames
+from phonemeengine.mouth.performer import (
+    IdleMotion,
+    MouthTrack,
+    Performer,
+    TimedFrame,
+    known_frames,
+    timed_frames,
+)
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride
@@ -43,6 +51,7 @@ class TalkModel(QObject):
     Attributes
     ----------
     face, osc : the face that is moved, and what is sent over the network.
+    text : the words of the sound in hand, where they are known.
     table : the mouth shapes, with the speed that was chosen.
     table_name : one of the program's tables, or the path of the user's own.
     mode : what becomes of everything else when a slider asks for a shape.
@@ -59,11 +68,14 @@ class TalkModel(QObject):
     visemes_changed = Signal()
     error = Signal(str)
 
-    def __init__(self, session: Session, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self, session: Session, clock: Callable[[], float] = time.monotonic, text: TextModel | None = None
+    ) -> None:
         super().__init__()
         self.session = session
         self._clock, self._began = clock, clock()
         self.face, self.osc = FaceModel(), OscModel(self._now)
+        self.text = text or TextModel(session)
         self.watched = False
         self.revision = 0
         self.pose = HeadPose()
@@ -76,6 +88,7 @@ class TalkModel(QObject):
         self.performer = Performer(self.table, self.idle)
         self._performers = self.performer, self.osc.performer
         self._known: Transcript | None = None
+        self._tracks: tuple[MouthTrack, ...] = ()
         self._heard: list[Analysis] = []
         self._last: Analysis | None = None
         self._seen = np.zeros(0, np.float32)
@@ -135,6 +148,7 @@ class TalkModel(QObject):
     def set_known(self, known: Transcript | None) -> None:
         """Say what is known of the sound in hand, until another one is opened; of None, what is recognised in it."""
         self._known = known
+        self._last = None  # what is known ahead is heard again
         self._seek()
 
     # -- what is asked for --------------------------------------------------------------------------------
@@ -175,17 +189,20 @@ class TalkModel(QObject):
 
     def tick(self) -> None:
         """Follow what is heard, and move the face there if anybody looks; call it after the session's own tick."""
+        self.text.tick()
         heard, self._heard = self._heard, []
         if not (self.watched or self.osc.on):
             self._last = None
             return
         now = self._now()
         self._listen(heard, now)
+        self._play_letters(now)
         if self.watched and self.face.states is not None:
             self._move(now)
 
     def close(self) -> None:
         """Let everything go."""
+        self.text.close()
         self.osc.close()
         self.face.close()
         self._work.close()
@@ -206,7 +223,25 @@ class TalkModel(QObject):
             self._last = new[-1][1]
             frames = [frame for end, block in new for frame in timed_frames(block, end, self._known)]
             for performer in self._performers:
-                performer.hear(frames, now, live=self.session.source is not SoundSource.FILE)
+                performer.hear(frames, now, live=self.session.source.live)
+
+    def _play_letters(self, now: float) -> None:
+        """Have letters of pinyin move the mouths, in step with the sound, where there are any."""
+        start = now - self.session.position
+        for performer, track in zip(self._performers, self._tracks, strict=False):
+            performer.play(track, start)
+
+    def _take_text(self) -> None:
+        """Take up the letters, or that there are none any more; each performer asks a mouth of its own."""
+        letters = self.text.letters
+        if letters is None and self._tracks:
+            for performer in self._performers:
+                performer.play(None)
+        self._tracks = () if letters is None else tuple(letters.mouth() for _ in self._performers)
+
+    def _grow_known(self, known: Transcript) -> None:
+        """Go on with what is known by now of the same sound, none of which was heard yet."""
+        self._known = known
 
     def _move(self, now: float) -> None:
         _, weights, closure, pose = self.performer.at(now)
@@ -227,15 +262,19 @@ class TalkModel(QObject):
         session.sought.connect(self._seek)
         session.rewritten.connect(self._seek)
         session.transport_changed.connect(self._hold)
+        self.text.known_changed.connect(self.set_known)
+        self.text.known_grew.connect(self._grow_known)
+        self.text.known_changed.connect(self._take_text)
+        self.text.known_grew.connect(self._take_text)
         self.face.changed.connect(self._take_face)
         self.visemes_changed.connect(self._share_visemes)
         self.osc.changed.connect(self._share_visemes)
-        for part in (self.face, self.osc):
+        for part in (self.face, self.osc, self.text):
             part.error.connect(self.error)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
         """Take what was heard; once the sound has been stopped, what is still told of it says nothing any more."""
-        if self.session.playing or self.session.position or self.session.source is not SoundSource.FILE:
+        if self.session.playing or self.session.position or self.session.source.live:
             self._heard += blocks
 
     def _share_visemes(self) -> None:
@@ -244,6 +283,7 @@ class TalkModel(QObject):
     def _forget_sound(self) -> None:
         self._known = None
         self._close_mouth()
+        self.text.follow_sound()
 
     def _close_mouth(self) -> None:
         self._heard.clear()
@@ -254,7 +294,7 @@ class TalkModel(QObject):
     def _hold(self) -> None:
         """In a pause, keep the shape of what was heard last."""
         session, newest = self.session, self.session.history.newest
-        if session.source is SoundSource.FILE and not session.playing and session.position and newest is not None:
+        if not session.source.live and not session.playing and session.position and newest is not None:
             self._last, now = None, self._now()
             last = timed_frames(newest, now, self._known)[-1]
             for performer in self._performers:

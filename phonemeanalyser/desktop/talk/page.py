@@ -1,4 +1,4 @@
-"""The page of the head: the head at the left, and what it does at the right."""
+"""The page of the head: the head and its text at the left, and what it does at the right."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -20,6 +20,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.talk.osc_panel import OscPanel
 from phonemeanalyser.desktop.talk.phoneme_chip import PhonemeChip
+from phonemeanalyser.desktop.talk.text_panel import TextPanel
 from phonemeanalyser.desktop.talk.viseme_panel import VisemePanel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
@@ -32,7 +33,7 @@ BARS_EVERY = 2
 
 
 class TalkPage(QWidget):
-    """Lays out head, mouth shapes, bars and choices.
+    """Lays out head, text, mouth shapes, bars and choices.
 
     Signals
     -------
@@ -56,6 +57,7 @@ class TalkPage(QWidget):
         self.visemes = VisemePanel(talking, theme)
         self.bars = MovestateBars(talking, theme)
         self.osc = OscPanel(talking.osc, theme)
+        self.text = TextPanel(talking, theme)
         self.keys = HeldKeys(talking, self)
         self.open = _button("Open Sound…", "Open a sound file, and have the head say it at once")
         self.play = _button("Play", "Play or pause (Space)")
@@ -75,6 +77,7 @@ class TalkPage(QWidget):
     def refresh(self) -> None:
         """Show what changes by itself."""
         self.head.refresh()
+        self.text.refresh()
         self._ticks += 1
         if self._ticks % BARS_EVERY == 0:
             self.bars.refresh()
@@ -132,6 +135,7 @@ class TalkPage(QWidget):
             if self.said not in widgets:
                 row.addStretch(1)
             rows.addLayout(row)
+        rows.addWidget(self.text)
         return rows
 
     def _panel(self) -> QWidget:

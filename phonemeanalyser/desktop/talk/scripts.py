@@ -1,0 +1,110 @@
+"""What is said in a sound, as the engine finds it: in files beside it, by its script, or as a voice speaks it."""
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from phonemeengine.alignment.align import align_analyses
+from phonemeengine.analyser import Analysis, analyse_file
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.errors import CorpusError, TextError
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.labels.utterance_files import read_utterance, script_in
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, report_progress
+from phonemeengine.settings import FRAME_PERIOD, Channel
+from phonemeengine.speech.pinyin.labelled import read_syllables
+from phonemeengine.speech.voice import SpokenSentence, Voice
+from phonemeengine.text.lexicon import Lexicon
+from phonemeengine.text.pronunciation import words_of
+from phonemeengine.text.script import script_beside
+
+
+@dataclass(frozen=True)
+class ScriptedSound:
+    """A sound and its text.
+
+    Attributes
+    ----------
+    sound : the file.
+    channel : what is heard of it.
+    preset : what to recognise with.
+    text, language : what is said in it; the language as `languages` has it.
+    lexicon : goes before the language's voice, where there is one.
+    """
+
+    sound: Path
+    channel: Channel
+    preset: Preset
+    text: str
+    language: str
+    lexicon: Lexicon | None = None
+
+
+@dataclass(frozen=True)
+class FoundWords:
+    """What lies beside a sound.
+
+    Attributes
+    ----------
+    utterance : what is said when; None where there are no labels.
+    text : what is said; empty where there is no script.
+    """
+
+    utterance: Utterance | None = None
+    text: str = ""
+
+
+def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
+    """Return where the words of a text are in its sound.
+
+    Raises
+    ------
+    EngineError : the sound cannot be read, or there is nothing to say in the text.
+    Cancelled : nobody wants it any more.
+    """
+    words = words_of(script.text, script.language, script.lexicon)
+    with SoundReader(script.sound, script.channel) as reader:
+
+        def heard() -> Iterator[Analysis]:
+            for analysis in analyse_file(reader, script.preset):
+                end = (analysis.start + len(analysis)) * FRAME_PERIOD
+                report_progress(progress, min(1.0, end / max(reader.duration, FRAME_PERIOD)))
+                yield analysis
+
+        return align_analyses(heard(), words, reader.duration, script.language)
+
+
+def spoken(text: str, language: str) -> Iterator[SpokenSentence]:
+    """Return a text as a voice of espeak-ng speaks it, sentence by sentence.
+
+    Raises
+    ------
+    EngineError : it cannot be spoken; before anything is.
+    """
+    return Voice(language).speak(text)
+
+
+def words_beside(sound: Path, duration: float) -> FoundWords:
+    """Return what is known of a sound of `duration` seconds: ``x.TextGrid`` and ``x.txt`` beside ``x.wav``.
+
+    Of labels without times of phones, or of syllables of pinyin, the words are the script.
+
+    Raises
+    ------
+    EngineError : a file there cannot be read, or its labels are of no use.
+    """
+    script, labels = script_beside(sound), sound.with_suffix(".TextGrid")
+    text = script.text if script is not None else ""
+    if not labels.is_file():
+        return FoundWords(None, text)
+    with suppress(CorpusError, TextError):
+        return FoundWords(read_syllables(labels, duration), text)
+    try:
+        return FoundWords(read_utterance(labels, duration), text)
+    except CorpusError:
+        words = text or script_in(labels)
+        if not words:
+            raise
+        return FoundWords(None, words)

@@ -1,0 +1,161 @@
+"""The text below the head: what is said in the sound in hand, or what a voice is to say."""
+
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
+
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.words_view import WordsTimeline
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+
+N_LINES = 2
+NO_LANGUAGE = "language?"
+INVITATION = "What is said, or is to be said: Ctrl+Return says it, Ctrl+Shift+Return aligns it with the sound"
+
+
+class TextField(QPlainTextEdit):
+    """A text of some lines; Tab goes on to the next control.
+
+    Signals
+    -------
+    say_asked, align_asked : by Ctrl+Return, and with Shift.
+    """
+
+    say_asked = Signal()
+    align_asked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTabChangesFocus(True)
+        self.setPlaceholderText(INVITATION)
+        self.setAccessibleName("text")
+        self.setFixedHeight(self.sizeHint().height())
+
+    def sizeHint(self) -> QSize:
+        """Ask for two lines."""
+        edges = 2 * (self.frameWidth() + round(self.document().documentMargin()))
+        return QSize(200, N_LINES * self.fontMetrics().lineSpacing() + edges + 2)
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for no width."""
+        return QSize(0, self.sizeHint().height())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Take the keys that say or align the text."""
+        control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
+        if not (control and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}):
+            super().keyPressEvent(event)
+        elif event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.align_asked.emit()
+        else:
+            self.say_asked.emit()
+
+
+class TextPanel(QWidget):
+    """The text, its language and lexicon, what is done with it, and the lanes of what is said.
+
+    Signals
+    -------
+    lexicon_asked : the user wants to choose a lexicon.
+    save_asked : the user wants to save the words.
+    """
+
+    lexicon_asked = Signal()
+    save_asked = Signal()
+
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
+        super().__init__()
+        self._talking, self._texts = talking, talking.text
+        self.field = TextField()
+        self.language = QComboBox()
+        self.lexicon = _button("Lexicon…", "A file that says how words are pronounced; without one, the voice knows")
+        self.align = _button("Align", "Find the words of the text in the sound (Ctrl+Shift+Return)")
+        self.say = _button("Say", "Have a voice say the text (Ctrl+Return); Escape stops it")
+        self.save = _button("Save…", "Save words and phones as a TextGrid, which exports take")
+        self.state = ElidedLabel()
+        self.lanes = WordsTimeline(self._texts, theme)
+        self._lay_out()
+        self._connect()
+        self._show_state()
+        self._texts.wake()
+
+    def refresh(self) -> None:
+        """Show where the sound is."""
+        self.lanes.show_position(self._talking.session.position)
+
+    def _lay_out(self) -> None:
+        self.language.setToolTip("The language of the text, which is not guessed")
+        self.language.setAccessibleName("language of the text")
+        self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        row = QHBoxLayout()
+        row.setSpacing(6)
+        for widget in (self.language, self.lexicon, self.align, self.say, self.save):
+            row.addWidget(widget)
+        row.addWidget(self.state, 1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        column.addWidget(self.field)
+        column.addLayout(row)
+        column.addWidget(self.lanes)
+
+    def _connect(self) -> None:
+        texts, session = self._texts, self._talking.session
+        self.field.textChanged.connect(lambda: texts.set_text(self.field.toPlainText()))
+        self.field.say_asked.connect(texts.say)
+        self.field.align_asked.connect(texts.align)
+        self.language.activated.connect(lambda k: texts.set_language(self.language.itemData(k)))
+        self.lexicon.clicked.connect(lambda _checked: self._choose_lexicon())
+        self.align.clicked.connect(lambda _checked: texts.align())
+        self.say.clicked.connect(lambda _checked: texts.say())
+        self.save.clicked.connect(lambda _checked: self.save_asked.emit())
+        texts.changed.connect(self._show_state)
+        session.transport_changed.connect(self._show_state)
+
+    def _choose_lexicon(self) -> None:
+        """Choose a lexicon, or do without the one that is in use."""
+        if self._texts.lexicon_path is None:
+            self.lexicon_asked.emit()
+        else:
+            self._texts.set_lexicon(None)
+
+    def _show_state(self) -> None:
+        texts = self._texts
+        if self.field.toPlainText() != texts.text:
+            with QSignalBlocker(self.field):
+                self.field.setPlainText(texts.text)
+        self._show_languages()
+        self._show_lexicon()
+        self.align.setText("Cancel" if texts.busy else "Align")
+        self.align.setEnabled(self._talking.session.source is SoundSource.FILE)
+        self.save.setEnabled(texts.utterance is not None)
+        self.state.setText(texts.no_voice or texts.words)
+        self.state.setToolTip(texts.no_voice or texts.words)
+        self.lanes.setToolTip("Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms")
+
+    def _show_languages(self) -> None:
+        if self.language.count() != 1 + len(self._texts.languages):  # which are learnt once
+            self.language.clear()
+            self.language.addItem(NO_LANGUAGE, "")
+            for language in sorted(self._texts.languages, key=lambda language: language.name):
+                self.language.addItem(_short(language.name), language.tag)
+        self.language.setCurrentIndex(max(0, self.language.findData(self._texts.language)))
+
+    def _show_lexicon(self) -> None:
+        path = self._texts.lexicon_path
+        self.lexicon.setText("Lexicon…" if path is None else "No Lexicon")
+        tip = "A file that says how words are pronounced; without one, the voice knows"
+        self.lexicon.setToolTip(tip if path is None else f"{path} says how words are pronounced; do without it")
+
+
+def _short(name: str) -> str:
+    """Return the name of a language without what the voice does with Latin letters."""
+    return name.replace(", latin as English", "").replace("latin as ", "")
+
+
+def _button(text: str, tip: str) -> QPushButton:
+    button = QPushButton(text)
+    button.setToolTip(tip)
+    return button

@@ -1,0 +1,136 @@
+"""What is said when, below the head: lanes of words, syllables or letters, and phones."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtGui import QColor
+
+from phonemeanalyser.desktop.talk.text_model import TextModel, fits_badly
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.timeline import Lane, Timeline, TimelineView
+from phonemeengine.arrays import UInt32Array
+from phonemeengine.labels.boundaries import Unit
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.speech.pinyin.plan import PlanKind, PlanRow
+from phonemeengine.speech.pinyin.track import PinyinTrack
+
+NAMES = ("words", "syllables", "phones")
+LETTERS = "letters"
+UNITS = (Unit.WORD, Unit.SYLLABLE, Unit.PHONE)
+WORD_COLOUR, SYLLABLE_COLOUR, RIME_COLOUR = "#3d5a80", "#5c677d", "#7a8499"
+"""Dark enough for white letters, in both looks."""
+SHADE = 130
+"""By how much the colours of phonemes are darker here, %, so that letters are read on them."""
+
+
+class WordsTimeline(TimelineView):
+    """The lanes of what is said in the sound in hand, with their scroll bar.
+
+    A click plays a word, a syllable or a phone; a boundary can be dragged.
+    """
+
+    def __init__(self, texts: TextModel, theme: Theme) -> None:
+        super().__init__(Timeline(theme))
+        self._texts = texts
+        self._shown: tuple[object, ...] = ()
+        self.menu = PlotMenu(self.lanes, "what is said", lambda _at: table_of(self._columns()), self.show_whole)
+        self.setAccessibleName("what is said when")
+        self.span_clicked.connect(self._play)
+        self.boundary_moved.connect(self._move)
+        texts.changed.connect(self.show_words)
+        self.show_words()
+
+    def show_words(self) -> None:
+        """Show what is known now."""
+        texts = self._texts
+        known = (texts.utterance, texts.letters, texts.editable)
+        if self._shown and all(one is other for one, other in zip(known, self._shown, strict=True)):
+            self.lanes.drag = None
+            self.lanes.update()
+            return
+        self._shown = known
+        utterance = texts.utterance
+        if utterance is None:
+            self.show_lanes([Lane(name) for name in NAMES], 0.0)
+        else:
+            self.show_lanes(lanes_of(utterance, texts.letters, movable=texts.editable), utterance.duration)
+
+    def show_position(self, seconds: float) -> None:
+        """Show which time is heard; a view that somebody has scrolled stays until that is another one."""
+        heard = None if self._texts.utterance is None else seconds
+        if heard != self.lanes.playhead:
+            self.show_playhead(heard)
+
+    def _play(self, number: int, span: int) -> None:
+        lane = self.lanes.lanes[number]
+        self._texts.play(float(lane.starts[span]), float(lane.ends[span]))
+
+    def _move(self, number: int, boundary: int, seconds: float) -> None:
+        self._texts.move_boundary(UNITS[number], boundary, seconds)
+
+    def _columns(self) -> dict[str, Sequence[object]]:
+        """Return the phones as columns, each under its name and unit."""
+        utterance = self._texts.utterance
+        if utterance is None:
+            return {}
+        rows = [(word, phone) for word in utterance.words for phone in word.phones]
+        return {
+            "start (s)": [phone.start for _, phone in rows],
+            "end (s)": [phone.end for _, phone in rows],
+            "word": [word.text for word, _ in rows],
+            "phone": [phone.ipa for _, phone in rows],
+            "phoneme": [phone.phoneme.label for _, phone in rows],
+            "score": ["" if phone.score is None else phone.score for _, phone in rows],
+        }
+
+
+def lanes_of(utterance: Utterance, letters: PinyinTrack | None, *, movable: bool) -> list[Lane]:
+    """Return the lanes of an utterance, from above; letters of pinyin, where there are any, instead of syllables."""
+    words = utterance.words
+    syllables = [syllable for word in words for syllable in word.syllables]
+    phones = list(utterance.phones)
+    bad = frozenset(k for k, word in enumerate(words) if fits_badly(word))
+    texts = [syllable.text or "".join(phone.ipa for phone in syllable.phones) for syllable in syllables]
+    middle = (
+        _lane(NAMES[1], syllables, texts, [SYLLABLE_COLOUR] * len(syllables), movable=movable)
+        if letters is None
+        else _lane_of_letters(letters)
+    )
+    return [
+        _lane(NAMES[0], words, [word.text for word in words], [WORD_COLOUR] * len(words), bad, movable=movable),
+        middle,
+        _lane(NAMES[2], phones, [phone.ipa or phone.phoneme.label for phone in phones],
+              [_colour_of(phone.phoneme) for phone in phones], movable=movable),
+    ]  # fmt: skip
+
+
+def _lane_of_letters(letters: PinyinTrack) -> Lane:
+    rows = [row for row in letters.plan.rows if row.kind is PlanKind.SYLLABLE]
+    parts = [part for row in rows for part in _parts_of(row)]
+    starts, ends = (np.array([part[k] for part in parts]) for k in (0, 1))
+    colours = [SYLLABLE_COLOUR if part[3] else RIME_COLOUR for part in parts]
+    return Lane(LETTERS, starts, ends, [part[2] for part in parts], _rgb(colours))
+
+
+def _parts_of(row: PlanRow) -> list[tuple[float, float, str, bool]]:
+    """Return start, end and letter of both parts of a syllable, and whether it is the onset."""
+    parts = [(row.start, row.turn, row.letters[0], True), (row.turn, row.end, row.letters[1], False)]
+    return [part for part in parts if part[1] > part[0]]
+
+
+def _lane(
+    name: str, spans: Sequence[object], texts: Sequence[str], colours: Sequence[str],
+    marked: frozenset[int] = frozenset(), *, movable: bool,
+) -> Lane:  # fmt: skip
+    starts, ends = (np.array([getattr(span, edge) for span in spans], float) for edge in ("start", "end"))
+    return Lane(name, starts, ends, texts, _rgb(colours), marked, movable)
+
+
+def _rgb(colours: Sequence[str]) -> UInt32Array:
+    return np.array([QColor(colour).rgb() for colour in colours], np.uint32)
+
+
+def _colour_of(phoneme: Phoneme) -> str:
+    return QColor(PHONEME_COLOURS[phoneme]).darker(SHADE).name()
