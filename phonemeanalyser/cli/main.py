@@ -13,6 +13,7 @@ from phonemeengine import EngineError
 
 COMMANDS = {
     "adapt": "Calibrate a preset to the takes or labelled recordings of one voice, or to a room alone.",
+    "align": "Tell where a script is said in sound files, and which take of each line is the best.",
     "analyse": "Write the phonemes of sound files as tables.",
     "export": "Write what sound files say as mouth cues and movements for other programs.",
     "listen": "Recognise what a microphone hears, and print a line at each change; Ctrl-C ends it.",

@@ -11,6 +11,7 @@ from tqdm import tqdm
 from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset, number_in, whole_in
 from phonemeanalyser.cli.jobs import say_cut_off
 from phonemeanalyser.cli.output_files import print_whole, write_whole
+from phonemeanalyser.cli.scripts import words_to_score
 from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
@@ -34,6 +35,7 @@ from phonemeengine import (
 )
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
+from phonemeengine.calibration.scores.evaluation import WordsOf
 from phonemeengine.files import printable, printable_name
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
@@ -64,6 +66,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     lag = number_in(-MOST_LAG_MS, MOST_LAG_MS, "ms")
     parser.add_argument("--lag", type=lag, default=0.0, metavar="MS", help="take the answers to come so late")
     add_map(parser)
+    texts = "align the texts, the manifest's column text or those of --script, and score that"
+    parser.add_argument("--texts", action="store_true", help=texts)
+    parser.add_argument("--script", type=Path, metavar="FILE", help="table with a line FILE<TAB>TEXT for each sound")
+    parser.add_argument("--language", metavar="L", help="the texts', such as en-us (default: the manifest's)")
+    parser.add_argument("--lexicon", type=Path, metavar="FILE", help="how words are pronounced, .toml or .csv")
     add_channel(parser)
     parser.add_argument("--noise", choices=[k.value for k in NoiseKind], help="add noise before the analysis")
     snr = number_in(LOWEST_SNR, HIGHEST_SNR, "dB")
@@ -80,10 +87,12 @@ def run(options: argparse.Namespace) -> int:
     mapping = None if options.map is None else load_phoneme_map(options.map)
     troubles = _Troubles()
     utterances = _recordings_in(options.corpus, mapping, options.channel, troubles)
+    words = words_to_score(options, utterances)
     scored: list[ScoredPreset] = []
     for named in presets:
         adder = None if noise is None else NoiseAdder(noise, utterances)
-        scored.append(ScoredPreset(named.title, _scored(utterances, named, options.lag / 1000, adder, troubles)))
+        found = _scored(utterances, named, options.lag / 1000, adder, words, troubles)
+        scored.append(ScoredPreset(f"{named.title} with texts" if words else named.title, found))
         utterances = tuple(p.utterance for p in scored[-1].scores.predictions)
     comparison = compare(*(preset.scores for preset in scored)) if len(scored) > 1 else None
     report = Report(options.corpus, tuple(scored), comparison, noise, tuple(troubles.sentences))
@@ -113,12 +122,17 @@ def _recordings_in(
 
 
 def _scored(
-    utterances: Sequence[LabelledUtterance], named: Named, delay: float, adder: NoiseAdder | None, troubles: _Troubles
+    utterances: Sequence[LabelledUtterance],
+    named: Named,
+    delay: float,
+    adder: NoiseAdder | None,
+    words: WordsOf | None,
+    troubles: _Troubles,
 ) -> CorpusScores:
     with tqdm(
         utterances, desc=named.title, unit="recording", leave=False, delay=1, disable=None, file=sys.stderr
     ) as progress:
-        return score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push)
+        return score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push, words=words)
 
 
 def _presets_of(first: Path, against: Path | None) -> list[Named]:

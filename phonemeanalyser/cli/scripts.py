@@ -1,17 +1,30 @@
 """What is said in the sounds of a command, as its arguments say, and what is found of it."""
 
 import argparse
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from phonemeanalyser.cli.jobs import say_note
-from phonemeengine import Analysis, EngineError, Lexicon, SoundReader, Transcript, Utterance, load_lexicon, words_of
+from phonemeengine import (
+    Analysis,
+    EngineError,
+    LabelledUtterance,
+    Lexicon,
+    ScriptWord,
+    SoundReader,
+    Transcript,
+    Utterance,
+    load_lexicon,
+    words_of,
+)
 from phonemeengine.alignment.align import is_other_text
+from phonemeengine.calibration.scores.evaluation import WordsOf
 from phonemeengine.files import printable, printable_name
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
 from phonemeengine.mouth.transcript import transcript_of
+from phonemeengine.text.espeak import languages
 from phonemeengine.text.script import load_script, script_beside
 
 AUTO = "auto"
@@ -91,6 +104,36 @@ def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenT
     if options.script is not None and options.script.suffix.lower() == LABELS:
         return SpokenTexts({}, _labels_of(options.script, sounds), None, None)
     return SpokenTexts(_texts_of(options, sounds), None, options.language, lexicon)
+
+
+def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtterance]) -> WordsOf | None:
+    """Return what gives the words of labelled recordings; None where the command line asks for none.
+
+    Raises
+    ------
+    EngineError : a script or the lexicon cannot be read, or says nothing about the sounds.
+    """
+    if not (options.texts or options.script):
+        return None
+    texts = {utterance.path: utterance.text for utterance in utterances if utterance.text}
+    if options.script is not None:
+        texts = dict(load_script(options.script).texts_of([utterance.path for utterance in utterances])[0])
+    if not texts:
+        raise EngineError("there is no text of what is said; add a column text to the manifest, or name a --script")
+    lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
+    known = {language.tag for language in languages()}
+
+    def words_for(utterance: LabelledUtterance) -> Sequence[ScriptWord] | None:
+        tag = options.language or _tag_of(utterance.language, known)
+        return words_of(texts[utterance.path], tag, lexicon) if utterance.path in texts else None
+
+    return words_for
+
+
+def _tag_of(language: str, known: Collection[str]) -> str:
+    """Return a manifest's language, such as de-DE, as a voice has it."""
+    whole = language.lower()
+    return next((tag for tag in (whole, whole.partition("-")[0]) if tag in known), whole)
 
 
 def say_misfits(name: str, utterance: Utterance) -> None:

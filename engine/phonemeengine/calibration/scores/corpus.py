@@ -54,6 +54,7 @@ class LabelledUtterance:
     speaker, corpus : who said it, and the part of the corpus it belongs to.
     channel : what is analysed of a sound that has several.
     cut_off : what the sound's file lacks, as a sentence; empty where it is whole.
+    text, language : what is said, in letters, and in which language, where the manifest tells.
     """
 
     path: Path
@@ -62,6 +63,8 @@ class LabelledUtterance:
     corpus: str
     channel: Channel = Channel.MIX
     cut_off: str = ""
+    text: str = ""
+    language: str = ""
 
     @property
     def voice(self) -> str:
@@ -94,13 +97,15 @@ class FrameLabels:
 
 @dataclass(frozen=True)
 class _Pair:
-    """A sound, its label file, whose they are, and the channel that counts."""
+    """A sound, its label file, whose they are, the channel that counts, and what is said."""
 
     sound: Path
     labels: Path
     speaker: str
     corpus: str
     channel: Channel
+    text: str = ""
+    language: str = ""
 
 
 def read_corpus(
@@ -120,8 +125,12 @@ def read_corpus(
     """
     rows = rows_of(read_text(folder / MANIFEST), MANIFEST_COLUMNS, MANIFEST)
     pairs = (
-        _Pair(folder / row["wav"], folder / row["labels"], row["speaker"], row["corpus"], channel) for _, row in rows
-    )
+        _Pair(
+            folder / row["wav"], folder / row["labels"], row["speaker"], row["corpus"], channel,
+            row.get("text", ""), row.get("language", ""),
+        )
+        for _, row in rows
+    )  # fmt: skip
     return _utterances_of(pairs, mapping or PhonemeMap(), folder.name or str(folder), on_skipped=on_skipped)
 
 
@@ -200,7 +209,14 @@ def _utterances_of(
     phone_classes = mapping.phone_classes_of(names, source)
     return tuple(
         LabelledUtterance(
-            pair.sound, labels_named(raw_labels, phone_classes), pair.speaker, pair.corpus, pair.channel, cut_off
+            pair.sound,
+            labels_named(raw_labels, phone_classes),
+            pair.speaker,
+            pair.corpus,
+            pair.channel,
+            cut_off,
+            pair.text,
+            pair.language,
         )
         for pair, raw_labels, cut_off in read
     )

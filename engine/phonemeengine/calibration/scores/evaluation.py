@@ -1,14 +1,16 @@
 """What a preset answers in labelled recordings, and how right that is: in all, by kind and by speaker."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.analyser import BLOCK, Analyser, analyse_blocks
+from phonemeengine.alignment.align import align_analyses
+from phonemeengine.analyser import BLOCK, Analyser, Analysis, analyse_blocks
 from phonemeengine.arrays import BoolArray, Float32Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.added_noise import NoiseAdder
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, OnSkipped, frame_labels_of
@@ -20,11 +22,15 @@ from phonemeengine.calibration.scores.scoring import (
     scores_of,
 )
 from phonemeengine.errors import AudioError, CorpusError
+from phonemeengine.labels.utterance import Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD, HOP
+from phonemeengine.text.pronunciation import ScriptWord
 
+WordsOf = Callable[[LabelledUtterance], Sequence[ScriptWord] | None]
+"""Gives the words of a recording with their pronunciations; None where they are not known."""
 HUMAN = "human"
 """Parts of a corpus whose names begin so are one kind."""
 ROUNDING = 1e-9
@@ -114,6 +120,7 @@ def score(
     delay: float = 0.0,
     noise: NoiseAdder | None = None,
     on_skipped: OnSkipped | None = None,
+    words: WordsOf | None = None,
 ) -> CorpusScores:
     """Recognise recordings with a preset, and compare the answers with the labels.
 
@@ -124,6 +131,7 @@ def score(
     delay : seconds by which the answers are taken to come late; what a recogniser looks ahead is no delay.
     noise : what is added to each recording before it is analysed.
     on_skipped : told of each sound that cannot be read, which is then left out; None refuses it.
+    words : gives the words of a recording, which is then aligned with them.
 
     Raises
     ------
@@ -134,7 +142,7 @@ def score(
     predictions = []
     for utterance in corpus:
         try:
-            predictions.append(predict(utterance, preset, delay=delay, noise=noise))
+            predictions.append(predict(utterance, preset, delay=delay, noise=noise, words=words))
         except AudioError as error:
             if on_skipped is None:
                 raise
@@ -153,7 +161,12 @@ def score(
 
 
 def predict(
-    utterance: LabelledUtterance, preset: Preset, *, delay: float = 0.0, noise: NoiseAdder | None = None
+    utterance: LabelledUtterance,
+    preset: Preset,
+    *,
+    delay: float = 0.0,
+    noise: NoiseAdder | None = None,
+    words: WordsOf | None = None,
 ) -> Predictions:
     """Recognise one recording; the parameters are those of `score`.
 
@@ -164,11 +177,37 @@ def predict(
     labels = frame_labels_of(utterance.labels)
     with utterance.opened() as reader:
         blocks = reader.blocks(BLOCK * HOP) if noise is None else noise.blocks(utterance, BLOCK * HOP)
-        found = [(a.phonemes, a.intensities) for a in analyse_blocks(blocks, preset)]
-        n_in_sound = math.ceil(reader.duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
-    phonemes, intensities = (np.concatenate(part)[:n_in_sound] for part in zip(*found, strict=True))
+        analyses = analyse_blocks(blocks, preset)
+        phonemes, intensities = _answers(analyses, None if words is None else words(utterance), reader.duration)
     late, n = math.floor(delay / FRAME_PERIOD + 0.5 + ROUNDING), len(labels.phonemes)
     return Predictions(utterance, labels, _shifted(phonemes, late, n), _shifted(intensities, late, n))
+
+
+def _answers(
+    analyses: Iterable[Analysis], words: Sequence[ScriptWord] | None, duration: float
+) -> tuple[UInt8Array, Float32Array]:
+    """Return the phonemes of a sound's frames, as they are recognised or aligned, and their intensities."""
+    n_in_sound = math.ceil(duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
+    found = [(np.zeros(0, np.uint8), np.zeros(0, np.float32))]
+
+    def heard() -> Iterator[Analysis]:
+        for analysis in analyses:
+            found.append((analysis.phonemes, analysis.intensities))
+            yield analysis
+
+    aligned = align_analyses(heard(), words, duration) if words else None
+    if aligned is None:
+        deque(heard(), maxlen=0)
+    phonemes, intensities = (np.concatenate(part)[:n_in_sound] for part in zip(*found, strict=True))
+    return phonemes if aligned is None else frame_phonemes_of(aligned, n_in_sound), intensities
+
+
+def frame_phonemes_of(utterance: Utterance, n_frames: int) -> UInt8Array:
+    """Return the codes of what is said in frames, uint8, shape (n_frames,); what lies between phones is silence."""
+    phonemes = np.full(n_frames, Phoneme.SILENCE, np.uint8)
+    for phone in utterance.phones:
+        phonemes[round(phone.start / FRAME_PERIOD) : round(phone.end / FRAME_PERIOD)] = phone.phoneme
+    return phonemes
 
 
 def group_scores_of(predictions: Sequence[Predictions]) -> GroupScores:
