@@ -13,8 +13,10 @@ from phonemeengine import (
     Lexicon,
     ScriptWord,
     SoundReader,
+    TextError,
     Transcript,
     Utterance,
+    VoiceError,
     load_lexicon,
     words_of,
 )
@@ -124,8 +126,16 @@ def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtt
     known = {language.tag for language in languages()}
 
     def words_for(utterance: LabelledUtterance) -> Sequence[ScriptWord] | None:
+        if utterance.path not in texts:
+            return None
         tag = options.language or _tag_of(utterance.language, known)
-        return words_of(texts[utterance.path], tag, lexicon) if utterance.path in texts else None
+        try:
+            return words_of(texts[utterance.path], tag, lexicon)
+        except VoiceError:
+            raise
+        except TextError as error:
+            say_note(printable_name(utterance.path), f"recognised without its text: {error}")
+            return None
 
     return words_for
 
