@@ -3,7 +3,7 @@
 import re
 from collections import deque
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -130,7 +130,7 @@ class TextModel(QObject):
         self._until: float | None = None
         self._awake = False
         self._work, self._looking = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
-        self._waking = TaskQueue(self._lack_voice)
+        self._saving, self._waking = TaskQueue(self.error.emit), TaskQueue(self._lack_voice)
         self._work.changed.connect(self.changed)
         session.speech_asked.connect(self.say)
 
@@ -265,7 +265,7 @@ class TextModel(QObject):
         if utterance is None:
             self.error.emit("There are no words to save; align a text, or have it said.")
             return
-        self._looking.submit(
+        self._saving.submit(
             lambda _progress: write_text(format_utterance(utterance), path),
             lambda _: self.info.emit(f"Saved words, phones and phonemes as {path}."),
         )
@@ -279,9 +279,10 @@ class TextModel(QObject):
         if session.source is not SoundSource.TEXT:
             self._speech = None
         if session.source is SoundSource.FILE and not self._still_fits():
+            another = session.path != self._sound
             self._sound, self._of_sound = session.path, None
             self._work.cancel()
-            self._look_beside()
+            self._look_beside(with_script=another)
         self._tell()
 
     def tick(self) -> None:
@@ -295,7 +296,8 @@ class TextModel(QObject):
                 self._session.pause()
 
     def close(self) -> None:
-        """End all work."""
+        """Save what is to be saved, and end all other work."""
+        self._saving.finish()
         for work in (self._work, self._looking, self._waking):
             work.close()
 
@@ -320,15 +322,16 @@ class TextModel(QObject):
     def _still_fits(self) -> bool:
         """Return whether the file in hand is the one whose words are known, in another channel perhaps."""
         session, known = self._session, self._of_sound
-        if session.path != self._sound:
+        if session.path != self._sound or known is None:
             return False
-        return known is None or abs(known.duration - session.duration) < 1 / SAMPLE_RATE
+        return abs(known.duration - session.duration) < 1 / SAMPLE_RATE
 
-    def _look_beside(self) -> None:
+    def _look_beside(self, *, with_script: bool) -> None:
         sound, duration = self._session.path, self._session.duration
         if sound is not None:
             self._looking.replace(
-                lambda _progress: words_beside(sound, duration), lambda found: self._take_found(sound, found)
+                lambda _progress: words_beside(sound, duration),
+                lambda found: self._take_found(sound, found if with_script else replace(found, text="")),
             )
 
     def _take_found(self, sound: Path, found: FoundWords) -> None:

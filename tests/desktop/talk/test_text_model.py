@@ -47,7 +47,7 @@ class Desk:
     def wait(self) -> None:
         """Wait until all work is done."""
         texts = self.texts
-        self.qtbot.waitUntil(lambda: not (texts.busy or texts._looking.busy or texts._waking.busy))
+        self.qtbot.waitUntil(lambda: not (texts.busy or texts._looking.busy or texts._saving.busy or texts._waking.busy))
 
     def align(self, text: str = "so oh", language: str = "en-us") -> None:
         """Align a text with the sound in hand."""
@@ -97,6 +97,16 @@ def test_damaged_labels_beside_a_sound_are_said_and_the_sound_is_in_hand(desk, t
     desk.open(tmp_path)
     assert "said.TextGrid" in desk.failed[0]
     assert desk.session.path == tmp_path / "said.wav"
+
+
+def test_labels_that_were_made_meanwhile_are_found_when_the_sound_is_opened_again(desk, tmp_path):
+    (tmp_path / "said.txt").write_text("so oh", encoding="utf-8")
+    desk.open(tmp_path)
+    desk.texts.set_text("what I write")
+    (tmp_path / "said.TextGrid").write_text(format_utterance(SAID), encoding="utf-8")
+    desk.open(tmp_path)
+    assert desk.words() == ["so", "oh"]
+    assert desk.texts.text == "what I write"
 
 
 def test_another_sound_has_other_words(desk, tmp_path):
