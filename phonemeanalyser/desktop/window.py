@@ -156,7 +156,7 @@ class MainWindow(QMainWindow):
         page.choices.mesh_asked.connect(dialogs.ask_mesh)
         page.choices.table_asked.connect(dialogs.ask_table)
         page.text.lexicon_asked.connect(dialogs.ask_lexicon)
-        page.text.save_asked.connect(dialogs.ask_save_words)
+        page.words_asked.connect(dialogs.ask_save_words)
         page.text.lanes.menu.save_asked.connect(self.dialogs.ask_save_picture)
         self.installEventFilter(page.keys)
         return page

@@ -9,6 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.text_model import TextModel
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.conftest import AHEAD, STEP, ended
@@ -27,11 +28,11 @@ LONG = 20.0
 class Stage:
     """A talking head whose clock goes with the sound that is heard."""
 
-    def __init__(self, session: Session, outputs: Outputs, qtbot: QtBot) -> None:
+    def __init__(self, session: Session, outputs: Outputs, qtbot: QtBot, text: TextModel | None = None) -> None:
         self.session, self.outputs, self.qtbot = session, outputs, qtbot
         self.now = START
         self.failed: list[str] = []
-        self.talking = TalkModel(session, lambda: self.now)
+        self.talking = TalkModel(session, lambda: self.now, text)
         self.talking.error.connect(self.failed.append)
 
     def look(self) -> None:

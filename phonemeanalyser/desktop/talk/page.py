@@ -38,6 +38,7 @@ class TalkPage(QWidget):
     Signals
     -------
     sound_asked, preset_asked : the user wants the head to say another sound, or to load phoneme data.
+    words_asked : the user wants to save what is said.
 
     Attributes
     ----------
@@ -46,6 +47,7 @@ class TalkPage(QWidget):
 
     sound_asked = Signal()
     preset_asked = Signal()
+    words_asked = Signal()
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
@@ -63,6 +65,7 @@ class TalkPage(QWidget):
         self.play = _button("Play", "Play or pause (Space)")
         self.stop = _button("Stop", "Stop (Escape)")
         self.preset = _button("Load Preset…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")
+        self.save = _button("Save Words…", "Save words and phones as a TextGrid, which exports take")
         self.wireframe = QCheckBox("wireframe")
         self.wireframe.setToolTip("Draw the edges of the mesh alone (W)")
         self.home = _button("⌂", "Look at the whole head from the front (Home, or a double click)")
@@ -90,6 +93,8 @@ class TalkPage(QWidget):
         self.preset.clicked.connect(lambda _checked: self.preset_asked.emit())
         self.play.clicked.connect(lambda _checked: session.toggle())
         self.stop.clicked.connect(lambda _checked: session.stop())
+        self.save.clicked.connect(lambda _checked: self.words_asked.emit())
+        self._talking.text.changed.connect(self._show_state)
         self.home.clicked.connect(lambda _checked: self.head.go_home())
         self.wireframe.toggled.connect(lambda on: self.head.look(wireframe=on))
         self.light_left.clicked.connect(lambda _checked: self.head.move_light(-LIGHT_STEP))
@@ -101,6 +106,7 @@ class TalkPage(QWidget):
     def _show_state(self) -> None:
         session = self._talking.session
         self.play.setText("Pause" if session.playing else "Play")
+        self.save.setEnabled(self._talking.text.utterance is not None)
         self.said.setText(session.name)
         self.said.setToolTip(f"{session.name}: {session.description}")
 
@@ -127,7 +133,7 @@ class TalkPage(QWidget):
         rows.setContentsMargins(8, 5, 8, 5)
         rows.setSpacing(4)
         looks = (self.wireframe, self.light_left, self.light_right, self.home)
-        for widgets in ((self.open, self.play, self.stop, self.preset), (self.heard, self.said, *looks)):
+        for widgets in ((self.open, self.play, self.stop, self.preset, self.save), (self.heard, self.said, *looks)):
             row = QHBoxLayout()
             row.setSpacing(6)
             for widget in widgets:

@@ -3,7 +3,7 @@
 import re
 from collections import deque
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -93,10 +93,11 @@ class TextModel(QObject):
     changed : the words, the text, the language, the lexicon, or what is going on.
     known_changed : what is said in the sound in hand, as a `Transcript`, or None where that is not known.
     known_grew : the same, where there is more of it than before.
-    error, info : a sentence for the user.
+    error, info : a sentence for the user; an empty error takes the one before away.
 
     Attributes
     ----------
+    tools : what does the work.
     text : the script of the sound in hand, or what is to be spoken.
     language : of the text; empty where none is chosen.
     lexicon_path : goes before the language's voice; None for none.
@@ -114,7 +115,7 @@ class TextModel(QObject):
     def __init__(self, session: Session, tools: TextTools | None = None) -> None:
         super().__init__()
         self._session = session
-        self._tools = tools or TextTools()
+        self.tools = tools or TextTools()
         self.text = self.language = ""
         self.lexicon_path: Path | None = None
         self.languages: tuple[Language, ...] = ()
@@ -129,7 +130,7 @@ class TextModel(QObject):
         self._until: float | None = None
         self._awake = False
         self._work, self._looking = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
-        self._waking = TaskQueue(self._lack_voice)
+        self._saving, self._waking = TaskQueue(self.error.emit), TaskQueue(self._lack_voice)
         self._work.changed.connect(self.changed)
         session.speech_asked.connect(self.say)
 
@@ -153,10 +154,13 @@ class TextModel(QObject):
         return self._work.busy
 
     @property
-    def words(self) -> str:
-        """What is going on, or what is known, in words."""
-        if self.busy:
-            return f"aligning, {self._work.progress:.0%}" if self._work.progress else "reading the text …"
+    def progress(self) -> str:
+        """How far the work is, in words; nothing where there is none."""
+        return f"{self._work.progress:.0%}" if self.busy else ""
+
+    @property
+    def summary(self) -> str:
+        """What is known, in words."""
         utterance = self.utterance
         if utterance is None:
             return ""
@@ -170,7 +174,7 @@ class TextModel(QObject):
         """Learn the languages, in the background."""
         if not self._awake:
             self._awake = True
-            self._waking.submit(lambda _progress: self._tools.languages(), self._take_languages)
+            self._waking.submit(lambda _progress: self.tools.languages(), self._take_languages)
 
     def set_text(self, text: str) -> None:
         """Take another text."""
@@ -226,14 +230,14 @@ class TextModel(QObject):
                 session.path, session.channel, session.preset.in_force, self.text, self.language, self._lexicon
             )
             self._work.submit(
-                lambda progress: self._tools.align(script, progress), lambda found: self._take_aligned(script, found)
+                lambda progress: self.tools.align(script, progress), lambda found: self._take_aligned(script, found)
             )
 
     def say(self) -> None:
         """Have a voice speak the text, as soon as it can."""
         if self._may_read():
             text, language = self.text, self._language_of_text
-            self._work.replace(lambda _progress: self._tools.speak(text, language), self._take_speech)
+            self._work.replace(lambda _progress: self.tools.speak(text, language), self._take_speech)
 
     def move_boundary(self, unit: Unit, boundary: int, seconds: float) -> None:
         """Move a boundary; see `with_boundary`."""
@@ -261,7 +265,7 @@ class TextModel(QObject):
         if utterance is None:
             self.error.emit("There are no words to save; align a text, or have it said.")
             return
-        self._looking.submit(
+        self._saving.submit(
             lambda _progress: write_text(format_utterance(utterance), path),
             lambda _: self.info.emit(f"Saved words, phones and phonemes as {path}."),
         )
@@ -275,9 +279,10 @@ class TextModel(QObject):
         if session.source is not SoundSource.TEXT:
             self._speech = None
         if session.source is SoundSource.FILE and not self._still_fits():
+            another = session.path != self._sound
             self._sound, self._of_sound = session.path, None
             self._work.cancel()
-            self._look_beside()
+            self._look_beside(with_script=another)
         self._tell()
 
     def tick(self) -> None:
@@ -291,7 +296,8 @@ class TextModel(QObject):
                 self._session.pause()
 
     def close(self) -> None:
-        """End all work."""
+        """Save what is to be saved, and end all other work."""
+        self._saving.finish()
         for work in (self._work, self._looking, self._waking):
             work.close()
 
@@ -309,21 +315,23 @@ class TextModel(QObject):
         elif not self._language_of_text:
             self.error.emit("The language of a text is not guessed; choose it below the text.")
         else:
+            self.error.emit("")  # what was wrong before is right now
             return True
         return False
 
     def _still_fits(self) -> bool:
         """Return whether the file in hand is the one whose words are known, in another channel perhaps."""
         session, known = self._session, self._of_sound
-        if session.path != self._sound:
+        if session.path != self._sound or known is None:
             return False
-        return known is None or abs(known.duration - session.duration) < 1 / SAMPLE_RATE
+        return abs(known.duration - session.duration) < 1 / SAMPLE_RATE
 
-    def _look_beside(self) -> None:
+    def _look_beside(self, *, with_script: bool) -> None:
         sound, duration = self._session.path, self._session.duration
         if sound is not None:
             self._looking.replace(
-                lambda _progress: words_beside(sound, duration), lambda found: self._take_found(sound, found)
+                lambda _progress: words_beside(sound, duration),
+                lambda found: self._take_found(sound, found if with_script else replace(found, text="")),
             )
 
     def _take_found(self, sound: Path, found: FoundWords) -> None:

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.talk.model import TalkModel
@@ -59,11 +59,9 @@ class TextPanel(QWidget):
     Signals
     -------
     lexicon_asked : the user wants to choose a lexicon.
-    save_asked : the user wants to save the words.
     """
 
     lexicon_asked = Signal()
-    save_asked = Signal()
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
@@ -73,7 +71,6 @@ class TextPanel(QWidget):
         self.lexicon = _button("Lexicon…", "A file that says how words are pronounced; without one, the voice knows")
         self.align = _button("Align", "Find the words of the text in the sound (Ctrl+Shift+Return)")
         self.say = _button("Say", "Have a voice say the text (Ctrl+Return); Escape stops it")
-        self.save = _button("Save…", "Save words and phones as a TextGrid, which exports take")
         self.state = ElidedLabel()
         self.lanes = WordsTimeline(self._texts, theme)
         self._lay_out()
@@ -88,10 +85,11 @@ class TextPanel(QWidget):
     def _lay_out(self) -> None:
         self.language.setToolTip("The language of the text, which is not guessed")
         self.language.setAccessibleName("language of the text")
+        self.lanes.setToolTip("Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms")
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         row = QHBoxLayout()
         row.setSpacing(6)
-        for widget in (self.language, self.lexicon, self.align, self.say, self.save):
+        for widget in (self.language, self.lexicon, self.align, self.say):
             row.addWidget(widget)
         row.addWidget(self.state, 1)
         column = QVBoxLayout(self)
@@ -110,7 +108,6 @@ class TextPanel(QWidget):
         self.lexicon.clicked.connect(lambda _checked: self._choose_lexicon())
         self.align.clicked.connect(lambda _checked: texts.align())
         self.say.clicked.connect(lambda _checked: texts.say())
-        self.save.clicked.connect(lambda _checked: self.save_asked.emit())
         texts.changed.connect(self._show_state)
         session.transport_changed.connect(self._show_state)
 
@@ -130,10 +127,9 @@ class TextPanel(QWidget):
         self._show_lexicon()
         self.align.setText("Cancel" if texts.busy else "Align")
         self.align.setEnabled(self._talking.session.source is SoundSource.FILE)
-        self.save.setEnabled(texts.utterance is not None)
-        self.state.setText(texts.no_voice or texts.words)
-        self.state.setToolTip(texts.no_voice or texts.words)
-        self.lanes.setToolTip("Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms")
+        self.state.setText(texts.progress or texts.no_voice)
+        self.state.setToolTip(texts.progress or texts.no_voice)
+        self.lanes.setVisible(texts.utterance is not None)
 
     def _show_languages(self) -> None:
         if self.language.count() != 1 + len(self._texts.languages):  # which are learnt once
@@ -155,7 +151,10 @@ def _short(name: str) -> str:
     return name.replace(", latin as English", "").replace("latin as ", "")
 
 
-def _button(text: str, tip: str) -> QPushButton:
-    button = QPushButton(text)
+def _button(text: str, tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
     button.setToolTip(tip)
+    button.setAccessibleName(tip)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     return button

@@ -8,10 +8,10 @@ from PySide6.QtGui import QColor
 from phonemeanalyser.desktop.talk.text_model import TextModel, fits_badly
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
-from phonemeanalyser.desktop.widgets.timeline import Lane, Timeline, TimelineView
+from phonemeanalyser.desktop.widgets.timeline import Chapter, Lane, Timeline, TimelineView
 from phonemeengine.arrays import UInt32Array
 from phonemeengine.labels.boundaries import Unit
-from phonemeengine.labels.utterance import Utterance
+from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.plan import PlanKind, PlanRow
 from phonemeengine.speech.pinyin.track import PinyinTrack
@@ -21,6 +21,8 @@ LETTERS = "letters"
 UNITS = (Unit.WORD, Unit.SYLLABLE, Unit.PHONE)
 WORD_COLOUR, SYLLABLE_COLOUR, RIME_COLOUR = "#3d5a80", "#5c677d", "#7a8499"
 """Dark enough for white letters, in both looks."""
+SCALE = 2.0
+"""Pixels of a frame to begin with: most phones have room for their names."""
 SHADE = 130
 """By how much the colours of phonemes are darker here, %, so that letters are read on them."""
 
@@ -33,6 +35,7 @@ class WordsTimeline(TimelineView):
 
     def __init__(self, texts: TextModel, theme: Theme) -> None:
         super().__init__(Timeline(theme))
+        self.lanes.scale = SCALE
         self._texts = texts
         self._shown: tuple[object, ...] = ()
         self.menu = PlotMenu(self.lanes, "what is said", lambda _at: table_of(self._columns()), self.show_whole)
@@ -55,7 +58,8 @@ class WordsTimeline(TimelineView):
         if utterance is None:
             self.show_lanes([Lane(name) for name in NAMES], 0.0)
         else:
-            self.show_lanes(lanes_of(utterance, texts.letters, movable=texts.editable), utterance.duration)
+            lanes = lanes_of(utterance, texts.letters, movable=texts.editable)
+            self.show_lanes(lanes, utterance.duration, [Chapter(0.0, texts.summary)])
 
     def show_position(self, seconds: float) -> None:
         """Show which time is heard; a view that somebody has scrolled stays until that is another one."""
@@ -89,21 +93,20 @@ class WordsTimeline(TimelineView):
 def lanes_of(utterance: Utterance, letters: PinyinTrack | None, *, movable: bool) -> list[Lane]:
     """Return the lanes of an utterance, from above; letters of pinyin, where there are any, instead of syllables."""
     words = utterance.words
-    syllables = [syllable for word in words for syllable in word.syllables]
-    phones = list(utterance.phones)
     bad = frozenset(k for k, word in enumerate(words) if fits_badly(word))
-    texts = [syllable.text or "".join(phone.ipa for phone in syllable.phones) for syllable in syllables]
-    middle = (
-        _lane(NAMES[1], syllables, texts, [SYLLABLE_COLOUR] * len(syllables), movable=movable)
-        if letters is None
-        else _lane_of_letters(letters)
-    )
+    phones = list(utterance.phones)
+    texts = [phone.ipa or phone.phoneme.label for phone in phones]
     return [
-        _lane(NAMES[0], words, [word.text for word in words], [WORD_COLOUR] * len(words), bad, movable=movable),
-        middle,
-        _lane(NAMES[2], phones, [phone.ipa or phone.phoneme.label for phone in phones],
-              [_colour_of(phone.phoneme) for phone in phones], movable=movable),
-    ]  # fmt: skip
+        _lane(NAMES[0], words, list(map(_shown, words)), [WORD_COLOUR] * len(words), bad, movable=movable),
+        _lane_of_syllables(utterance, movable=movable) if letters is None else _lane_of_letters(letters),
+        _lane(NAMES[2], phones, texts, [_colour_of(phone.phoneme) for phone in phones], movable=movable),
+    ]
+
+
+def _lane_of_syllables(utterance: Utterance, *, movable: bool) -> Lane:
+    syllables = [syllable for word in utterance.words for syllable in word.syllables]
+    texts = [syllable.text or "".join(phone.ipa for phone in syllable.phones) for syllable in syllables]
+    return _lane(NAMES[1], syllables, texts, [SYLLABLE_COLOUR] * len(syllables), movable=movable)
 
 
 def _lane_of_letters(letters: PinyinTrack) -> Lane:
@@ -130,6 +133,11 @@ def _lane(
 
 def _rgb(colours: Sequence[str]) -> UInt32Array:
     return np.array([QColor(colour).rgb() for colour in colours], np.uint32)
+
+
+def _shown(word: Word) -> str:
+    """Return a word as people read it."""
+    return "?" if word.text == UNKNOWN_WORD else word.text
 
 
 def _colour_of(phoneme: Phoneme) -> str:

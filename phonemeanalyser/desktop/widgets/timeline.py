@@ -177,7 +177,7 @@ class Timeline(QWidget):
             self._paint_time(painter, self.playhead, QRectF(0, 0, 1, self._bottom), self._theme.accent)
         if self.drag is not None:
             top = self._top_of(self.drag.lane)
-            self._paint_time(painter, self.drag.seconds, QRectF(0, top - 1, 2, HEIGHT + 2), self._theme.signal)
+            self._paint_time(painter, self.drag.seconds, QRectF(0, top - 2, 2, HEIGHT + 4), self._theme.text)
 
     @property
     def _bottom(self) -> int:

@@ -1,0 +1,399 @@
+"""The words of a sound: from files beside it, an aligner or a voice, all as one utterance that the head says."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytestqt.qtbot import QtBot
+
+from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.talk.text_model import POOR, TextModel, TextTools, fits_badly
+from phonemeengine.errors import VoiceError
+from phonemeengine.labels.boundaries import Unit, spans_of
+from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from phonemeengine.phonemes import Phoneme
+from tests.desktop.sessions import settled
+from tests.desktop.stage import AN_A, Stage
+from tests.desktop.talk.voices import LANGUAGES, SENTENCE, FakeAligner, FakeVoice, word
+from tests.fakes.outputs import Outputs
+
+DURATION = len(AN_A) / 44100
+SAID = Utterance((word("so", 0.6, 0.9, 0.1), word("oh", 0.9, 1.1, 3.0)), DURATION, "en-us")
+
+
+class Desk:
+    """A stage whose texts a test writes."""
+
+    def __init__(self, session: Session, outputs: Outputs, qtbot: QtBot) -> None:
+        self.voice, self.aligner = FakeVoice(), FakeAligner(SAID)
+        self.texts = TextModel(session, TextTools(self.aligner.align, self.voice.speak, lambda: LANGUAGES))
+        self.stage = Stage(session, outputs, qtbot, self.texts)
+        self.session, self.qtbot = session, qtbot
+        self.told: list[str] = []
+        self.texts.info.connect(self.told.append)
+
+    @property
+    def failed(self) -> list[str]:
+        """What was refused."""
+        return [sentence for sentence in self.stage.failed if sentence]
+
+    def open(self, folder: Path) -> None:
+        """Have a sound in hand, and look what lies beside it."""
+        self.stage.open(folder)
+        self.wait()
+
+    def wait(self) -> None:
+        """Wait until all work is done."""
+        texts = self.texts
+        self.qtbot.waitUntil(lambda: not (texts.busy or texts._looking.busy or texts._saving.busy or texts._waking.busy))
+
+    def align(self, text: str = "so oh", language: str = "en-us") -> None:
+        """Align a text with the sound in hand."""
+        self.texts.set_text(text)
+        self.texts.set_language(language)
+        self.texts.align()
+        self.wait()
+
+    def say(self, text: str, language: str = "en-us") -> None:
+        """Have a text spoken."""
+        self.texts.set_text(text)
+        self.texts.set_language(language)
+        self.texts.say()
+        self.wait()
+
+    def words(self) -> list[str]:
+        """What is known to be said."""
+        return [] if self.texts.utterance is None else [said.text for said in self.texts.utterance.words]
+
+
+@pytest.fixture
+def desk(session: Session, outputs: Outputs, qtbot: QtBot) -> Iterator[Desk]:
+    desk = Desk(session, outputs, qtbot)
+    yield desk
+    desk.stage.talking.close()
+
+
+# -- labels and scripts beside a sound ----------------------------------------------------------------
+
+
+def test_labels_beside_a_sound_are_its_words(desk, tmp_path):
+    (tmp_path / "said.TextGrid").write_text(format_utterance(SAID), encoding="utf-8")
+    desk.open(tmp_path)
+    assert desk.words() == ["so", "oh"]
+    assert np.allclose(spans_of(desk.texts.utterance, Unit.WORD), spans_of(SAID, Unit.WORD), atol=1e-6)
+
+
+def test_a_script_beside_a_sound_is_its_text(desk, tmp_path):
+    (tmp_path / "said.txt").write_text("so oh\n", encoding="utf-8")
+    desk.open(tmp_path)
+    assert desk.texts.text.strip() == "so oh"
+    assert desk.texts.utterance is None
+
+
+def test_damaged_labels_beside_a_sound_are_said_and_the_sound_is_in_hand(desk, tmp_path):
+    (tmp_path / "said.TextGrid").write_text("nonsense", encoding="utf-8")
+    desk.open(tmp_path)
+    assert "said.TextGrid" in desk.failed[0]
+    assert desk.session.path == tmp_path / "said.wav"
+
+
+def test_labels_that_were_made_meanwhile_are_found_when_the_sound_is_opened_again(desk, tmp_path):
+    (tmp_path / "said.txt").write_text("so oh", encoding="utf-8")
+    desk.open(tmp_path)
+    desk.texts.set_text("what I write")
+    (tmp_path / "said.TextGrid").write_text(format_utterance(SAID), encoding="utf-8")
+    desk.open(tmp_path)
+    assert desk.words() == ["so", "oh"]
+    assert desk.texts.text == "what I write"
+
+
+def test_another_sound_has_other_words(desk, tmp_path):
+    (tmp_path / "said.TextGrid").write_text(format_utterance(SAID), encoding="utf-8")
+    desk.open(tmp_path)
+    (tmp_path / "other").mkdir()
+    desk.open(tmp_path / "other")
+    assert desk.texts.utterance is None
+
+
+def test_words_stay_while_another_source_is_heard_for_a_while(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    desk.session.set_source(SoundSource.TONE)
+    assert desk.words() == []
+    desk.session.set_source(SoundSource.FILE)
+    assert desk.words() == ["so", "oh"]
+
+
+# -- a script and its recording -----------------------------------------------------------------------
+
+
+def test_a_text_is_aligned_with_the_sound_in_hand(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align("so oh", "en-us")
+    asked = desk.aligner.asked[0]
+    assert (asked.sound, asked.text, asked.language) == (tmp_path / "said.wav", "so oh", "en-us")
+    assert desk.words() == ["so", "oh"]
+
+
+def test_a_text_whose_language_is_not_chosen_is_refused_in_a_sentence(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align("so oh", "")
+    assert "language" in desk.failed[0]
+    assert desk.aligner.asked == []
+
+
+@pytest.mark.parametrize("text", ["", "  \n\t "])
+def test_no_text_is_refused_in_a_sentence(desk, tmp_path, text):
+    desk.open(tmp_path)
+    desk.align(text)
+    desk.say(text)
+    assert len(desk.failed) == 2
+    assert desk.voice.asked == []
+
+
+def test_without_a_sound_there_is_nothing_to_align_with(desk):
+    desk.align()
+    assert "no sound file" in desk.failed[0]
+
+
+def test_words_that_nobody_says_are_told(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.aligner.found = Utterance(SAID.words, DURATION, "en-us", ("never", "ever"))
+    desk.align()
+    assert desk.told == ["Nobody says: never ever."]
+
+
+def test_another_text_is_said_to_be_one_and_changes_nothing(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.aligner.found = Utterance((word(UNKNOWN_WORD, 0.6, 1.1),), DURATION, "en-us", ("never",))
+    desk.align()
+    assert "Another text" in desk.failed[0]
+    assert desk.texts.utterance is None
+
+
+def test_an_alignment_of_a_sound_that_is_no_longer_in_hand_is_dropped(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.texts.set_text("so oh")
+    desk.texts.set_language("en-us")
+    desk.texts.align()
+    (tmp_path / "other").mkdir()
+    desk.open(tmp_path / "other")
+    assert desk.texts.utterance is None
+
+
+def test_words_that_fit_badly_and_those_of_no_script_are_marked():
+    assert not fits_badly(word("so", 0, 1, POOR - 0.1))
+    assert not fits_badly(word("so", 0, 1, None))
+    assert fits_badly(word("so", 0, 1, POOR + 0.1))
+    assert fits_badly(word(UNKNOWN_WORD, 0, 1, 0.0))
+
+
+def test_how_many_words_fit_badly_is_said(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    assert desk.texts.summary == "2 words, 1 fits badly"
+
+
+# -- the head says what is known ----------------------------------------------------------------------
+
+
+def test_the_head_says_the_words_rather_than_what_is_recognised(desk, tmp_path):
+    """All of it is recognised as an a, whose jaw is open; the words say p."""
+    desk.open(tmp_path)
+    desk.stage.look()
+    shut = word("so", 0.6, 1.1)
+    phones = tuple(part.__class__(part.start, part.end, "p", Phoneme.P) for part in shut.phones)
+    shut = shut.__class__("p", (shut.syllables[0].__class__(phones),))
+    desk.texts.set_utterance(Utterance((shut,), DURATION))
+    jaws: list[float] = []
+    desk.stage.play(10, lambda: jaws.append(desk.stage.jaw))
+    assert desk.stage.said_an_a
+    assert max(jaws) < 10
+
+
+def test_a_boundary_that_is_dragged_while_the_sound_plays_leaves_the_mouth_moving(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.stage.look()
+    desk.align()
+    jaws: list[float] = []
+    desk.stage.play(0.4)
+    desk.texts.move_boundary(Unit.WORD, 2, 0.95)
+    desk.stage.play(10, lambda: jaws.append(desk.stage.jaw))
+    assert max(jaws) > 5
+
+
+# -- by hand ------------------------------------------------------------------------------------------
+
+
+def test_a_dragged_boundary_is_undone_and_done_again(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    stack = desk.session.preset.undo_stack
+    desk.texts.move_boundary(Unit.WORD, 2, 0.8)
+    assert stack.undoText() == "boundary of a word"
+    assert spans_of(desk.texts.utterance, Unit.WORD)[0] == pytest.approx((0.6, 0.8))
+    stack.undo()
+    assert desk.texts.utterance is SAID
+    stack.redo()
+    assert spans_of(desk.texts.utterance, Unit.WORD)[1] == pytest.approx((0.8, 1.1))
+
+
+def test_an_alignment_is_undone(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    desk.session.preset.undo_stack.undo()
+    assert desk.texts.utterance is None
+
+
+def test_an_edit_of_a_sound_that_is_no_longer_in_hand_changes_nothing(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    (tmp_path / "other").mkdir()
+    desk.open(tmp_path / "other")
+    desk.session.preset.undo_stack.undo()
+    assert desk.texts.utterance is None
+    assert not desk.session.preset.undo_stack.canRedo()
+
+
+def test_a_boundary_cannot_leave_nothing_of_a_word(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    desk.texts.move_boundary(Unit.WORD, 2, 0.5)
+    assert desk.texts.utterance is SAID
+    assert "leave nothing" in desk.failed[0]
+
+
+def test_what_was_dragged_is_what_is_saved(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    desk.texts.move_boundary(Unit.WORD, 2, 0.8)
+    desk.texts.save(tmp_path / "said.TextGrid")
+    desk.wait()
+    written = read_utterance(tmp_path / "said.TextGrid", DURATION)
+    assert np.allclose(spans_of(written, Unit.WORD), spans_of(desk.texts.utterance, Unit.WORD), atol=1e-6)
+    assert "said.TextGrid" in desk.told[-1]
+
+
+def test_a_word_that_is_played_ends_where_it_ends(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    desk.texts.play(0.6, 0.9)
+    assert desk.session.playing
+    desk.stage.play(2.0)
+    assert not desk.session.playing
+    assert 0.9 <= desk.session.position < 0.95
+
+
+# -- a voice ------------------------------------------------------------------------------------------
+
+
+def test_a_voice_is_a_source_like_a_file(desk):
+    desk.say("Hello. You there.")
+    assert desk.session.source is SoundSource.TEXT
+    assert desk.session.playing
+    assert desk.voice.asked == [("Hello. You there.", "en-us")]
+    desk.stage.play(10)
+    assert desk.stage.said_an_a
+    assert desk.session.duration == pytest.approx(2 * SENTENCE)
+
+
+def test_what_a_voice_says_is_known_with_its_times(desk):
+    desk.stage.look()
+    desk.say("Hello. You there.")
+    desk.stage.play(10)
+    assert desk.words() == ["Hello", "You there"]
+    assert spans_of(desk.texts.utterance, Unit.WORD)[1] == pytest.approx((0.6, 0.9))
+    assert not desk.texts.editable
+
+
+def test_the_head_says_what_the_voice_says(desk):
+    desk.stage.look()
+    jaws: list[float] = []
+    desk.say("Hello. You there.")
+    desk.stage.play(10, lambda: jaws.append(desk.stage.jaw))
+    assert max(jaws) > 5
+
+
+def test_a_spoken_text_can_be_gone_through(desk):
+    desk.say("Hello. You there.")
+    desk.stage.play(0.8)
+    desk.session.pause()
+    desk.session.seek(0.2)
+    settled(desk.session, desk.qtbot)
+    assert desk.session.position == pytest.approx(0.2)
+    desk.session.stop()
+    settled(desk.session, desk.qtbot)
+    assert desk.session.position == 0
+
+
+def test_a_language_that_no_voice_speaks_is_refused_and_the_sound_in_hand_stays(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.say("Hello.", "xx")
+    assert "xx" in desk.failed[0]
+    assert desk.session.source is SoundSource.FILE
+
+
+def test_choosing_the_text_as_source_has_it_said(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.texts.set_text("Hello.")
+    desk.texts.set_language("en-us")
+    desk.session.set_source(SoundSource.TEXT)
+    desk.qtbot.waitUntil(lambda: desk.session.playing)
+    assert desk.voice.asked == [("Hello.", "en-us")]
+
+
+def test_a_file_goes_on_from_where_it_was_left_before_a_text_was_spoken(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.session.seek(0.5)
+    settled(desk.session, desk.qtbot)
+    desk.say("Hello.")
+    desk.session.set_source(SoundSource.FILE)
+    settled(desk.session, desk.qtbot)
+    assert desk.session.position == pytest.approx(0.5)
+
+
+def test_chinese_characters_tell_their_language(desk):
+    desk.say("你好。", "")
+    assert desk.voice.asked == [("你好。", "cmn")]
+
+
+# -- what there is to choose --------------------------------------------------------------------------
+
+
+def test_the_languages_are_learnt_once_and_of_several_tags_one_is_shown(desk):
+    desk.texts.wake()
+    desk.texts.wake()
+    desk.wait()
+    assert {language.tag for language in desk.texts.languages} == {"de", "en-gb", "en-us"}
+
+
+def test_without_a_voice_a_sentence_says_what_is_missing(session, qtbot):
+    def missing() -> tuple[()]:
+        raise VoiceError("there is no voice; install it")
+
+    texts = TextModel(session, TextTools(languages=missing))
+    texts.wake()
+    qtbot.waitUntil(lambda: bool(texts.no_voice))
+    assert texts.no_voice == "there is no voice; install it"
+    texts.close()
+
+
+def test_a_lexicon_goes_before_the_voice_until_it_is_given_up(desk, tmp_path):
+    (tmp_path / "mine.csv").write_text("word,ipa\nso,soʊ\n", encoding="utf-8")
+    desk.open(tmp_path)
+    desk.texts.set_lexicon(tmp_path / "mine.csv")
+    desk.wait()
+    desk.align()
+    desk.texts.set_lexicon(None)
+    desk.align()
+    assert [asked.lexicon is not None for asked in desk.aligner.asked] == [True, False]
+
+
+def test_a_lexicon_with_nonsense_is_refused(desk, tmp_path):
+    (tmp_path / "mine.csv").write_text("nonsense\n", encoding="utf-8")
+    desk.texts.set_lexicon(tmp_path / "mine.csv")
+    desk.wait()
+    assert "mine.csv" in desk.failed[0]
+    assert desk.texts.lexicon_path is None

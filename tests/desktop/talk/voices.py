@@ -1,0 +1,72 @@
+"""A voice and an aligner that say what a test wants, and note what they were asked for."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from phonemeanalyser.desktop.talk.scripts import ScriptedSound
+from phonemeengine.errors import TextError
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.progress import Progress
+from phonemeengine.speech.voice import SpokenSentence
+from phonemeengine.text.espeak import Language
+from tests.sounds import vowel
+
+SENTENCE = 0.5
+"""Seconds that the voice takes for a sentence."""
+LANGUAGES = (
+    Language("de", "German", "gmw/de"), Language("en-gb", "English (Great Britain)", "gmw/en"),
+    Language("en-us", "English (America)", "gmw/en-US"),
+)  # fmt: skip
+
+
+def word(text: str, start: float, end: float, score: float | None = None) -> Word:
+    """A word of one syllable: an s, and an o twice as long."""
+    turn = start + (end - start) / 3
+    phones = (Phone(start, turn, "s", Phoneme.SZ, score), Phone(turn, end, "o", Phoneme.O, score))
+    return Word(text, (Syllable(phones),))
+
+
+class FakeVoice:
+    """Speaks each sentence as half a second of a vowel; each is one word.
+
+    Attributes
+    ----------
+    asked : texts and languages.
+    """
+
+    def __init__(self) -> None:
+        self.asked: list[tuple[str, str]] = []
+
+    def speak(self, text: str, language: str) -> Iterator[SpokenSentence]:
+        """Say a text."""
+        self.asked.append((text, language))
+        if language not in {known.tag for known in LANGUAGES}:
+            raise TextError(f"there is no language {language!r}; choose another")
+        samples = vowel((700, 1200, 2500), SENTENCE)
+        return (
+            SpokenSentence(np.asarray(samples, np.float32), (word(said.strip(), 0.1, 0.4),), said)
+            for said in text.split(".")
+            if said.strip()
+        )
+
+
+class FakeAligner:
+    """Finds what it is told to find.
+
+    Attributes
+    ----------
+    found : the answer.
+    asked : what it was asked.
+    """
+
+    def __init__(self, found: Utterance) -> None:
+        self.found = found
+        self.asked: list[ScriptedSound] = []
+
+    def align(self, script: ScriptedSound, progress: Progress) -> Utterance:
+        """Align."""
+        self.asked.append(script)
+        progress(0.5)
+        return self.found
