@@ -47,7 +47,9 @@ class Desk:
     def wait(self) -> None:
         """Wait until all work is done."""
         texts = self.texts
-        self.qtbot.waitUntil(lambda: not (texts.busy or texts._looking.busy or texts._saving.busy or texts._waking.busy))
+        self.qtbot.waitUntil(
+            lambda: not (texts.busy or texts._looking.busy or texts._saving.busy or texts._waking.busy)
+        )
 
     def align(self, text: str = "so oh", language: str = "en-us") -> None:
         """Align a text with the sound in hand."""
