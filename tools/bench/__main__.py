@@ -4,6 +4,7 @@ import argparse
 from collections.abc import Callable
 
 from tools.bench import (
+    alignment,
     card,
     dragging,
     head,
@@ -39,6 +40,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "mouth": mouth.figures,
     "movestates": movestates.figures,
     "voice": voice.figures,
+    "alignment": alignment.figures,
 }
 
 
