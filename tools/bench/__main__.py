@@ -9,6 +9,7 @@ from tools.bench import (
     dragging,
     head,
     learned,
+    long_speech,
     memory,
     microphone,
     mouth,
@@ -41,6 +42,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "movestates": movestates.figures,
     "voice": voice.figures,
     "alignment": alignment.figures,
+    "long-speech": long_speech.figures,
 }
 
 
