@@ -155,8 +155,8 @@ _PAGE = {
     # What is refused
     "errors": (
         "AudioError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
-        "MouthError PresetError RecogniserError RecordingError SettingsError TakeError TextError UnknownPhonemeError "
-        "VoiceError"
+        "MouthError PerformanceError PresetError RecogniserError RecordingError SettingsError TakeError TextError "
+        "UnknownPhonemeError VoiceError"
     ),
 }
 _ALIASES = {"SOUND_SUFFIXES": "SUFFIXES"}
