@@ -1,7 +1,7 @@
 """A recorded performance: a face's weights over time, and what was said meanwhile."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -9,6 +9,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import PerformanceError
 from phonemeengine.labels.label import ROUNDING
+from phonemeengine.labels.phone_sets import ipa_of
 from phonemeengine.labels.utterance import Phone, Utterance
 
 SILENCE = "sil"
@@ -17,7 +18,6 @@ HEAD = ("headYaw", "headPitch", "headRoll")
 """The channels of the head's turns, degrees."""
 LEAST_SILENCE = 0.01
 """Seconds that are silence before the first and after the last phone, even where somebody speaks."""
-_LENGTH_MARKS = str.maketrans("", "", "ːˑ")
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class PerformedPhone:
     Attributes
     ----------
     start, middle, end : seconds; its halves meet at `middle`.
-    name : its symbol in the International Phonetic Alphabet, without length marks; `SILENCE` where nobody speaks.
+    name : its symbol in the International Phonetic Alphabet, as `ipa_of` spells it; `SILENCE` where nobody speaks.
     word : number of its word in the sentence; -1 for silence.
     syllable : number of its syllable in the sentence; -1 for silence.
     stress : of its syllable: 0 for none, 1 for the main one of its word, 2 for a secondary one.
@@ -103,7 +103,8 @@ class Performance:
 def phones_of(utterance: Utterance) -> tuple[PerformedPhone, ...]:
     """Return what is said as performances have it: with silence before and after it and in pauses.
 
-    Phones without length are left out. Energy and pitch are not known yet.
+    Phones without length are left out; a gap within a word belongs to the phone before it. Energy and pitch are not
+    known yet.
     """
     spoken = [phone for phone in _spoken_in(utterance) if phone.duration > ROUNDING]
     if not spoken:
@@ -126,19 +127,15 @@ def _with_silence(spoken: list[PerformedPhone], duration: float) -> Iterator[Per
     begin = max(first.start, min(LEAST_SILENCE, first.duration / 2))
     end = min(last.end, duration - min(LEAST_SILENCE, last.duration / 2))
     at = 0.0
-    for phone in spoken:
-        start, stop = max(phone.start, begin), min(phone.end, end)
+    for phone, following in zip(spoken, [*spoken[1:], None], strict=True):
+        start = max(phone.start, begin)
         if start > at + ROUNDING:
             yield _silence(at, start)
-        else:
-            start = at
-        yield _moved(phone, start, stop)
+            at = start
+        stop = following.start if following and following.word == phone.word else min(phone.end, end)
+        yield replace(phone, start=at, middle=(at + stop) / 2, end=stop)
         at = stop
     yield _silence(at, max(duration, end))
-
-
-def _moved(phone: PerformedPhone, start: float, end: float) -> PerformedPhone:
-    return PerformedPhone(start, (start + end) / 2, end, phone.name, phone.word, phone.syllable, phone.stress)
 
 
 def _silence(start: float, end: float) -> PerformedPhone:
@@ -146,4 +143,4 @@ def _silence(start: float, end: float) -> PerformedPhone:
 
 
 def _name_of(phone: Phone) -> str:
-    return phone.ipa.translate(_LENGTH_MARKS) or phone.phoneme.label
+    return "".join(ipa_of(phone.ipa)) or phone.phoneme.label

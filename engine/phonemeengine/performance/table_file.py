@@ -5,6 +5,7 @@ read-only as a file that nobody changes, so that it may lie anywhere, and is one
 was made by the very words below: what a stranger's database would compute is never run.
 """
 
+import os
 import sqlite3
 from collections import OrderedDict
 from collections.abc import Iterable, Iterator
@@ -106,29 +107,31 @@ class PerformanceTable(Closing):
     about : what it holds.
     """
 
-    def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
-        self._connection, self._path = connection, path
+    def __init__(self, connection: sqlite3.Connection, name: str) -> None:
+        self._connection, self._name = connection, name
         self._kept: OrderedDict[int, Performance] = OrderedDict()
-        with _refusing(path):
+        with _refusing(name):
             self.about = _about(connection)
 
     @classmethod
-    def open(cls, path: Path) -> "PerformanceTable":
+    def open(cls, path: str | os.PathLike[str]) -> "PerformanceTable":
         """Open a table.
 
         Raises
         ------
         PerformanceError : it cannot be read, is damaged or another program's, or newer than this program.
         """
-        with _refusing(path):
+        path = Path(path)
+        name = printable_name(path)
+        with _refusing(name):
             path.open("rb").close()  # sqlite's own words for a file that is not there tell less
             connection = sqlite3.connect(
                 f"{path.absolute().as_uri()}?mode=ro&immutable=1", uri=True, check_same_thread=False
             )
         try:
-            with _refusing(path):
+            with _refusing(name):
                 _check(connection)
-            return cls(connection, path)
+            return cls(connection, name)
         except BaseException:
             connection.close()
             raise
@@ -139,15 +142,16 @@ class PerformanceTable(Closing):
 
     def names(self, kind: UnitKind) -> frozenset[tuple[str, ...]]:
         """Return the phones of all units of a set."""
-        with _refusing(self._path):
+        with _refusing(self._name):
             rows = self._connection.execute("SELECT key FROM item WHERE kind = ?", (kind.value,))
             return frozenset(tuple(_text(key).split(" ")) for (key,) in rows)
 
     def n_units(self) -> dict[UnitKind, int]:
         """Count the units of each set."""
         query = "SELECT kind, count(*) FROM unit JOIN item ON item = item.id GROUP BY kind"
-        with _refusing(self._path):
-            return {UnitKind(kind): _whole(count) for kind, count in self._connection.execute(query)}
+        with _refusing(self._name):
+            counts = {UnitKind(kind): _whole(count) for kind, count in self._connection.execute(query)}
+        return {kind: counts.get(kind, 0) for kind in UnitKind}
 
     def nearest(self, kind: UnitKind, names: tuple[str, ...], duration: float, limit: int) -> tuple[Example, ...]:
         """Return examples of a unit, those first whose durations are the nearest to one in seconds.
@@ -156,7 +160,7 @@ class PerformanceTable(Closing):
         ----------
         limit : how many at most.
         """
-        with _refusing(self._path):
+        with _refusing(self._name):
             item = self._item(kind, names)
             rows = [
                 _example(row) for query in (_BEFORE, _FROM)
@@ -166,7 +170,7 @@ class PerformanceTable(Closing):
 
     def within(self, kind: UnitKind, names: tuple[str, ...], low: float, high: float) -> tuple[Example, ...]:
         """Return the examples of a unit whose durations lie between two, seconds, the shortest first."""
-        with _refusing(self._path):
+        with _refusing(self._name):
             rows = self._connection.execute(_WITHIN, (self._item(kind, names), low, high))
             return tuple(_example(row) for row in rows)
 
@@ -186,7 +190,7 @@ class PerformanceTable(Closing):
 
     def recordings(self) -> Iterator[tuple[int, Performance]]:
         """Return all recordings, each with its number; none is kept."""
-        with _refusing(self._path):
+        with _refusing(self._name):
             numbers = [_whole(row[0]) for row in self._connection.execute("SELECT id FROM recording ORDER BY id")]
         return ((number, self._read(number)) for number in numbers)
 
@@ -196,7 +200,7 @@ class PerformanceTable(Closing):
         return -1 if row is None else _whole(row[0])
 
     def _read(self, number: int) -> Performance:
-        with _refusing(self._path):
+        with _refusing(self._name):
             query = "SELECT name, rate, n_frames, synthetic, words, weights FROM recording WHERE id = ?"
             row = self._connection.execute(query, (number,)).fetchone()
             if row is None:
@@ -214,7 +218,9 @@ class PerformanceTable(Closing):
             )
 
 
-def write_table(path: Path, performances: Iterable[Performance], *, name: str | None = None) -> TableAbout:
+def write_table(
+    path: str | os.PathLike[str], performances: Iterable[Performance], *, name: str | None = None
+) -> TableAbout:
     """Write a table of performances; what is at `path` stays until the table is complete and on the disk.
 
     One performance after the other is taken, so that a table of any size needs no more memory than its largest one.
@@ -229,6 +235,7 @@ def write_table(path: Path, performances: Iterable[Performance], *, name: str | 
     ------
     PerformanceError : there is no performance, they do not fit together, or the table cannot be written.
     """
+    path = Path(path)
     try:
         with atomic_write(path, durable=True) as file, closing(_created(file.name)) as connection:
             _Writing(connection).write(performances, path.stem if name is None else name)
@@ -323,9 +330,8 @@ class _DamageError(ValueError):
 
 
 @contextmanager
-def _refusing(path: Path) -> Iterator[None]:
-    """Turn whatever a database, or a file, raises into a sentence."""
-    name = printable_name(path)
+def _refusing(name: str) -> Iterator[None]:
+    """Turn whatever a database, or a file, of a name raises into a sentence."""
     try:
         yield
     except EngineError:
