@@ -50,33 +50,35 @@ class Pull:
     targets: dict[str, float]
 
 
-REST = Pull(1.6, 9.0, {"jawOpen": 0.02})
+REST = Pull(1.6, 14.0, {"jawOpen": 0.02})
 """What silence does."""
+SOFTNESS = 0.02
+"""Distances are no less than this, seconds: no face turns round at once."""
 WEAK = 0.25
 """How strongly a sound pulls the channels that it does not name to 0."""
 CONSONANTS = {
     # The first class that a sound belongs to counts.
-    "labiovelar": Pull(3.0, 14.0, {"jawOpen": 0.11, "mouthPucker": 0.66, "mouthFunnel": 0.24}),
-    "dental": Pull(2.0, 16.0, {"jawOpen": 0.15, "tongueOut": 0.24, "mouthLowerDown": 0.16}),
+    "labiovelar": Pull(3.0, 22.0, {"jawOpen": 0.11, "mouthPucker": 0.66, "mouthFunnel": 0.24}),
+    "dental": Pull(2.0, 26.0, {"jawOpen": 0.15, "tongueOut": 0.24, "mouthLowerDown": 0.16}),
     "labiodental": Pull(
-        7.0, 20.0, {"jawOpen": 0.08, "mouthRollLower": 0.52, "mouthUpperUp": 0.17, "mouthShrugUpper": 0.12}
+        7.0, 32.0, {"jawOpen": 0.08, "mouthRollLower": 0.52, "mouthUpperUp": 0.17, "mouthShrugUpper": 0.12}
     ),
     "bilabial": Pull(
-        11.0, 21.0,
+        11.0, 34.0,
         {"jawOpen": 0.05, "mouthClose": 0.06, "mouthPress": 0.38, "mouthRollLower": 0.2, "mouthRollUpper": 0.19},
     ),
     "postalveolar": Pull(
-        2.6, 14.0, {"jawOpen": 0.07, "mouthFunnel": 0.5, "mouthPucker": 0.17, "mouthLowerDown": 0.2}
+        2.6, 22.0, {"jawOpen": 0.07, "mouthFunnel": 0.5, "mouthPucker": 0.17, "mouthLowerDown": 0.2}
     ),
-    "lateral": Pull(1.3, 15.0, {"jawOpen": 0.21, "mouthLowerDown": 0.22, "tongueOut": 0.05}),
-    "rhotic": Pull(1.7, 13.0, {"jawOpen": 0.13, "mouthFunnel": 0.33, "mouthPucker": 0.21}),
-    "palatal": Pull(1.2, 13.0, {"jawOpen": 0.1, "mouthSmile": 0.24, "mouthStretch": 0.17}),
+    "lateral": Pull(1.3, 24.0, {"jawOpen": 0.21, "mouthLowerDown": 0.22, "tongueOut": 0.05}),
+    "rhotic": Pull(1.7, 21.0, {"jawOpen": 0.13, "mouthFunnel": 0.33, "mouthPucker": 0.21}),
+    "palatal": Pull(1.2, 21.0, {"jawOpen": 0.1, "mouthSmile": 0.24, "mouthStretch": 0.17}),
     "sibilant": Pull(
-        1.9, 16.0, {"jawOpen": 0.06, "mouthStretch": 0.24, "mouthLowerDown": 0.19, "mouthUpperUp": 0.09}
+        1.9, 26.0, {"jawOpen": 0.06, "mouthStretch": 0.24, "mouthLowerDown": 0.19, "mouthUpperUp": 0.09}
     ),
-    "alveolar": Pull(1.2, 17.0, {"jawOpen": 0.13, "mouthLowerDown": 0.13, "mouthUpperUp": 0.06}),
-    "velar": Pull(0.7, 13.0, {"jawOpen": 0.19, "mouthLowerDown": 0.1}),
-    "consonant": Pull(0.4, 12.0, {"jawOpen": 0.22}),
+    "alveolar": Pull(1.2, 27.0, {"jawOpen": 0.13, "mouthLowerDown": 0.13, "mouthUpperUp": 0.06}),
+    "velar": Pull(0.7, 21.0, {"jawOpen": 0.19, "mouthLowerDown": 0.1}),
+    "consonant": Pull(0.4, 19.0, {"jawOpen": 0.22}),
 }  # fmt: skip
 HEIGHTS = {
     "open vowel": {"jawOpen": 0.64, "mouthLowerDown": 0.36, "mouthUpperUp": 0.15, "mouthShrugLower": 0.05},
@@ -89,7 +91,7 @@ ROUNDINGS = {
     "front vowel": {"mouthSmile": 0.19, "mouthStretch": 0.25, "mouthDimple": 0.08},
 }
 """What is added to that; the first class counts."""
-VOWEL_RATE = 11.0
+VOWEL_RATE = 18.0
 FOLLOWERS = {
     "cheekSquint": ("mouthSmile", 0.35), "noseSneer": ("mouthUpperUp", 0.3), "eyeSquint": ("mouthSmile", 0.12),
 }  # fmt: skip
@@ -127,7 +129,7 @@ def _pulled(phones: Sequence[PerformedPhone], times: Float64Array, chance: np.ra
     strengths = np.where((named > 0) | (strengths == REST.strength), strengths, WEAK)
     strengths = strengths * np.exp(VARIATION * chance.standard_normal(shape))
     targets = named * np.clip(1 + VARIATION * chance.standard_normal(shape), 0.5, 1.5)
-    near = np.exp(-rates * np.abs(times[:, None] - middles))
+    near = np.exp(-rates * np.hypot(times[:, None] - middles, SOFTNESS))
     pulled: Float64Array = (near @ (strengths * targets)) / (near @ strengths)
     return pulled
 
