@@ -51,12 +51,12 @@ def build_table(
     Cancelled : it was not wanted any more; nothing has changed.
     """
     corpus = find_recordings(Path(folder))
-    reading = _Reading(corpus, progress)
+    reading = _CorpusReading(corpus, progress)
     about = write_table(path, reading.performances(), name=name or corpus.name)
     return BuiltTable(about, tuple(reading.left_out), (*corpus.notes, *reading.notes))
 
 
-class _Reading:
+class _CorpusReading:
     """Reads the recordings of a corpus, and remembers what is to be said of them."""
 
     def __init__(self, corpus: Corpus, progress: Progress) -> None:

@@ -18,7 +18,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError, PerformanceError
-from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.files import atomic_write, printable, printable_name, reason_of
 from phonemeengine.lifetime import Closing
 from phonemeengine.performance.recording import Performance, PerformedPhone
 from phonemeengine.performance.units import UnitKind, duration_of, units_of
@@ -339,7 +339,7 @@ def _refusing(name: str) -> Iterator[None]:
     except OSError as error:
         raise PerformanceError(f"{name}: it cannot be read ({reason_of(error)}); choose another file") from error
     except (sqlite3.Error, ValueError, TypeError, OverflowError) as error:
-        reason = str(error)[:100]
+        reason = printable(str(error)[:100])
         raise PerformanceError(
             f"{name}: this is no table of performances, or a damaged one ({reason}); build it anew with "
             "`phonemeanalyser performance build`"
