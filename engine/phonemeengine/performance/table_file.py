@@ -183,9 +183,9 @@ class PerformanceTable(Closing):
         """
         if number not in self._kept:
             self._kept[number] = self._read(number)
+            while sum(kept.weights.nbytes for kept in self._kept.values()) > KEPT and len(self._kept) > 1:
+                self._kept.popitem(last=False)
         self._kept.move_to_end(number)
-        while sum(kept.weights.nbytes for kept in self._kept.values()) > KEPT and len(self._kept) > 1:
-            self._kept.popitem(last=False)
         return self._kept[number]
 
     def recordings(self) -> Iterator[tuple[int, Performance]]:
@@ -275,7 +275,7 @@ class _Writing:
         first: Performance | None = None
         for number, performance in enumerate(performances, 1):
             first = first or performance
-            _check_fits(performance, first)
+            check_fits(performance, first)
             self._add(number, performance)
         if first is None:
             raise PerformanceError("a table needs at least one recording, found none; name another folder")
@@ -368,7 +368,13 @@ def _check(connection: sqlite3.Connection) -> None:
         raise _DamageError("its tables are not those of this program")
 
 
-def _check_fits(performance: Performance, first: Performance) -> None:
+def check_fits(performance: Performance, first: Performance) -> None:
+    """Refuse a performance that does not go into the table of another one.
+
+    Raises
+    ------
+    PerformanceError : its channels or its rate differ, or a phone's name is not one word.
+    """
     if performance.channels != first.channels or performance.rate != first.rate:
         raise PerformanceError(
             f"{performance.name}: the recordings of a table must have the same channels and rate as {first.name} "
