@@ -48,6 +48,12 @@ A text is spoken, and it is known what is said when::
     samples, utterance = speak("Good evening.", Voice("en-gb"))
     [(word.text, word.start, word.end) for word in utterance.words]
 
+Recorded faces become a table, in which units of new sentences are looked up by their phones and duration::
+
+    build_table("recordings", "anna.sqlite")      # NAME.wav, NAME.TextGrid, NAME.csv of Live Link Face
+    with PerformanceTable.open("anna.sqlite") as table:
+        table.nearest(UnitKind.SYLLABLE, ("m", "a"), 0.21, limit=10)
+
 A preset learns a voice from labelled recordings of it, and is told how right it is on others::
 
     result = calibrate(preset, read_recordings("takes"), held_back=read_recordings("sentence.flac"))
@@ -139,6 +145,12 @@ _PAGE = {
     # A text, as a voice says it
     "speech.voice": "SpokenSentence Voice speak",
     "text.espeak": "Language languages voices",
+    # Recorded faces
+    "performance.recording": "PerformedPhone Performance phones_of",
+    "performance.units": "Unit UnitKind units_of",
+    "performance.table_file": "Example PerformanceTable TableAbout write_table",
+    "performance.building": "BuiltTable build_table",
+    "performance.making": "MadeCorpus make_corpus",
     # A voice, and how well it is recognised
     "calibration.scores.corpus": "FrameLabels LabelledUtterance read_recordings",
     "labels.label": "Label",
@@ -155,8 +167,8 @@ _PAGE = {
     # What is refused
     "errors": (
         "AudioError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
-        "MouthError PresetError RecogniserError RecordingError SettingsError TakeError TextError UnknownPhonemeError "
-        "VoiceError"
+        "MouthError PerformanceError PresetError RecogniserError RecordingError SettingsError TakeError TextError "
+        "UnknownPhonemeError VoiceError"
     ),
 }
 _ALIASES = {"SOUND_SUFFIXES": "SUFFIXES"}

@@ -26,6 +26,7 @@ from phonemeengine.errors import (
     MeshError,
     ModelError,
     MouthError,
+    PerformanceError,
     PresetError,
     RecogniserError,
     RecordingError,
@@ -68,6 +69,11 @@ from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Per
 from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.mouth.viseme_override import VisemeOverride
+from phonemeengine.performance.building import BuiltTable, build_table
+from phonemeengine.performance.making import MadeCorpus, make_corpus
+from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
+from phonemeengine.performance.table_file import Example, PerformanceTable, TableAbout, write_table
+from phonemeengine.performance.units import Unit, UnitKind, units_of
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
@@ -122,6 +128,7 @@ __all__ = [
     "Animation",
     "AudioError",
     "Blinker",
+    "BuiltTable",
     "CalibrationResult",
     "Cancelled",
     "Channel",
@@ -136,6 +143,7 @@ __all__ = [
     "Device",
     "DeviceError",
     "EngineError",
+    "Example",
     "ExportError",
     "ExportOptions",
     "FaceState",
@@ -157,6 +165,7 @@ __all__ = [
     "Level",
     "Lexicon",
     "Listener",
+    "MadeCorpus",
     "Material",
     "Mesh",
     "MeshError",
@@ -178,6 +187,10 @@ __all__ = [
     "OscAddress",
     "OscMouth",
     "OutputHead",
+    "Performance",
+    "PerformanceError",
+    "PerformanceTable",
+    "PerformedPhone",
     "Performer",
     "Phone",
     "PhoneClass",
@@ -219,6 +232,7 @@ __all__ = [
     "Spring",
     "Status",
     "Syllable",
+    "TableAbout",
     "TakeError",
     "Templates",
     "TextError",
@@ -228,6 +242,8 @@ __all__ = [
     "Transcript",
     "TransitionTimes",
     "Tuning",
+    "Unit",
+    "UnitKind",
     "UnknownPhonemeError",
     "Utterance",
     "Variable",
@@ -240,6 +256,7 @@ __all__ = [
     "align",
     "aligned",
     "analyse_blocks",
+    "build_table",
     "calibrate",
     "cues",
     "denoise",
@@ -257,12 +274,14 @@ __all__ = [
     "load_preset",
     "load_table",
     "low_pass_gains",
+    "make_corpus",
     "matched",
     "mesh_of",
     "morph_targets_of",
     "movestate_at",
     "movestate_of",
     "normalise",
+    "phones_of",
     "pinyin_track",
     "read_recordings",
     "read_syllables",
@@ -274,8 +293,10 @@ __all__ = [
     "timed_frames",
     "transcribe",
     "transcript_of_utterance",
+    "units_of",
     "voices",
     "words_of",
+    "write_table",
 ]
 
 __version__: str

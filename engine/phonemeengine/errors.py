@@ -12,6 +12,7 @@ EngineError
 ├── MeshError       a mesh, or movestates, that cannot be used
 ├── MouthError      a mouth table that cannot be used
 │   └── ExportError     speech that cannot be written in the form that was asked for
+├── PerformanceError recorded performances, or a table of them, that cannot be used
 ├── TextError       a text, or a lexicon, that cannot be spoken
 │   └── VoiceError      a voice that cannot be used
 └── CorpusError     labelled recordings that cannot be read
@@ -70,6 +71,10 @@ class ExportError(MouthError):
 
 class MeshError(EngineError, ValueError):
     """A mesh, or movestates, cannot be used, or their file."""
+
+
+class PerformanceError(EngineError, ValueError):
+    """Recorded performances, or a table of them, cannot be used."""
 
 
 class TextError(EngineError, ValueError):

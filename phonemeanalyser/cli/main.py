@@ -18,6 +18,7 @@ COMMANDS = {
     "export": "Write what sound files say as mouth cues and movements for other programs.",
     "listen": "Recognise what a microphone hears, and print a line at each change; Ctrl-C ends it.",
     "movestates": "Make, look at and convert files of movestates.",
+    "performance": "Make tables of recorded faces, look at them, and make synthetic recordings.",
     "preview": "Make a clip in which a head says a sound file.",
     "record": "Record a microphone to a file; Ctrl-C ends it.",
     "score": "Recognise labelled recordings with one or two presets, and tell how right the answers are.",

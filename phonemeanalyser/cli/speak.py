@@ -35,6 +35,7 @@ from phonemeengine import (
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import TextError
 from phonemeengine.files import read_text_file
+from phonemeengine.labels.utterance import shifted
 from phonemeengine.labels.utterance_tiers import format_spoken
 from phonemeengine.live.player import Player
 from phonemeengine.mouth.exports.exporter import Exporter
@@ -42,7 +43,6 @@ from phonemeengine.mouth.transcript import transcript_of, transcript_of_utteranc
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.spooled import SpooledSpeech
-from phonemeengine.speech.voice import shifted
 from phonemeengine.text import mandarin
 from phonemeengine.text.cleaning import speakable
 

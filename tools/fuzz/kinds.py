@@ -9,6 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
+from phonemeengine.labels.textgrid import format_tiers
+from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.mouth.exports.livelink import lines_of
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
@@ -18,10 +21,19 @@ from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.morph_mesh import morph_targets_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import TABLES, load_table
+from phonemeengine.performance.gltf_face import parse_gltf_face
+from phonemeengine.performance.livelink import read_livelink
+from phonemeengine.performance.recording import phones_of
+from phonemeengine.performance.table_file import PerformanceTable, write_table
+from phonemeengine.performance.units import UnitKind
+from phonemeengine.performance.vmc import read_vmc
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE, load_pinyin_table
+from tests.engine.performance.corpora import PHONES, SYLLABLES
+from tests.engine.performance.faces import animated_face, ramp, recorded_vmc
+from tests.engine.performance.sentences import performance_of
 from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, morph_mesh_of_cube
 from tests.models import tone_model
 from tools.fuzz.mutation import mutated
@@ -49,6 +61,8 @@ def kinds(folder: Path) -> dict[str, Kind]:
     face = morph_targets_of(morph_mesh.mesh, morph_mesh.states)
     glb, points = format_glb(morph_mesh), format_points(face)
     text, blob = _parts_of(glb)
+    moving = animated_face(["jawOpen", "mouthClose"], [[0, 0], [1, 0.5], [0.5, 0]])
+    moving_text, moved = _parts_of(moving)
     model = folder / "good.npz"
     save_model(tone_model({1000.0: Phoneme.A}, n_heads=1), model)
     presets = tuple((FACTORY / f"{name}.toml").read_bytes() for name in ("thesis", "extended"))
@@ -65,6 +79,14 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "toml": Kind(presets, _through(folder / "preset.toml", load_preset)),
         "mouth table": Kind(tables, _through(folder / "table.toml", load_table)),
         "pinyin table": Kind((USUAL_PINYIN_TABLE.read_bytes(),), _through(folder / "pinyin.toml", load_pinyin_table)),
+        "live link": Kind((_livelink(),), _through(folder / "a.csv", read_livelink)),
+        "vmc": Kind((recorded_vmc([k / 60 for k in range(20)]).encode(),), _through(folder / "a.osc", read_vmc)),
+        "gltf face": Kind((moving,), lambda content: parse_gltf_face(content, "a.glb")),
+        "gltf face in glb": Kind(
+            (moving_text,), lambda content: parse_gltf_face(content, "a.glb"), lambda content: _glb_of(content, moved)
+        ),
+        "performed labels": Kind((_labels(),), _through(folder / "a.TextGrid", _performed)),
+        "performance table": Kind((_table(folder / "good.sqlite"),), _through(folder / "t.sqlite", _looked_through)),
         "phonemedata": Kind(old, _through(folder / "old.phonemedata", load_preset)),
         "npz": Kind((model.read_bytes(),), _through(folder / "model.npz", load_model)),
         "arrays in npz": Kind(_members(model), _through(folder / "model.npz", load_model), _Zipped(model), head=128),
@@ -87,6 +109,34 @@ def _through(path: Path, read: Callable[[Path], object]) -> Read:
         return read(path)
 
     return write_and_read
+
+
+def _livelink() -> bytes:
+    return "".join(lines_of(ramp(20))).encode()
+
+
+def _labels() -> bytes:
+    return format_tiers({"words": [(0.2, 0.8, "mami")], "syllables": SYLLABLES, "phones": PHONES}, 1.0).encode()
+
+
+def _performed(path: Path) -> object:
+    return phones_of(read_utterance(path, 1.0))
+
+
+def _table(path: Path) -> bytes:
+    write_table(path, [performance_of("ma.ma tu"), performance_of("pa.pi", 0.2)])
+    return path.read_bytes()
+
+
+def _looked_through(path: Path) -> object:
+    """Open a table, and ask it for all that it has."""
+    with PerformanceTable.open(path) as table:
+        found = [
+            table.nearest(kind, names, 0.2, 10) + table.within(kind, names, 0.1, 0.5)
+            for kind in UnitKind
+            for names in table.names(kind)
+        ]
+        return found, table.n_units(), [table.recording(number) for number, _ in table.recordings()]
 
 
 class _Zipped:

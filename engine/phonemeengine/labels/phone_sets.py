@@ -52,6 +52,16 @@ ARPABET: tuple[Row, ...] = (
     (X, CORE, "N EN NX NG L EL R Y W WH HH HV T D DX K G F V TH DH Q"),
 )
 
+ARPABET_SYMBOLS = {
+    "AA": "ɑ", "AE": "æ", "AH": "ʌ", "AH0": "ə", "AO": "ɔ", "AW": "aʊ", "AX": "ə", "AXR": "ɚ", "AY": "aɪ",
+    "B": "b", "CH": "tʃ", "D": "d", "DH": "ð", "DX": "ɾ", "EH": "ɛ", "EL": "l̩", "EM": "m̩", "EN": "n̩",
+    "ER": "ɚ", "EY": "eɪ", "F": "f", "G": "ɡ", "HH": "h", "HV": "ɦ", "IH": "ɪ", "IX": "ɨ", "IY": "i",
+    "JH": "dʒ", "K": "k", "L": "l", "M": "m", "N": "n", "NG": "ŋ", "NX": "ɾ", "OW": "oʊ", "OY": "ɔɪ", "P": "p",
+    "Q": "ʔ", "R": "ɹ", "S": "s", "SH": "ʃ", "T": "t", "TH": "θ", "UH": "ʊ", "UW": "u", "UX": "ʉ", "V": "v",
+    "W": "w", "WH": "ʍ", "Y": "j", "Z": "z", "ZH": "ʒ",
+}  # fmt: skip
+"""What ARPAbet's names are in the IPA."""
+
 IPA: tuple[Row, ...] = (
     (Phoneme.SZ, CORE, "s z sʲ zʲ s̪ z̪"),
     (Phoneme.SZ, AFFRICATE, "ts dz tsʲ"),
@@ -122,6 +132,21 @@ _WHOLE = frozenset(name for name, phone_class in _IPA.items() if phone_class.cer
 _MODIFIERS = frozenset({"Mn", "Lm", "Sk"})
 _SPELT_OTHERWISE = str.maketrans({"ʧ": "tʃ", "ʤ": "dʒ", "ʦ": "ts", "ʣ": "dz", "ɝ": "ɚ", "g": "ɡ"})
 _OWN = {phoneme.label: PhoneClass(phoneme) for phoneme in Phoneme}
+
+
+def ipa_of(name: str) -> tuple[str, ...]:
+    """Return the symbols of IPA of a phone that is written in IPA or in ARPAbet, the halves of an affricate apart.
+
+    A half of an affricate, as labels name it (``tʃ_cl``, ``tʃ_fr``), is one symbol. See `split_ipa`.
+    """
+    whole, _, half = name.partition("_")
+    symbols = split_ipa(ARPABET_SYMBOLS.get(whole) or ARPABET_SYMBOLS.get(_STRESS.sub("", whole)) or whole)
+    return {"cl": symbols[:1], "fr": symbols[-1:]}.get(half, symbols)
+
+
+def stress_of_arpabet(name: str) -> int:
+    """Return the stress that a vowel of ARPAbet bears as a digit: 0 for none, 1 for main, 2 for secondary."""
+    return int(name[-1]) if _STRESS.search(name) else 0
 
 
 def own_phone_class(name: str) -> PhoneClass | None:

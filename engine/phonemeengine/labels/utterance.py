@@ -5,7 +5,7 @@ as this type; mouths, exports and time lines begin from it.
 """
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from phonemeengine.errors import CorpusError
@@ -143,6 +143,22 @@ class Utterance:
     def score(self) -> float | None:
         """How well the sound fits the words: the mean of the phones' scores over time; None where nobody listened."""
         return _mean_score(self.phones)
+
+
+def shifted(word: Word, seconds: float) -> Word:
+    """Return a word so much later."""
+    return replace(
+        word,
+        syllables=tuple(
+            replace(
+                syllable,
+                phones=tuple(
+                    replace(phone, start=phone.start + seconds, end=phone.end + seconds) for phone in syllable.phones
+                ),
+            )
+            for syllable in word.syllables
+        ),
+    )
 
 
 def _mean_score(phones: Iterable[Phone]) -> float | None:

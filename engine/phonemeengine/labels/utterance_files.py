@@ -11,10 +11,11 @@ from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
 from phonemeengine.labels.text_io import read_text
 from phonemeengine.labels.textgrid import Tier, format_tiers, tiers_of
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance_tiers import stress_in
 from phonemeengine.phonemes import Phoneme
 
-WORDS, PHONES, PHONEMES = "words", "phones", "phonemes"
-"""The names of the tiers that are written."""
+WORDS, SYLLABLES, PHONES, PHONEMES = "words", "syllables", "phones", "phonemes"
+"""The names of tiers; syllables are only read."""
 
 
 def format_utterance(utterance: Utterance) -> str:
@@ -31,7 +32,8 @@ def format_utterance(utterance: Utterance) -> str:
 def read_utterance(path: Path, duration: float, mapping: PhonemeMap | None = None) -> Utterance:
     """Read what is said in a sound from a TextGrid with a tier of sounds, and one of words where there is one.
 
-    Without a tier of words, what is said between two silences is one, without a text.
+    Without a tier of words, what is said between two silences is one, without a text. A tier of syllables parts
+    words, and its marks of stress count; without one, a word is a single syllable.
 
     Parameters
     ----------
@@ -51,8 +53,8 @@ def read_utterance(path: Path, duration: float, mapping: PhonemeMap | None = Non
         raise CorpusError(f"{name}: there is no tier named {PHONES!r} with a label; align it by its words instead")
     raw = in_order(sounds.raw_labels, name, duration)
     phones = [_phone_of(label) for label in labels_named(raw, mapping.phone_classes_of(names_in(raw), name))]
-    words = in_order(_words_in(tiers), name, duration)
-    return Utterance(tuple(_words_of(phones, words)), duration)
+    words, syllables = (in_order(_labels_in(tiers, kind), name, duration) for kind in (WORDS, SYLLABLES))
+    return Utterance(tuple(_words_of(phones, words, syllables)), duration)
 
 
 def script_in(path: Path) -> str | None:
@@ -62,30 +64,41 @@ def script_in(path: Path) -> str | None:
     ------
     CorpusError : it cannot be read.
     """
-    words = _words_in(tiers_of(read_text(path), printable_name(path)))
+    words = _labels_in(tiers_of(read_text(path), printable_name(path)), WORDS)
     return " ".join(raw.name for raw in words) or None
 
 
-def _words_in(tiers: Sequence[Tier]) -> Sequence[RawLabel]:
-    return next((tier.raw_labels for tier in tiers if tier.name.lower().startswith(WORDS[:4])), ())
+def _labels_in(tiers: Sequence[Tier], name: str) -> Sequence[RawLabel]:
+    return next((tier.raw_labels for tier in tiers if tier.name.lower().startswith(name[:4])), ())
 
 
 def _phone_of(label: Label) -> Phone:
     return Phone(label.start, label.end, label.phone, label.phoneme)
 
 
-def _words_of(phones: Sequence[Phone], words: Sequence[RawLabel]) -> Iterator[Word]:
+def _words_of(phones: Sequence[Phone], words: Sequence[RawLabel], syllables: Sequence[RawLabel]) -> Iterator[Word]:
     """Return words with the phones that lie in them; those that lie in none are words of their own."""
+    for owner, part in _runs_in(phones, words):
+        yield Word(owner.name if owner else "", tuple(_syllables_of(part, syllables)))
+
+
+def _syllables_of(phones: Sequence[Phone], syllables: Sequence[RawLabel]) -> Iterator[Syllable]:
+    for owner, part in _runs_in(phones, syllables):
+        yield Syllable(tuple(part), stress_in(owner.name) if owner else 0)
+
+
+def _runs_in(phones: Sequence[Phone], stretches: Sequence[RawLabel]) -> Iterator[tuple[RawLabel | None, list[Phone]]]:
+    """Return phones that follow each other in the same stretch, with that stretch; silence ends a run."""
     part: list[Phone] = []
     owner: RawLabel | None = None
     for phone in phones:
         middle = (phone.start + phone.end) / 2
-        said = next((word for word in words if word.start - ROUNDING <= middle < word.end), None)
-        if part and (said is not owner or phone.phoneme is Phoneme.SILENCE):
-            yield Word(owner.name if owner else "", (Syllable(tuple(part)),))
+        within = next((label for label in stretches if label.start - ROUNDING <= middle < label.end), None)
+        if part and (within is not owner or phone.phoneme is Phoneme.SILENCE):
+            yield owner, part
             part = []
         if phone.phoneme is not Phoneme.SILENCE:
             part.append(phone)
-        owner = said
+        owner = within
     if part:
-        yield Word(owner.name if owner else "", (Syllable(tuple(part)),))
+        yield owner, part

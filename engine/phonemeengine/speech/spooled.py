@@ -15,10 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.labels.utterance import Word
+from phonemeengine.labels.utterance import Word, shifted
 from phonemeengine.lifetime import Closing
 from phonemeengine.settings import SAMPLE_RATE, Channel
-from phonemeengine.speech.voice import SpokenSentence, shifted
+from phonemeengine.speech.voice import SpokenSentence
 
 AHEAD = 30 * SAMPLE_RATE
 """Samples that are spoken before they are read, at most by a sentence more."""

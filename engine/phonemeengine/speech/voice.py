@@ -14,7 +14,7 @@ from phonemeengine.arrays import Float32Array, Int16Array
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import TextError, VoiceError
 from phonemeengine.labels.phone_sets import ipa_phoneme
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word, shifted
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.closures import STOPS, closure_before
 from phonemeengine.text import mandarin
@@ -169,22 +169,6 @@ def speak(text: str, voice: Voice) -> tuple[Float32Array, Utterance]:
     if not words:
         raise TextError(f"the voice of {voice.language} has no sounds for this text; check its language")
     return np.concatenate(parts), Utterance(tuple(words), n / SAMPLE_RATE, voice.language)
-
-
-def shifted(word: Word, seconds: float) -> Word:
-    """Return a word so much later."""
-    return replace(
-        word,
-        syllables=tuple(
-            replace(
-                syllable,
-                phones=tuple(
-                    replace(phone, start=phone.start + seconds, end=phone.end + seconds) for phone in syllable.phones
-                ),
-            )
-            for syllable in word.syllables
-        ),
-    )
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from phonemeengine.files import begins_like
+from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.number_lines import number_lines
@@ -27,7 +28,11 @@ digits."""
 
 def write(export: Export) -> Iterator[str]:
     """Write the header and a row for each frame."""
-    animation = export.animation
+    return lines_of(export.animation)
+
+
+def lines_of(animation: Animation) -> Iterator[str]:
+    """Return the lines of a file: the header, and a row for each frame of an animation of ARKit's movestates."""
     yield ",".join(COLUMNS) + "\n"
     eyes = np.zeros((len(animation.weights), len(ANGLES) - 3), np.float32)
     rows = np.hstack((animation.weights, np.radians(animation.head), eyes))

@@ -35,7 +35,7 @@ def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
     kind = _kind_of(path, MESH_SUFFIXES)
     content = read_file(path, LARGEST[kind] * MEGABYTE, "such a file", MeshError)
     try:
-        morph_mesh = _morph_mesh_of(kind, content, _beside(path.parent))
+        morph_mesh = _morph_mesh_of(kind, content, files_beside(path.parent))
     except MeshError as error:
         raise MeshError(f"{path.name}: {error}") from error
     return MorphMesh(replace(morph_mesh.mesh, name=morph_mesh.mesh.name or path.stem), morph_mesh.states)
@@ -104,7 +104,7 @@ def _kind_of(path: Path, kinds: tuple[str, ...]) -> str:
     return kind
 
 
-def _beside(folder: Path) -> Beside:
+def files_beside(folder: Path) -> Beside:
     """Return what reads a file of the same folder, or below it; never one elsewhere."""
 
     def read(name: str) -> bytes | None:

@@ -1,0 +1,433 @@
+"""Tables of recorded performances as SQLite databases: the only door to sqlite3.
+
+A table holds recordings, weights in float16, and the units in them by set, phones and duration. It is opened
+read-only as a file that nobody changes, so that it may lie anywhere, and is one of ours only where every table in it
+was made by the very words below: what a stranger's database would compute is never run.
+"""
+
+import os
+import sqlite3
+from collections import OrderedDict
+from collections.abc import Iterable, Iterator
+from contextlib import closing, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from phonemeengine.arrays import Float32Array
+from phonemeengine.errors import EngineError, PerformanceError
+from phonemeengine.files import atomic_write, printable, printable_name, reason_of
+from phonemeengine.lifetime import Closing
+from phonemeengine.performance.recording import Performance, PerformedPhone
+from phonemeengine.performance.units import UnitKind, duration_of, units_of
+
+VERSION = 1
+"""``PRAGMA user_version`` of the tables that are written."""
+APPLICATION = 0x50684154
+"""``PRAGMA application_id``: the letters PhAT, for phonemeanalyser's table."""
+LARGEST_WEIGHTS = 32 << 20
+"""Bytes of a recording's weights at most: more than an hour of 61 channels at 60 frames a second."""
+KEPT = 64 << 20
+"""Bytes of weights that stay in memory after they were asked for."""
+SCHEMA = (
+    "CREATE TABLE meta(name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT",
+    "CREATE TABLE channel(place INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT",
+    """CREATE TABLE recording(
+        id INTEGER PRIMARY KEY, name TEXT NOT NULL, rate REAL NOT NULL, n_frames INTEGER NOT NULL,
+        duration REAL NOT NULL, synthetic INTEGER NOT NULL, words TEXT NOT NULL, weights BLOB NOT NULL
+    ) STRICT""",
+    """CREATE TABLE phone(
+        recording INTEGER, k INTEGER, start REAL NOT NULL, middle REAL NOT NULL, "end" REAL NOT NULL,
+        name TEXT NOT NULL, word INTEGER NOT NULL, syllable INTEGER NOT NULL, stress INTEGER NOT NULL,
+        energy REAL NOT NULL, pitch REAL NOT NULL, PRIMARY KEY(recording, k)
+    ) STRICT, WITHOUT ROWID""",
+    "CREATE TABLE item(id INTEGER PRIMARY KEY, kind TEXT NOT NULL, key TEXT NOT NULL, UNIQUE(kind, key)) STRICT",
+    """CREATE TABLE unit(
+        item INTEGER, duration REAL, recording INTEGER, first INTEGER, last INTEGER,
+        PRIMARY KEY(item, duration, recording, first, last)
+    ) STRICT, WITHOUT ROWID""",
+)
+_EXAMPLES = "SELECT recording, first, last, duration FROM unit WHERE item = ? AND "
+_BEFORE = _EXAMPLES + "duration < ? ORDER BY duration DESC LIMIT ?"
+_FROM = _EXAMPLES + "duration >= ? ORDER BY duration LIMIT ?"
+_WITHIN = _EXAMPLES + "duration BETWEEN ? AND ? ORDER BY duration"
+
+
+def owns(content: bytes) -> bool:
+    """Return whether the content of a file is a table that was written here."""
+    return content.startswith(b"SQLite format 3\0") and content[68:72] == APPLICATION.to_bytes(4, "big")
+
+
+@dataclass(frozen=True)
+class TableAbout:
+    """What a table holds.
+
+    Attributes
+    ----------
+    name : what it is called where several are used.
+    synthetic : whether any of its recordings is not of a person, but of a model of one.
+    n_recordings : how many there are.
+    duration : of all of them, seconds.
+    channels : the names of the columns of their weights.
+    rate : frames a second of all of them.
+    """
+
+    name: str
+    synthetic: bool
+    n_recordings: int
+    duration: float
+    channels: tuple[str, ...]
+    rate: float
+
+
+@dataclass(frozen=True)
+class Example:
+    """A unit in a recording.
+
+    Attributes
+    ----------
+    recording : its number.
+    first, last : its halves in the recording; `last` is not of it.
+    duration : seconds.
+    """
+
+    recording: int
+    first: int
+    last: int
+    duration: float
+
+
+class PerformanceTable(Closing):
+    """A table that was written, open to be looked into from one thread at a time.
+
+    Attributes
+    ----------
+    about : what it holds.
+    """
+
+    def __init__(self, connection: sqlite3.Connection, name: str) -> None:
+        self._connection, self._name = connection, name
+        self._kept: OrderedDict[int, Performance] = OrderedDict()
+        with _refusing(name):
+            self.about = _about(connection)
+
+    @classmethod
+    def open(cls, path: str | os.PathLike[str]) -> "PerformanceTable":
+        """Open a table.
+
+        Raises
+        ------
+        PerformanceError : it cannot be read, is damaged or another program's, or newer than this program.
+        """
+        path = Path(path)
+        name = printable_name(path)
+        with _refusing(name):
+            path.open("rb").close()  # sqlite's own words for a file that is not there tell less
+            connection = sqlite3.connect(
+                f"{path.absolute().as_uri()}?mode=ro&immutable=1", uri=True, check_same_thread=False
+            )
+        try:
+            with _refusing(name):
+                _check(connection)
+            return cls(connection, name)
+        except BaseException:
+            connection.close()
+            raise
+
+    def close(self) -> None:
+        """Close the file."""
+        self._connection.close()
+
+    def names(self, kind: UnitKind) -> frozenset[tuple[str, ...]]:
+        """Return the phones of all units of a set."""
+        with _refusing(self._name):
+            rows = self._connection.execute("SELECT key FROM item WHERE kind = ?", (kind.value,))
+            return frozenset(tuple(_text(key).split(" ")) for (key,) in rows)
+
+    def n_units(self) -> dict[UnitKind, int]:
+        """Count the units of each set."""
+        query = "SELECT kind, count(*) FROM unit JOIN item ON item = item.id GROUP BY kind"
+        with _refusing(self._name):
+            counts = {UnitKind(kind): _whole(count) for kind, count in self._connection.execute(query)}
+        return {kind: counts.get(kind, 0) for kind in UnitKind}
+
+    def nearest(self, kind: UnitKind, names: tuple[str, ...], duration: float, limit: int) -> tuple[Example, ...]:
+        """Return examples of a unit, those first whose durations are the nearest to one in seconds.
+
+        Parameters
+        ----------
+        limit : how many at most.
+        """
+        with _refusing(self._name):
+            item = self._item(kind, names)
+            rows = [
+                _example(row) for query in (_BEFORE, _FROM)
+                for row in self._connection.execute(query, (item, duration, limit))
+            ]  # fmt: skip
+        return tuple(sorted(rows, key=lambda example: abs(example.duration - duration))[:limit])
+
+    def within(self, kind: UnitKind, names: tuple[str, ...], low: float, high: float) -> tuple[Example, ...]:
+        """Return the examples of a unit whose durations lie between two, seconds, the shortest first."""
+        with _refusing(self._name):
+            rows = self._connection.execute(_WITHIN, (self._item(kind, names), low, high))
+            return tuple(_example(row) for row in rows)
+
+    def recording(self, number: int) -> Performance:
+        """Return a recording; those that were asked for last are kept in memory.
+
+        Raises
+        ------
+        PerformanceError : there is none of this number, or it is damaged.
+        """
+        if number not in self._kept:
+            self._kept[number] = self._read(number)
+            while sum(kept.weights.nbytes for kept in self._kept.values()) > KEPT and len(self._kept) > 1:
+                self._kept.popitem(last=False)
+        self._kept.move_to_end(number)
+        return self._kept[number]
+
+    def recordings(self) -> Iterator[tuple[int, Performance]]:
+        """Return all recordings, each with its number; none is kept."""
+        with _refusing(self._name):
+            numbers = [_whole(row[0]) for row in self._connection.execute("SELECT id FROM recording ORDER BY id")]
+        return ((number, self._read(number)) for number in numbers)
+
+    def _item(self, kind: UnitKind, names: tuple[str, ...]) -> int:
+        query = "SELECT id FROM item WHERE kind = ? AND key = ?"
+        row = self._connection.execute(query, (kind.value, " ".join(names))).fetchone()
+        return -1 if row is None else _whole(row[0])
+
+    def _read(self, number: int) -> Performance:
+        with _refusing(self._name):
+            query = "SELECT name, rate, n_frames, synthetic, words, weights FROM recording WHERE id = ?"
+            row = self._connection.execute(query, (number,)).fetchone()
+            if row is None:
+                raise _DamageError(f"there is no recording of the number {number}")
+            name, rate, n_frames, synthetic, words, content = row
+            weights = _weights_of(content, _whole(n_frames), len(self.about.channels))
+            query = (
+                'SELECT start, middle, "end", name, word, syllable, stress, energy, pitch FROM phone '
+                "WHERE recording = ? ORDER BY k"
+            )
+            phones = tuple(_phone(row) for row in self._connection.execute(query, (number,)))
+            texts = tuple(_text(words).split("\n")) if words else ()
+            return Performance(
+                _text(name), _real(rate), self.about.channels, weights, phones, texts, bool(_whole(synthetic))
+            )
+
+
+def write_table(
+    path: str | os.PathLike[str], performances: Iterable[Performance], *, name: str | None = None
+) -> TableAbout:
+    """Write a table of performances; what is at `path` stays until the table is complete and on the disk.
+
+    One performance after the other is taken, so that a table of any size needs no more memory than its largest one.
+
+    Parameters
+    ----------
+    path : the file.
+    performances : with the same rate and channels, at least one.
+    name : what the table is called; as the file, where it is None.
+
+    Raises
+    ------
+    PerformanceError : there is no performance, they do not fit together, or the table cannot be written.
+    """
+    path = Path(path)
+    try:
+        with atomic_write(path, durable=True) as file, closing(_created(file.name)) as connection:
+            _Writing(connection).write(performances, path.stem if name is None else name)
+            return _about(connection)
+    except EngineError:
+        raise
+    except (OSError, ValueError, sqlite3.Error) as error:
+        reason = str(error) if isinstance(error, sqlite3.Error) else reason_of(error)
+        raise PerformanceError(
+            f"{printable_name(path)}: it cannot be written ({reason}); choose another folder"
+        ) from error
+
+
+def _created(path: str) -> sqlite3.Connection:
+    """Open a new database with all tables; it needs no journal, as it replaces another only when it is whole."""
+    connection = sqlite3.connect(path, isolation_level=None)
+    pragmas = (
+        "journal_mode = OFF",
+        "synchronous = OFF",
+        f"application_id = {APPLICATION}",
+        f"user_version = {VERSION}",
+    )
+    for words in (*(f"PRAGMA {pragma}" for pragma in pragmas), "BEGIN", *SCHEMA):
+        connection.execute(words)
+    return connection
+
+
+class _Writing:
+    """Puts performances into a new database."""
+
+    def __init__(self, connection: sqlite3.Connection) -> None:
+        self._connection = connection
+        self._items: dict[tuple[UnitKind, tuple[str, ...]], int] = {}
+
+    def write(self, performances: Iterable[Performance], name: str) -> None:
+        """Write all of them, and what the table is called."""
+        first: Performance | None = None
+        for number, performance in enumerate(performances, 1):
+            first = first or performance
+            check_fits(performance, first)
+            self._add(number, performance)
+        if first is None:
+            raise PerformanceError("a table needs at least one recording, found none; name another folder")
+        self._connection.executemany("INSERT INTO channel VALUES (?, ?)", enumerate(first.channels))
+        self._connection.execute("INSERT INTO meta VALUES ('name', ?)", (name,))
+        rows = ((k, kind.value, " ".join(names)) for (kind, names), k in self._items.items())
+        self._connection.executemany("INSERT INTO item VALUES (?, ?, ?)", rows)
+        self._connection.execute("COMMIT")
+
+    def _add(self, number: int, performance: Performance) -> None:
+        weights = np.clip(performance.weights, -_MOST, _MOST).astype("<f2")
+        if weights.nbytes > LARGEST_WEIGHTS:
+            raise PerformanceError(
+                f"{performance.name}: the weights of a recording may have {LARGEST_WEIGHTS >> 20} MB, these have "
+                f"{weights.nbytes / (1 << 20):.1f} MB; cut it into sentences"
+            )
+        self._connection.execute(
+            "INSERT INTO recording VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+            (
+                number, performance.name, performance.rate, len(weights), performance.duration, performance.synthetic,
+                "\n".join(" ".join(word.split()) for word in performance.words), weights.tobytes(),
+            ),
+        )  # fmt: skip
+        phones = performance.phones
+        self._connection.executemany(
+            "INSERT INTO phone VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+            (
+                (
+                    number, k, phone.start, phone.middle, phone.end, phone.name, phone.word, phone.syllable,
+                    phone.stress, phone.energy, phone.pitch,
+                )
+                for k, phone in enumerate(phones)
+            ),
+        )  # fmt: skip
+        self._connection.executemany(
+            "INSERT INTO unit VALUES (?, ?, ?, ?, ?)",
+            (
+                (self._item(unit.kind, unit.names), duration_of(unit, phones), number, unit.first, unit.last)
+                for unit in units_of(phones)
+            ),
+        )
+
+    def _item(self, kind: UnitKind, names: tuple[str, ...]) -> int:
+        return self._items.setdefault((kind, names), len(self._items) + 1)
+
+
+_MOST = float(np.finfo(np.float16).max)
+
+
+class _DamageError(ValueError):
+    """A database says something impossible."""
+
+
+@contextmanager
+def _refusing(name: str) -> Iterator[None]:
+    """Turn whatever a database, or a file, of a name raises into a sentence."""
+    try:
+        yield
+    except EngineError:
+        raise
+    except OSError as error:
+        raise PerformanceError(f"{name}: it cannot be read ({reason_of(error)}); choose another file") from error
+    except (sqlite3.Error, ValueError, TypeError, OverflowError) as error:
+        reason = printable(str(error)[:100])
+        raise PerformanceError(
+            f"{name}: this is no table of performances, or a damaged one ({reason}); build it anew with "
+            "`phonemeanalyser performance build`"
+        ) from error
+
+
+def _check(connection: sqlite3.Connection) -> None:
+    """Refuse a database that is not ours.
+
+    Raises
+    ------
+    PerformanceError, ValueError, sqlite3.Error : it is not.
+    """
+    connection.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LARGEST_WEIGHTS + (1 << 16))
+    (application,) = connection.execute("PRAGMA application_id").fetchone()
+    (version,) = connection.execute("PRAGMA user_version").fetchone()
+    if application != APPLICATION:
+        raise _DamageError("another program wrote it")
+    if version > VERSION:
+        raise PerformanceError(
+            f"this table of performances has version {version}, and this program knows those up to {VERSION}; "
+            "install a newer one, or build the table anew"
+        )
+    rows = connection.execute("SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL LIMIT ?", (len(SCHEMA) + 1,))
+    if {sql for (sql,) in rows} != {*SCHEMA}:
+        raise _DamageError("its tables are not those of this program")
+
+
+def check_fits(performance: Performance, first: Performance) -> None:
+    """Refuse a performance that does not go into the table of another one.
+
+    Raises
+    ------
+    PerformanceError : its channels or its rate differ, or a phone's name is not one word.
+    """
+    if performance.channels != first.channels or performance.rate != first.rate:
+        raise PerformanceError(
+            f"{performance.name}: the recordings of a table must have the same channels and rate as {first.name} "
+            f"({len(first.channels)} at {first.rate:g} frames a second), found {len(performance.channels)} at "
+            f"{performance.rate:g}; export it again, or leave it out"
+        )
+    if bad := next((phone.name for phone in performance.phones if not phone.name or " " in phone.name), None):
+        raise PerformanceError(f"{performance.name}: the name of a phone is one word, found {bad[:20]!r}; correct it")
+
+
+def _about(connection: sqlite3.Connection) -> TableAbout:
+    (name,) = connection.execute("SELECT value FROM meta WHERE name = 'name'").fetchone()
+    query = "SELECT count(*), sum(duration), max(rate), max(synthetic) FROM recording"
+    n, duration, rate, synthetic = connection.execute(query).fetchone()
+    channels = connection.execute("SELECT name FROM channel ORDER BY place")
+    return TableAbout(
+        _text(name), bool(_whole(synthetic)), _whole(n), _real(duration), tuple(_text(row[0]) for row in channels),
+        _real(rate),
+    )  # fmt: skip
+
+
+def _weights_of(content: Any, n_frames: int, n_channels: int) -> Float32Array:
+    if not isinstance(content, bytes) or len(content) != 2 * n_frames * n_channels:
+        raise _DamageError("the weights of a recording do not fit its frames")
+    return np.frombuffer(content, "<f2").reshape(n_frames, n_channels).astype(np.float32)
+
+
+def _phone(row: tuple[Any, ...]) -> PerformedPhone:
+    start, middle, end, name, word, syllable, stress, energy, pitch = row
+    return PerformedPhone(
+        _real(start), _real(middle), _real(end), _text(name), _whole(word), _whole(syllable), _whole(stress),
+        _real(energy), _real(pitch),
+    )  # fmt: skip
+
+
+def _example(row: tuple[Any, ...]) -> Example:
+    recording, first, last, duration = row
+    return Example(_whole(recording), _whole(first), _whole(last), _real(duration))
+
+
+def _whole(value: Any) -> int:
+    if not isinstance(value, int):
+        raise _DamageError(f"a whole number is missing, found {value!r:.20}")
+    return value
+
+
+def _real(value: Any) -> float:
+    if not isinstance(value, float) or not np.isfinite(value):
+        raise _DamageError(f"a number is missing, found {value!r:.20}")
+    return value
+
+
+def _text(value: Any) -> str:
+    if not isinstance(value, str):
+        raise _DamageError(f"a text is missing, found {value!r:.20}")
+    return value

@@ -1,0 +1,111 @@
+"""``phonemeanalyser performance``: tables of recorded faces, and a synthetic performer to try them with."""
+
+import argparse
+import sys
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from tqdm import tqdm
+
+from phonemeanalyser.cli.arguments import add_overwrite, number_in, whole_in
+from phonemeanalyser.cli.jobs import say_note
+from phonemeanalyser.cli.output_files import Guard, print_whole
+from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
+from phonemeengine.files import printable_name, read_text_file
+from phonemeengine.performance.sentences import sentences
+from phonemeengine.performance.table_file import TableAbout, owns
+
+USUAL_MINUTES, MOST_MINUTES = 15.0, 600.0
+BAR = "{desc}: {n:.0f} %|{bar}| {elapsed}"
+LARGEST = 4 << 20
+"""Bytes of a file of sentences."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say what is to be done with recorded performances."""
+    parser.epilog = (
+        "A recording is NAME.wav, NAME.TextGrid (tiers phones, words, syllables) and NAME.csv of Live Link Face; or "
+        "NAME.glb, or NAME.osc of VMC messages, in place of the latter. For each, performance WHAT --help."
+    )
+    kinds = parser.add_subparsers(required=True, metavar="WHAT")
+    build = kinds.add_parser("build", help="make a table of a folder of recordings")
+    build.add_argument("folder", type=Path, metavar="FOLDER")
+    build.add_argument("-o", "--out", type=Path, required=True, metavar="T.sqlite", help="the table")
+    build.add_argument("--name", metavar="NAME", help="what the table is called (default: as the folder)")
+    add_overwrite(build)
+    build.set_defaults(act=_build)
+    info = kinds.add_parser("info", help="say what a table holds")
+    info.add_argument("table", type=Path, metavar="T.sqlite")
+    info.set_defaults(act=_info)
+    make = kinds.add_parser("make", help="have a synthetic performer read sentences, for demonstration and tests")
+    make.add_argument("folder", type=Path, metavar="FOLDER", help="a new folder for its recordings")
+    minutes = number_in(0.01, MOST_MINUTES, "minutes")
+    make.add_argument("--minutes", type=minutes, default=USUAL_MINUTES, metavar="M", help="how much (default: 15)")
+    make.add_argument("--seed", type=whole_in(0), default=0, metavar="N", help="another number makes other takes")
+    make.add_argument("--sentences", type=Path, metavar="F", help="a text file (UTF-8) with a sentence a line")
+    make.add_argument("--language", default="en-us", metavar="L", help="of the sentences (default: en-us)")
+    make.set_defaults(act=_make)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Run the command; returns its exit code."""
+    lines: list[str] = list(options.act(options))
+    print_whole(lambda file: file.writelines(f"{line}\n" for line in lines))
+    return 0
+
+
+def _build(options: argparse.Namespace) -> Iterator[str]:
+    Guard(owns, options.overwrite).check(options.out)
+    with _progress(options.folder) as progress:
+        built = build_table(options.folder, options.out, name=options.name, progress=progress)
+    for sentence in built.left_out:
+        say_note(printable_name(options.folder), f"a recording is left out: {sentence}")
+    for note in built.notes:
+        say_note(printable_name(options.folder), note)
+    yield _summary(options.out, built.about)
+
+
+def _info(options: argparse.Namespace) -> Iterator[str]:
+    with PerformanceTable.open(options.table) as table:
+        about = table.about
+        yield _summary(options.table, about)
+        yield f"{len(about.channels)} channels at {about.rate:g} frames a second"
+        for kind, n in table.n_units().items():
+            yield f"{kind.value:<20}  {n:8} units of {len(table.names(kind))} kinds"
+
+
+def _make(options: argparse.Namespace) -> Iterator[str]:
+    voice = Voice(options.language)
+    read = sentences(options.seed) if options.sentences is None else _sentences_in(options.sentences)
+    with _progress(options.folder) as progress:
+        made = make_corpus(
+            options.folder, read, lambda text: speak(text, voice), seconds=60 * options.minutes, seed=options.seed,
+            progress=progress,
+        )  # fmt: skip
+    yield f"{options.folder}: {made.n_recordings} synthetic recordings, {made.duration / 60:.1f} minutes"
+
+
+def _sentences_in(path: Path) -> Iterable[str]:
+    lines = read_text_file(path, LARGEST, "a file of sentences", TextError).split("\n")
+    return [line.strip() for line in lines if line.strip()]
+
+
+def _summary(path: Path, about: TableAbout) -> str:
+    name = f"{about.name!r}, synthetic" if about.synthetic else repr(about.name)
+    length = f"{about.n_recordings} recordings, {about.duration / 60:.1f} minutes"
+    return f"{path.name}: {name}, {length}, {path.stat().st_size / 1e6:.1f} MB"
+
+
+@contextmanager
+def _progress(folder: Path) -> Iterator[Progress]:
+    """Give what shows how much is done, where the work is long; the work always goes on."""
+    with tqdm(
+        total=100, desc=printable_name(folder), delay=1, leave=False, disable=None, file=sys.stderr, bar_format=BAR
+    ) as bar:
+
+        def show(share: float) -> bool:
+            bar.update(100 * share - bar.n)
+            return True
+
+        yield show
