@@ -138,6 +138,7 @@ _PAGE = {
     "text.syllables": "SpokenSyllable",
     # A text, as a voice says it
     "speech.voice": "SpokenSentence Voice speak",
+    "speech.program": "speak_by_program",
     "text.espeak": "Language languages voices",
     # A voice, and how well it is recognised
     "calibration.scores.corpus": "FrameLabels LabelledUtterance read_recordings",

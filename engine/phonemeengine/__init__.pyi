@@ -99,6 +99,7 @@ from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow, format_pla
 from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
+from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.voice import SpokenSentence, Voice, speak
 from phonemeengine.text.espeak import Language, languages, voices
 from phonemeengine.text.lexicon import Lexicon, load_lexicon
@@ -271,6 +272,7 @@ __all__ = [
     "save_preset",
     "score",
     "speak",
+    "speak_by_program",
     "timed_frames",
     "transcribe",
     "transcript_of_utterance",

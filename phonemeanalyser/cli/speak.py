@@ -15,6 +15,7 @@ from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import Guard, write_whole, write_whole_bytes, write_whole_file
 from phonemeanalyser.cli.pinyin import add_pinyin, pinyin_table_of, say_without_voice, write_plan
+from phonemeanalyser.cli.scripts import say_misfits
 from phonemeengine import (
     FORMATS,
     SAMPLE_RATE,
@@ -31,6 +32,7 @@ from phonemeengine import (
     Word,
     load_preset,
     pinyin_track,
+    speak_by_program,
 )
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import TextError
@@ -40,7 +42,6 @@ from phonemeengine.live.player import Player
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.transcript import transcript_of, transcript_of_utterance
 from phonemeengine.presets.files import DEFAULT_PRESET
-from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.spooled import SpooledSpeech
 from phonemeengine.speech.voice import shifted
 from phonemeengine.text import mandarin
@@ -66,7 +67,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--language", metavar="L", help="of the text, such as en-us, de, fr, cmn")
     parser.add_argument("--voice", default="", metavar="V", help="another voice, such as f2, m3 or klatt")
     add_pinyin(parser)
-    program = "another voice: a command that writes a WAV file {output} of {text}"
+    program = "another voice: a command that writes a WAV file {output} of {text}, and may write a TextGrid beside it"
     parser.add_argument("--program", metavar="COMMAND", help=program)
     parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="write the sound as WAV (default: play it)")
     parser.add_argument("--labels", type=Path, metavar="OUT", help="write words, syllables and phones as TextGrid")
@@ -111,7 +112,7 @@ def _language_of(options: argparse.Namespace, text: str) -> str:
 def _spoken(options: argparse.Namespace, text: str) -> Iterator[SpokenSentence]:
     if options.program is None:
         return Voice(_language_of(options, text), options.voice, options.rate).speak(text)
-    return iter([speak_by_program(options.program, speakable(text).text)])
+    return iter([speak_by_program(options.program, text, language=_language_of(options, text))])
 
 
 def _play(sentences: Iterator[SpokenSentence]) -> None:
@@ -157,7 +158,7 @@ class _Written:
             raise EngineError("--plan tells of the pinyin mouth; leave --text-driver rules out")
         idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed or 0)
         exporter = Exporter(options.kind, ExportOptions(rate=options.fps, idle=idle)) if options.kind else None
-        language = "" if options.program else _language_of(options, text)
+        language = _language_of(options, text)
         chinese = language in {*mandarin.TAGS, mandarin.PINYIN_TAG}
         by_letters = options.text_driver == "pinyin" or (options.text_driver == "auto" and chinese)
         written = cls(
@@ -181,6 +182,7 @@ class _Written:
         else:
             write_whole_file(self.sound, lambda file: said.take(sentences, file), self._guard)
         utterance = said.utterance(self.language)
+        say_misfits("the sound of the program", utterance)
         if self.labels is not None:
             write_whole(self.labels, lambda file: file.writelines([format_spoken(utterance)]), self._guard)
         track = (
@@ -205,6 +207,7 @@ class _Said:
 
     loud: bool
     words: list[Word] = field(default_factory=list)
+    skipped: list[str] = field(default_factory=list)
     analyses: list[Analysis] = field(default_factory=list)
     n_samples: int = 0
 
@@ -218,6 +221,7 @@ class _Said:
             if analyser is not None:
                 self.analyses.append(analyser.push(sentence.samples))
             self.words += (shifted(word, self.n_samples / SAMPLE_RATE) for word in sentence.words)
+            self.skipped += sentence.skipped
             self.n_samples += len(sentence.samples)
         if analyser is not None:
             self.analyses.append(analyser.finish())
@@ -226,7 +230,7 @@ class _Said:
 
     def utterance(self, language: str) -> Utterance:
         """Return all that was said."""
-        return Utterance(tuple(self.words), self.n_samples / SAMPLE_RATE, language)
+        return Utterance(tuple(self.words), self.n_samples / SAMPLE_RATE, language, tuple(self.skipped))
 
     def transcript(self, utterance: Utterance, path: Path | None) -> Transcript:
         """Return it as a mouth needs it."""

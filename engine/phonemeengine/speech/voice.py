@@ -56,11 +56,13 @@ class SpokenSentence:
     samples : float32, shape (n,), mono at 44.1 kHz, ±1.
     words : what is said, in seconds from the sentence's beginning; may be none.
     text : as it is written.
+    skipped : words of the text that were not said, as far as somebody listened.
     """
 
     samples: Float32Array
     words: tuple[Word, ...]
     text: str
+    skipped: tuple[str, ...] = ()
 
     @property
     def duration(self) -> float:
