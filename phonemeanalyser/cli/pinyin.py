@@ -76,6 +76,8 @@ def _check(options: argparse.Namespace) -> None:
         raise EngineError("--export and --format go together; name both")
     if options.out is not None or options.labels is not None:
         raise EngineError("without a voice there are no sound and labels to write; leave --silent or --recording out")
+    if options.lexicon is not None:
+        raise EngineError("a lexicon is for a voice, and without one it says nothing; leave --lexicon out")
 
 
 def _exporter_of(options: argparse.Namespace) -> Exporter:

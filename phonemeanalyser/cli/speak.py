@@ -24,19 +24,21 @@ from phonemeengine import (
     EngineError,
     ExportOptions,
     IdleMotion,
+    Lexicon,
     PinyinTable,
     SpokenSentence,
     Transcript,
     Utterance,
     Voice,
     Word,
+    load_lexicon,
     load_preset,
     pinyin_track,
     speak_by_program,
 )
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import TextError
-from phonemeengine.files import read_text_file
+from phonemeengine.files import printable, read_text_file
 from phonemeengine.labels.utterance_tiers import format_spoken
 from phonemeengine.live.player import Player
 from phonemeengine.mouth.exports.exporter import Exporter
@@ -66,6 +68,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--text-driver", choices=["auto", "pinyin", "rules"], default="auto", help=driver)
     parser.add_argument("--language", metavar="L", help="of the text, such as en-us, de, fr, cmn")
     parser.add_argument("--voice", default="", metavar="V", help="another voice, such as f2, m3 or klatt")
+    lexicon = "how words are pronounced, .toml or .csv: the voice says those whose sounds it has"
+    parser.add_argument("--lexicon", type=Path, metavar="FILE", help=lexicon)
     add_pinyin(parser)
     program = "another voice: a command that writes a WAV file {output} of {text}, and may write a TextGrid beside it"
     parser.add_argument("--program", metavar="COMMAND", help=program)
@@ -110,9 +114,21 @@ def _language_of(options: argparse.Namespace, text: str) -> str:
 
 
 def _spoken(options: argparse.Namespace, text: str) -> Iterator[SpokenSentence]:
-    if options.program is None:
-        return Voice(_language_of(options, text), options.voice, options.rate).speak(text)
-    return iter([speak_by_program(options.program, text, language=_language_of(options, text))])
+    language, lexicon = _language_of(options, text), load_lexicon(options.lexicon) if options.lexicon else Lexicon()
+    if options.program is not None:
+        return iter([speak_by_program(options.program, text, language=language, lexicon=lexicon)])
+    return _with_notes(Voice(language, options.voice, options.rate, lexicon).speak(text), language)
+
+
+def _with_notes(sentences: Iterator[SpokenSentence], language: str) -> Iterator[SpokenSentence]:
+    """Return sentences as they come, and say once of each word that it is not said as the lexicon has it."""
+    told: set[str] = set()
+    for sentence in sentences:
+        if words := [word for word in dict.fromkeys(sentence.unheeded) if word not in told]:
+            note = f"the voice of {language} reads as usual, for want of their sounds: {printable(' '.join(words))}"
+            say_note("the lexicon", note)
+            told.update(words)
+        yield sentence
 
 
 def _play(sentences: Iterator[SpokenSentence]) -> None:

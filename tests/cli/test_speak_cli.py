@@ -92,6 +92,21 @@ def test_the_words_of_a_program_are_found_by_its_text(tmp_path: Path, capsys: py
     assert "note: nobody says: Und Schnee" in capsys.readouterr().err
 
 
+def test_a_lexicon_tells_the_voice_and_what_it_cannot_say_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lexicon, labels = tmp_path / "l.csv", tmp_path / "o.TextGrid"
+    lexicon.write_text("word,ipa\nZug,ˈθɪŋ\nTor,ˈnæ.sə\n", encoding="utf-8")
+    text = ["Das Tor, der Zug, das Tor. Ein Tor.", "--language", "de", "--lexicon", str(lexicon)]
+    assert main(["speak", *text, "--labels", str(labels)]) == 0
+    said = {word.text: [phone.ipa for phone in word.phones] for word in read_utterance(labels, 10.0).words}
+    assert said["Zug"] == ["θ", "ɪ", "ŋ"]
+    assert said["Tor"] != ["n", "æ", "s", "ə"]
+    assert capsys.readouterr().err == (
+        "phonemeanalyser: the lexicon: note: the voice of de reads as usual, for want of their sounds: Tor\n"
+    )
+
+
 def test_a_file_that_is_there_is_left_alone_unless_it_is_given_up(tmp_path: Path) -> None:
     out = tmp_path / "o.wav"
     out.write_bytes(b"mine")

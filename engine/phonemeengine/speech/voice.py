@@ -6,7 +6,7 @@ sentence by sentence, a Chinese one clause by clause, so that a long one needs n
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -31,7 +31,9 @@ from phonemeengine.text.espeak import (
     symbols_of,
     synthesise,
 )
+from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import MARKS, check_script, separator_of
+from phonemeengine.text.respelling import PHONEMES, respelt
 from phonemeengine.text.syllables import is_vowel, syllables_of
 
 USUAL_RATE = 4.0
@@ -57,12 +59,14 @@ class SpokenSentence:
     words : what is said, in seconds from the sentence's beginning; may be none.
     text : as it is written.
     skipped : words of the text that were not said, as far as somebody listened.
+    unheeded : words that the voice cannot say as the lexicon has them, and said as it reads them.
     """
 
     samples: Float32Array
     words: tuple[Word, ...]
     text: str
     skipped: tuple[str, ...] = ()
+    unheeded: tuple[str, ...] = ()
 
     @property
     def duration(self) -> float:
@@ -79,6 +83,8 @@ class Voice:
     language : such as ``en-us``, ``de``, ``cmn``; see `languages`.
     name : another voice than the language's own, such as ``f3`` or ``klatt``; see `voices`.
     rate : syllables a second, 1.6..9.5.
+    lexicon : how words are pronounced that the voice reads otherwise. It says those whose sounds it has; Chinese
+        characters it cannot, as IPA tells no tones.
 
     Raises
     ------
@@ -88,6 +94,7 @@ class Voice:
     language: str
     name: str = ""
     rate: float = USUAL_RATE
+    lexicon: Lexicon = field(default_factory=Lexicon)
 
     def __post_init__(self) -> None:
         if not RATES[0][0] <= self.rate <= RATES[-1][0]:
@@ -126,10 +133,12 @@ class Voice:
 
     def _call(self, tokens: Sequence["_Token"], language: Language) -> "_Call":
         """Have the synthesizer speak words in one call."""
+        tokens = [self._as_lexicon_has(token, language) for token in tokens]
         text, starts = "", []
         for token in tokens:
             starts.append(len(text))
-            text += f"{separator_of(language)}{token.spelt} "
+            separator = "" if token.spelt.startswith(PHONEMES) else separator_of(language)
+            text += f"{separator}{token.spelt} "
         blocks: list[Int16Array] = []
         events: list[Event] = []
 
@@ -138,10 +147,19 @@ class Voice:
             events.extend(begun)
             return True
 
-        chinese = any(token.pinyin for token in tokens)
-        synthesise(text.rstrip(), language, hear, voice=self.name, rate=self._words_a_minute, phonemes=chinese)
+        phonemes = PHONEMES in text
+        synthesise(text.rstrip(), language, hear, voice=self.name, rate=self._words_a_minute, phonemes=phonemes)
         samples = np.concatenate(blocks) if blocks else np.zeros(0, np.int16)
-        return _Call(samples, tuple(_words_of(tokens, _timed(events, samples, starts, len(tokens)))))
+        words = tuple(_words_of(tokens, _timed(events, samples, starts, len(tokens))))
+        return _Call(samples, words, tuple(token.text for token in tokens if token.unheeded))
+
+    def _as_lexicon_has(self, token: "_Token", language: Language) -> "_Token":
+        """Return a word spelt as the lexicon has it, where it is there and the voice has such sounds."""
+        spellings = self.lexicon.spellings.get(token.text.casefold(), ())
+        respellings = () if token.pinyin else (respelt(ipa, language) for ipa in spellings)
+        if found := next(filter(None, respellings), ""):
+            return replace(token, spelt=found + token.spelt.partition(token.text)[2])
+        return replace(token, unheeded=bool(spellings))
 
     @property
     def _words_a_minute(self) -> int:
@@ -191,20 +209,31 @@ def shifted(word: Word, seconds: float) -> Word:
 
 @dataclass(frozen=True)
 class _Token:
-    """What the synthesizer takes for a word: the text of the word it belongs to, how it is spelt, and its pinyin."""
+    """What the synthesizer takes for a word.
+
+    Attributes
+    ----------
+    text : of the word it belongs to.
+    spelt : for the synthesizer, with the marks around it.
+    pinyin : of a Chinese syllable.
+    continues : whether it belongs to the word of the token before it.
+    unheeded : whether the lexicon has it otherwise than it can be said.
+    """
 
     text: str
     spelt: str
     pinyin: str = ""
     continues: bool = False
+    unheeded: bool = False
 
 
 @dataclass(frozen=True, eq=False)
 class _Call:
-    """What one call gave: samples at `VOICE_RATE`, and words in seconds."""
+    """What one call gave: samples at `VOICE_RATE`, words in seconds, and those that the lexicon has otherwise."""
 
     samples: Int16Array
     words: tuple[Word, ...]
+    unheeded: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -227,8 +256,9 @@ def _ended(calls: Sequence[_Call], text: str, pause: float) -> SpokenSentence:
     whole = np.concatenate([np.zeros(0, np.int16), *(call.samples for call in calls)])
     block = (whole.astype(np.float32) / np.float32(32768))[:, np.newaxis]
     spoken = Resampler(VOICE_RATE, 1).resample(block, last=True)[:, 0]
+    samples = np.concatenate([spoken, np.zeros(round(pause * SAMPLE_RATE), np.float32)])
     return SpokenSentence(
-        np.concatenate([spoken, np.zeros(round(pause * SAMPLE_RATE), np.float32)]), tuple(words), text
+        samples, tuple(words), text, unheeded=tuple(word for call in calls for word in call.unheeded)
     )
 
 
