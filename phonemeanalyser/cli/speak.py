@@ -31,6 +31,7 @@ from phonemeengine import (
     Utterance,
     Voice,
     Word,
+    format_utterance,
     load_lexicon,
     load_preset,
     pinyin_track,
@@ -39,7 +40,6 @@ from phonemeengine import (
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import TextError
 from phonemeengine.files import printable, read_text_file
-from phonemeengine.labels.utterance_tiers import format_spoken
 from phonemeengine.live.player import Player
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.transcript import transcript_of, transcript_of_utterance
@@ -51,6 +51,8 @@ from phonemeengine.text.cleaning import speakable
 
 LARGEST = 64 << 20
 """Bytes of a text."""
+SILENCE = "sil"
+"""The name of what lies between words, in labels."""
 LOOK = 0.05
 """Seconds between two looks at what is heard."""
 
@@ -200,7 +202,9 @@ class _Written:
         utterance = said.utterance(self.language)
         say_misfits("the sound of the program", utterance)
         if self.labels is not None:
-            write_whole(self.labels, lambda file: file.writelines([format_spoken(utterance)]), self._guard)
+            write_whole(
+                self.labels, lambda file: file.writelines([format_utterance(utterance, SILENCE)]), self._guard
+            )
         track = (
             None if self.letters is None else pinyin_track(utterance, self.letters, text=self.text, seed=self.seed)
         )

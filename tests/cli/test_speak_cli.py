@@ -28,7 +28,7 @@ def test_a_text_becomes_a_sound_labels_and_a_mouth(tmp_path: Path) -> None:
         assert reader.file_rate == 44100
         duration = reader.duration
     tiers = {tier.name: tier.raw_labels for tier in tiers_of(labels.read_text("utf-8"), "h")}
-    assert list(tiers) == ["words", "syllables", "phones"]
+    assert list(tiers) == ["words", "syllables", "phones", "phonemes"]
     assert [raw.name for raw in tiers["words"] if raw.name != "sil"] == ["Hello", "there", "How", "are", "you"]
     for raw_labels in tiers.values():
         assert raw_labels[0].start == 0

@@ -131,6 +131,12 @@ def own_phone_class(name: str) -> PhoneClass | None:
     return _OWN.get(small) or _SILENCES.get(small)
 
 
+def marks_silence(name: str) -> bool:
+    """Return whether a name stands for silence in every alphabet, unlike the word *silence*, which is one of ours."""
+    known = _SILENCES.get(name.lower())
+    return known is not None and known.phoneme is Phoneme.SILENCE
+
+
 def phone_classes_in(name: str) -> tuple[PhoneClass | None, PhoneClass | None, PhoneClass | None]:
     """Return what a name means in ARPAbet, IPA and SAMPA, without marks of stress and length; None for others."""
     spelt = name.upper() if name.islower() and name.isascii() else name

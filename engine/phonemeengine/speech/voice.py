@@ -14,6 +14,7 @@ from phonemeengine.arrays import Float32Array, Int16Array
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import TextError, VoiceError
 from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.labels.pinyin import onset_and_rime, timed_syllable
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.closures import STOPS, closure_before
@@ -333,32 +334,26 @@ def _words_of(tokens: Sequence[_Token], timed: Sequence[list[_Timed]]) -> Iterat
 
 def _syllables(token: _Token, phones: Sequence[_Timed]) -> Iterator[Syllable]:
     if token.pinyin:
-        spoken = mandarin.syllable_of(token.pinyin)
-        timed = iter(_fitted(spoken.phones, phones))
-        syllables: tuple[tuple[tuple[str, ...], int, str], ...] = ((spoken.phones, 0, token.pinyin),)
-    else:
-        timed = iter(phones)
-        found = syllables_of([phone.ipa for phone in phones], [phone.stress for phone in phones])
-        syllables = tuple((syllable.phones, syllable.stress, "") for syllable in found)
-    for names, stress, text in syllables:
-        own = [next(timed) for _ in names]
-        yield Syllable(tuple(Phone(x.start, x.end, x.ipa, ipa_phoneme(x.ipa)) for x in own), stress, text)
+        yield _chinese_syllable(token.pinyin, phones)
+        return
+    rest = iter(phones)
+    for syllable in syllables_of([phone.ipa for phone in phones], [phone.stress for phone in phones]):
+        own = (next(rest) for _ in syllable.phones)
+        yield Syllable(tuple(Phone(x.start, x.end, x.ipa, ipa_phoneme(x.ipa)) for x in own), syllable.stress)
 
 
-def _fitted(names: Sequence[str], phones: Sequence[_Timed]) -> list[_Timed]:
-    """Return the phones of a syllable of pinyin with the times of what the voice made of it.
+def _chinese_syllable(sound: str, phones: Sequence[_Timed]) -> Syllable:
+    """Return a syllable of pinyin with the times of what the voice made of it.
 
-    The voice has names of its own, so only where consonants end and vowels begin is taken from it.
+    The voice has names of its own, so only where consonants end and vowels begin is taken from it, unless it has as
+    many phones.
     """
-    start, end = phones[0].start, phones[-1].end
-    n_onset = next((k for k, name in enumerate(names) if is_vowel(name)), 0)
+    names = mandarin.syllable_of(sound).phones
     if len(names) == len(phones):
-        return [replace(phone, ipa=name) for name, phone in zip(names, phones, strict=True)]
-    turn = next((phone.start for phone in phones if is_vowel(phone.ipa)), start) if n_onset else start
-    turn = turn if start < turn < end or not n_onset else start + (end - start) * n_onset / len(names)
-    return [*_shared_equally(names[:n_onset], start, turn), *_shared_equally(names[n_onset:], turn, end)]
-
-
-def _shared_equally(names: Sequence[str], start: float, end: float) -> Iterator[_Timed]:
-    for k, name in enumerate(names):
-        yield _Timed(name, start + (end - start) * k / len(names), start + (end - start) * (k + 1) / len(names))
+        pairs = zip(names, phones, strict=True)
+        return Syllable(tuple(Phone(x.start, x.end, ipa, ipa_phoneme(ipa)) for ipa, x in pairs), text=sound)
+    start, end = phones[0].start, phones[-1].end
+    turn = next((phone.start for phone in phones if is_vowel(phone.ipa)), start)
+    if turn == start:
+        turn += (end - start) * len(onset_and_rime(sound[:-1])[0]) / len(names)
+    return timed_syllable(sound, start, turn, end)

@@ -5,7 +5,7 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from phonemeengine.speech.pinyin.letters import is_sound
+from phonemeengine.labels.pinyin import is_sound
 from phonemeengine.speech.pinyin.table import PinyinTable
 from phonemeengine.text.chinese_numbers import numbers_spelt
 from phonemeengine.text.mandarin import HANZI, pinyin_of
