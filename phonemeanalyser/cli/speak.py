@@ -119,7 +119,8 @@ def _spoken(options: argparse.Namespace, text: str) -> Iterator[SpokenSentence]:
     language, lexicon = _language_of(options, text), load_lexicon(options.lexicon) if options.lexicon else Lexicon()
     if options.program is not None:
         return iter([speak_by_program(options.program, text, language=language, lexicon=lexicon)])
-    return _with_notes(Voice(language, options.voice, options.rate, lexicon).speak(text), language)
+    voice = Voice(language, options.voice, options.rate, lexicon, pinyin_table_of(options))
+    return _with_notes(voice.speak(text), language)
 
 
 def _with_notes(sentences: Iterator[SpokenSentence], language: str) -> Iterator[SpokenSentence]:

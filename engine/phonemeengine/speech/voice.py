@@ -7,6 +7,7 @@ sentence by sentence, a Chinese one clause by clause, so that a long one needs n
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import takewhile
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from phonemeengine.labels.pinyin import onset_and_rime, timed_syllable
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.closures import STOPS, closure_before
+from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.text import mandarin
 from phonemeengine.text.clauses import clauses_of, sentences_of, tokens_of
 from phonemeengine.text.cleaning import speakable
@@ -43,8 +45,6 @@ RATES = ((1.6, 80), (2.4, 120), (3.35, 160), (3.7, 175), (4.9, 220), (7.3, 300),
 """Syllables a second, measured, and the words a minute that are asked of the synthesizer for them."""
 SENTENCE_PAUSE = 1.2
 """Silence after a sentence, in syllables: 0.3 s at the usual rate."""
-CHINESE_PAUSES = {"。？！.?!…": 2.4, "；：;:": 1.8, "，,": 1.2, "、": 0.6}
-"""Silence after the marks of Chinese clauses, in syllables."""
 LEAST_CLOSURE = 0.2
 """Share of an affricate that its closure has at least where it was found in the sound; else it has half."""
 _ASCII_MARKS = str.maketrans("。？！；：，、", ".?!;:,,")
@@ -86,6 +86,7 @@ class Voice:
     rate : syllables a second, 1.6..9.5.
     lexicon : how words are pronounced that the voice reads otherwise. It says those whose sounds it has; Chinese
         characters it cannot, as IPA tells no tones.
+    pinyin_table : how long the pauses after Chinese clauses are; the one that ships, where it is None.
 
     Raises
     ------
@@ -96,6 +97,7 @@ class Voice:
     name: str = ""
     rate: float = USUAL_RATE
     lexicon: Lexicon = field(default_factory=Lexicon)
+    pinyin_table: PinyinTable | None = None
 
     def __post_init__(self) -> None:
         if not RATES[0][0] <= self.rate <= RATES[-1][0]:
@@ -118,7 +120,8 @@ class Voice:
         check_voice(self.name)
         cleaned = speakable(text).text
         if language.tag in {*mandarin.TAGS, mandarin.PINYIN_TAG}:
-            return (self._said_in_chinese(clause, language) for clause in clauses_of(cleaned))
+            table = self.pinyin_table or load_pinyin_table()
+            return (self._said_in_chinese(clause, language, table) for clause in clauses_of(cleaned))
         check_script(cleaned, language)
         return (self._said(sentence, language) for sentence in sentences_of(cleaned))
 
@@ -127,10 +130,10 @@ class Voice:
         call = self._call(tokens, language)
         return _ended([call], sentence, SENTENCE_PAUSE / self.rate)
 
-    def _said_in_chinese(self, clause: str, language: Language) -> SpokenSentence:
+    def _said_in_chinese(self, clause: str, language: Language, table: PinyinTable) -> SpokenSentence:
         read = mandarin.read_pinyin if language.tag == mandarin.PINYIN_TAG else mandarin.read
         calls = [self._call(tokens, of) for tokens, of in _runs_of(read(clause))]
-        return _ended(calls, clause, _pause_of(clause) / self.rate)
+        return _ended(calls, clause, _weight_of(clause, table) * table.pause / self.rate)
 
     def _call(self, tokens: Sequence["_Token"], language: Language) -> "_Call":
         """Have the synthesizer speak words in one call."""
@@ -263,11 +266,10 @@ def _ended(calls: Sequence[_Call], text: str, pause: float) -> SpokenSentence:
     )
 
 
-def _pause_of(clause: str) -> float:
-    """Return the silence after a Chinese clause, syllables: that of the heaviest of its last marks."""
-    spoken = clause.rstrip("”’」』）》\"')]")
-    last = spoken[len(spoken.rstrip("".join(CHINESE_PAUSES))) :]
-    return max((pause for marks, pause in CHINESE_PAUSES.items() for mark in last if mark in marks), default=0.0)
+def _weight_of(clause: str, table: PinyinTable) -> float:
+    """Return the weight of the pause after a Chinese clause: that of the heaviest of its last marks."""
+    last = takewhile(lambda character: not character.isalnum(), reversed(clause))
+    return max(map(table.pause_at, last), default=0.0)
 
 
 def _runs_of(parts: Iterator["mandarin.PinyinWord | str"]) -> Iterator[tuple[list[_Token], Language]]:

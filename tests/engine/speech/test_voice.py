@@ -1,11 +1,24 @@
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from phonemeengine import SAMPLE_RATE, Lexicon, TextError, Utterance, Voice, VoiceError, Word, load_lexicon, speak
+from phonemeengine import (
+    SAMPLE_RATE,
+    Lexicon,
+    TextError,
+    Utterance,
+    Voice,
+    VoiceError,
+    Word,
+    load_lexicon,
+    load_pinyin_table,
+    pinyin_track,
+    speak,
+)
 from phonemeengine.arrays import Float32Array
-from phonemeengine.speech.voice import CHINESE_PAUSES, SENTENCE_PAUSE, USUAL_RATE
+from phonemeengine.speech.voice import SENTENCE_PAUSE, USUAL_RATE
 from phonemeengine.text.pronunciation import words_of
 
 ENGLISH = Voice("en-us")
@@ -94,11 +107,21 @@ def test_a_chinese_character_is_a_syllable_with_its_pinyin() -> None:
     assert _phones(utterance.words[2]) == "t ɕ j ʊ ŋ"
 
 
-@pytest.mark.parametrize(("mark", "weight"), [("，", 1.2), ("、", 0.6), ("；", 1.8), ("。", 2.4)])
-def test_a_chinese_clause_is_followed_by_the_pause_of_its_mark(mark: str, weight: float) -> None:
-    assert weight in CHINESE_PAUSES.values()
+@pytest.mark.parametrize(
+    ("mark", "syllables"),
+    [("，", 1.2), (",", 1.2), ("、", 0.6), ("；", 1.8), ("。", 2.4), ("？！”", 2.4), ("……", 1.8)],
+)
+def test_a_chinese_clause_is_followed_by_the_pause_of_its_mark(mark: str, syllables: float) -> None:
     before, after = speak(f"你好{mark}世界", Voice("cmn"))[1].words[1:3]
-    assert after.start - before.end == pytest.approx(weight / USUAL_RATE, abs=0.1)
+    assert after.start - before.end == pytest.approx(syllables / USUAL_RATE, abs=0.1)
+
+
+def test_a_voice_and_a_silent_mouth_pause_alike_by_a_table_of_ones_own() -> None:
+    table = replace(load_pinyin_table(), pause=6.0)
+    before, after = speak("你好，世界", Voice("cmn", pinyin_table=table))[1].words[1:3]
+    assert after.start - before.end == pytest.approx(3.0 / USUAL_RATE, abs=0.1)
+    rows = pinyin_track("你好，世界", table, rate=USUAL_RATE).plan.rows
+    assert rows[2].end - rows[2].start == pytest.approx(3.0 / USUAL_RATE)
 
 
 def _lexicon(folder: Path, *rows: str) -> Lexicon:

@@ -36,6 +36,9 @@ LEAST_SHARE, MOST_SHARE = 0.1, 0.45
 MOST_SYLLABLES = 20.0
 """Syllables that a pause of weight 1 may last."""
 
+FULL_FORMS = {".": "。", "?": "？", "!": "！", ";": "；", ":": "：", ",": "，", "\n": "。", "⋯": "…", "–": "—"}
+"""The mark that another stands for; the end of a line ends a sentence."""
+
 _REQUIRED = ("movestates", "onsets", "rimes", "phonemes", "weights", "marks", "transition", "shapes")
 _OPTIONAL = ("name", "notes", "syllables", "variants", "doubtful")
 _SPRING = ("mass", "stiffness", "damping")
@@ -73,6 +76,10 @@ class PinyinTable:
     reach: float
     spring: Spring | None
     doubts: Mapping[str, str]
+
+    def pause_at(self, mark: str) -> float:
+        """Return the weight of the pause at a mark, of full width or not; 0 where there is none."""
+        return self.marks.get(FULL_FORMS.get(mark, mark), 0.0)
 
     def letters_of(self, syllable: str) -> str:
         """Return the two letters of a syllable without tone: its onset's and its rime's."""
