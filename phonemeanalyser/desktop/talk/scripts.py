@@ -1,20 +1,18 @@
 """What is said in a sound, as the engine finds it: in files beside it, by its script, or as a voice speaks it."""
 
 from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.errors import CorpusError, TextError
+from phonemeengine.errors import CorpusError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import read_utterance, script_in
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, report_progress
 from phonemeengine.settings import FRAME_PERIOD, Channel
-from phonemeengine.speech.pinyin.labelled import read_syllables
 from phonemeengine.speech.voice import SpokenSentence, Voice
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import words_of
@@ -99,8 +97,6 @@ def words_beside(sound: Path, duration: float) -> FoundWords:
     text = script.text if script is not None else ""
     if not labels.is_file():
         return FoundWords(None, text)
-    with suppress(CorpusError, TextError):
-        return FoundWords(read_syllables(labels, duration), text)
     try:
         return FoundWords(read_utterance(labels, duration), text)
     except CorpusError:
