@@ -1,0 +1,223 @@
+"""Head, shoulders and brows of a sentence: as they moved in recorded phrases, and with gestures at key words.
+
+A recorded phrase is fitted to the one that is said, syllable by syllable, neighbours are cross-faded, key words take
+the place of what moves over them, and all is filtered at last. Where no head was recorded, it moves with the sound.
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.mouth.head_motion import HeadMotion
+from phonemeengine.performance.keywords import CHANNELS, Gesture, Keywords, load_keywords
+from phonemeengine.performance.phrases import Match, MatchKind, Phrase, PhraseIndex, phrases_of
+from phonemeengine.performance.recording import HEAD, SILENCE, Performance, PerformedPhone
+from phonemeengine.performance.table_file import PerformanceTable
+
+CUTOFF = 6.0
+"""Hertz above which the filter takes movement away: a shake of the head has 2 to 4."""
+FADE = 0.4
+"""Seconds in which one recording goes over into the next, at most."""
+REST = 0.3
+"""Seconds in which all come from rest, and go back there, at the beginning and the end."""
+LOUD_RANGE = 24.0
+"""Decibels from silence to full loudness, about the mean of the sentence."""
+_FAR = 1e4
+"""Seconds before and after a phrase in which a recording runs at its own pace: longer than any."""
+
+
+@dataclass(frozen=True, eq=False)
+class HeadTrack:
+    """How head, shoulders and brows move through a sentence.
+
+    Attributes
+    ----------
+    rate : frames a second; frame k shows the time k / rate.
+    values : float32, shape (n_frames, 10), by `CHANNELS`: turns of the head in degrees, then weights 0..1.
+    matches : what it was made of, in order of time.
+    notes : what is odd about it, a sentence each.
+    """
+
+    rate: float
+    values: Float32Array
+    matches: tuple[Match, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def head(self) -> Float32Array:
+        """Yaw, pitch and roll, degrees, shape (n_frames, 3)."""
+        return self.values[:, : len(HEAD)]
+
+    @property
+    def weights(self) -> Mapping[str, Float32Array]:
+        """The weights of brows and shoulders by channel, each of shape (n_frames,)."""
+        return dict(zip(CHANNELS[len(HEAD) :], self.values.T[len(HEAD) :], strict=True))
+
+
+class HeadDriver:
+    """Moves head, shoulders and brows of sentences by the phrases of a table.
+
+    Parameters
+    ----------
+    table : recorded performances; it stays open as long as this is used.
+    keywords : words with gestures, and conjunctions; those that ship, where it is None.
+    seed : equal seeds sway alike where no head was recorded.
+    """
+
+    def __init__(self, table: PerformanceTable, keywords: Keywords | None = None, seed: int = 0) -> None:
+        self._table, self._seed = table, seed
+        self._keywords = load_keywords() if keywords is None else keywords
+        self._columns = {name: k for k, name in enumerate(table.about.channels) if name in CHANNELS}
+        recordings = table.recordings() if self._columns else iter(())
+        self._index = PhraseIndex((number, performance.phones) for number, performance in recordings)
+
+    def track(
+        self, phones: Sequence[PerformedPhone], words: Sequence[str], language: str, rate: float, n_frames: int
+    ) -> HeadTrack:
+        """Return how a sentence moves head, shoulders and brows.
+
+        Parameters
+        ----------
+        phones : of the sentence, with energy and pitch where they are known.
+        words : its words, by number.
+        language : its tag, such as ``en-us``; empty where nobody knows it: then no word has a gesture.
+        rate : frames a second.
+        n_frames : the length of the track.
+        """
+        times = np.arange(n_frames) / rate
+        conjunctions = self._keywords.conjunctions_in(words, language)
+        matches = tuple(match for phrase in phrases_of(phones) for match in self._index.matches(phrase, conjunctions))
+        values = self._joined(matches, times)
+        if not {*HEAD} <= self._columns.keys():
+            values[:, : len(HEAD)] = _moved_by_sound(phones, times, self._seed)
+        values *= _rested(times)[:, None]
+        for first, last, gesture in self._keywords.gestures_in(words, language):
+            _gesticulate(values, gesture, _span_of(phones, first, last), times)
+        values = low_passed(values, rate, CUTOFF)
+        values[:, len(HEAD) :] = values[:, len(HEAD) :].clip(0, 1)
+        return HeadTrack(rate, values.astype(np.float32), matches, tuple(self._notes(matches)))
+
+    def _joined(self, matches: Sequence[Match], times: Float64Array) -> Float64Array:
+        """Return recorded phrases as they follow each other, shape (n_times, n_channels)."""
+        values = np.zeros((len(times), len(CHANNELS)))
+        for match, share in zip(matches, _shares_of([match.phrase for match in matches], times), strict=True):
+            within = share > 0
+            fitted = self._sampled(self._table.recording(match.recording), _fitted(match, times[within]))
+            values[within] += share[within, None] * fitted
+        return values
+
+    def _sampled(self, performance: Performance, times: Float64Array) -> Float64Array:
+        """Return the channels of a recording at some times; turns of the head are counted from their median.
+
+        A camera stands anywhere.
+        """
+        values = np.zeros((len(times), len(CHANNELS)))
+        frames = np.arange(len(performance.weights)) / performance.rate
+        for name, column in self._columns.items():
+            recorded = performance.weights[:, column]
+            median = np.median(recorded) if name in HEAD else 0.0
+            values[:, CHANNELS.index(name)] = np.interp(times, frames, recorded) - median
+        return values
+
+    def _notes(self, matches: Sequence[Match]) -> Iterator[str]:
+        if not {*HEAD} <= self._columns.keys():
+            yield "the table has no turns of the head; it moves with the sound"
+        pieces = sorted({len(match.phrase) for match in matches if match.kind is MatchKind.PIECE})
+        if pieces:
+            lengths = ", ".join(map(str, pieces))
+            yield f"the table has no phrases of {lengths} syllables for the head; it takes parts of others"
+
+
+def _fitted(match: Match, times: Float64Array) -> Float64Array:
+    """Return the times of the recorded phrase that belong to some times of the one that is said.
+
+    Syllables meet where their numbers agree, else those with stress; before and after, the recording runs as it did.
+    """
+    said, recorded = np.array(_anchors(match.phrase, match)), np.array(_anchors(match.example, match))
+    said = np.concatenate([[said[0] - _FAR], said, [said[-1] + _FAR]])
+    recorded = np.concatenate([[recorded[0] - _FAR], recorded, [recorded[-1] + _FAR]])
+    fitted: Float64Array = np.interp(times, said, recorded)
+    return fitted
+
+
+def _anchors(phrase: Phrase, match: Match) -> tuple[float, ...]:
+    if len(match.phrase) == len(match.example):
+        return phrase.times
+    beats = phrase.beats if len(match.phrase.beats) == len(match.example.beats) else ()
+    return (phrase.start, *beats, phrase.end)
+
+
+def _shares_of(phrases: Sequence[Phrase], times: Float64Array) -> Iterator[Float64Array]:
+    """Return the share of each phrase at each time; they sum to 1, and meet in the middles of pauses."""
+    if not phrases:
+        return
+    borders = [(a.end + b.start) / 2 for a, b in pairwise(phrases)]
+    lengths = [b - a for a, b in pairwise([phrases[0].start, *borders, phrases[-1].end])]
+    widths = [min(FADE, a, b) for a, b in pairwise(lengths)]
+    begun = [_step((times - at) / width + 0.5) for at, width in zip(borders, widths, strict=True)]
+    for before, after in pairwise([np.ones(len(times)), *begun, np.zeros(len(times))]):
+        yield before - after
+
+
+def _step(places: Float64Array) -> Float64Array:
+    """Return half a cosine from 0 at place 0 to 1 at place 1, even before and after."""
+    step: Float64Array = (1 - np.cos(np.pi * places.clip(0, 1))) / 2
+    return step
+
+
+def _rested(times: Float64Array) -> Float64Array:
+    """Return 1, but for the beginning and the end, where it comes from 0 and goes there."""
+    return _step(times / REST) * _step((times[-1] - times) / REST)
+
+
+def _gesticulate(values: Float64Array, gesture: Gesture, span: tuple[float, float], times: Float64Array) -> None:
+    """Put a gesture in the place of what moves, from where that was to where it goes on."""
+    end = min(max(span[1], span[0] + gesture.shortest), times[-1])
+    within = np.flatnonzero((times >= span[0]) & (times <= end))
+    if len(within) < 2:
+        return
+    places = np.linspace(0, 1, len(within))
+    for channel in gesture.channels:
+        column = values[:, CHANNELS.index(channel)]
+        first, last = column[within[0]], column[within[-1]]
+        column[within] = first + (last - first) * _step(places) + gesture.curve(channel, places)
+
+
+def _span_of(phones: Sequence[PerformedPhone], first: int, last: int) -> tuple[float, float]:
+    """Return from when to when some words are said, seconds; an empty time where nobody says them."""
+    spoken = [phone for phone in phones if first <= phone.word <= last]
+    return (spoken[0].start, spoken[-1].end) if spoken else (math.inf, math.inf)
+
+
+def _moved_by_sound(phones: Sequence[PerformedPhone], times: Float64Array, seed: int) -> Float64Array:
+    """Return the turns of a head that follows loudness and pitch, degrees, shape (n_times, 3)."""
+    motion, coming = HeadMotion(seed), [*phones][::-1]
+    spoken = [phone.energy for phone in phones if phone.name != SILENCE]
+    mean = sum(spoken) / max(len(spoken), 1)
+    turns = np.zeros((len(times), len(HEAD)))
+    for k, time in enumerate(times.tolist()):
+        while coming and coming[-1].start <= time:
+            phone = coming.pop()
+            loudness = 0.0 if phone.name == SILENCE else 0.5 + (phone.energy - mean) / LOUD_RANGE
+            motion.hear(phone.start, loudness, phone.pitch)
+        turns[k] = motion.pose(time)
+    return turns
+
+
+def low_passed(values: Float64Array, rate: float, cutoff: float) -> Float64Array:
+    """Return values without what changes faster than a frequency, Hz; it is neither early nor late.
+
+    A Butterworth filter of second order goes over them forwards and backwards.
+    """
+    from scipy.signal import butter, sosfiltfilt  # noqa: PLC0415 - it costs a second at the start
+
+    if cutoff >= 0.45 * rate or len(values) < 2:
+        return values
+    sections = butter(2, cutoff, fs=rate, output="sos")
+    padding = min(len(values) - 1, round(2 * rate / cutoff))
+    filtered: Float64Array = sosfiltfilt(sections, values, axis=0, padlen=padding)
+    return filtered
