@@ -13,6 +13,7 @@ from tools.bench import (
     mouth,
     movestates,
     one_frame,
+    performance_table,
     playing,
     recording,
     speed,
@@ -39,6 +40,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "mouth": mouth.figures,
     "movestates": movestates.figures,
     "voice": voice.figures,
+    "performance-table": performance_table.figures,
 }
 
 
