@@ -4,7 +4,6 @@ A recorded phrase is fitted to the one that is said, syllable by syllable, neigh
 the place of what moves over them, and all is filtered at last. Where no head was recorded, it moves with the sound.
 """
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -36,25 +35,23 @@ class HeadTrack:
 
     Attributes
     ----------
-    rate : frames a second; frame k shows the time k / rate.
-    values : float32, shape (n_frames, 10), by `CHANNELS`: turns of the head in degrees, then weights 0..1.
+    values : float32, shape (n_times, 10), by `CHANNELS`: turns of the head in degrees, then weights 0..1.
     matches : what it was made of, in order of time.
     notes : what is odd about it, a sentence each.
     """
 
-    rate: float
     values: Float32Array
     matches: tuple[Match, ...]
     notes: tuple[str, ...]
 
     @property
     def head(self) -> Float32Array:
-        """Yaw, pitch and roll, degrees, shape (n_frames, 3)."""
+        """Yaw, pitch and roll, degrees, shape (n_times, 3)."""
         return self.values[:, : len(HEAD)]
 
     @property
     def weights(self) -> Mapping[str, Float32Array]:
-        """The weights of brows and shoulders by channel, each of shape (n_frames,)."""
+        """The weights of brows and shoulders by channel, each of shape (n_times,)."""
         return dict(zip(CHANNELS[len(HEAD) :], self.values.T[len(HEAD) :], strict=True))
 
 
@@ -76,30 +73,31 @@ class HeadDriver:
         self._index = PhraseIndex((number, performance.phones) for number, performance in recordings)
 
     def track(
-        self, phones: Sequence[PerformedPhone], words: Sequence[str], language: str, rate: float, n_frames: int
+        self, phones: Sequence[PerformedPhone], words: Sequence[str], language: str, times: Float64Array
     ) -> HeadTrack:
         """Return how a sentence moves head, shoulders and brows.
 
         Parameters
         ----------
         phones : of the sentence, with energy and pitch where they are known.
-        words : its words, by number.
+        words : the texts of words, by the numbers that phones have; there may be others before and after.
         language : its tag, such as ``en-us``; empty where nobody knows it: then no word has a gesture.
-        rate : frames a second.
-        n_frames : the length of the track.
+        times : seconds, evenly spaced; at the first and the last one all is at rest.
         """
-        times = np.arange(n_frames) / rate
-        conjunctions = self._keywords.conjunctions_in(words, language)
+        spans = _spans_of(phones)
+        numbers = [*spans]
+        said = [words[number] for number in numbers]
+        conjunctions = {numbers[k] for k in self._keywords.conjunctions_in(said, language)}
         matches = tuple(match for phrase in phrases_of(phones) for match in self._index.matches(phrase, conjunctions))
         values = self._joined(matches, times)
         if not {*HEAD} <= self._columns.keys():
             values[:, : len(HEAD)] = _moved_by_sound(phones, times, self._seed)
         values *= _rested(times)[:, None]
-        for first, last, gesture in self._keywords.gestures_in(words, language):
-            _gesticulate(values, gesture, _span_of(phones, first, last), times)
-        values = low_passed(values, rate, CUTOFF)
+        for first, last, gesture in self._keywords.gestures_in(said, language):
+            _gesticulate(values, gesture, (spans[numbers[first]][0], spans[numbers[last]][1]), times)
+        values = low_passed(values, (len(times) - 1) / max(times[-1] - times[0], 1e-9), CUTOFF)
         values[:, len(HEAD) :] = values[:, len(HEAD) :].clip(0, 1)
-        return HeadTrack(rate, values.astype(np.float32), matches, tuple(self._notes(matches)))
+        return HeadTrack(values.astype(np.float32), matches, tuple(self._notes(matches)))
 
     def _joined(self, matches: Sequence[Match], times: Float64Array) -> Float64Array:
         """Return recorded phrases as they follow each other, shape (n_times, n_channels)."""
@@ -171,7 +169,7 @@ def _step(places: Float64Array) -> Float64Array:
 
 def _rested(times: Float64Array) -> Float64Array:
     """Return 1, but for the beginning and the end, where it comes from 0 and goes there."""
-    return _step(times / REST) * _step((times[-1] - times) / REST)
+    return _step((times - times[0]) / REST) * _step((times[-1] - times) / REST)
 
 
 def _gesticulate(values: Float64Array, gesture: Gesture, span: tuple[float, float], times: Float64Array) -> None:
@@ -187,10 +185,13 @@ def _gesticulate(values: Float64Array, gesture: Gesture, span: tuple[float, floa
         column[within] = first + (last - first) * _step(places) + gesture.curve(channel, places)
 
 
-def _span_of(phones: Sequence[PerformedPhone], first: int, last: int) -> tuple[float, float]:
-    """Return from when to when some words are said, seconds; an empty time where nobody says them."""
-    spoken = [phone for phone in phones if first <= phone.word <= last]
-    return (spoken[0].start, spoken[-1].end) if spoken else (math.inf, math.inf)
+def _spans_of(phones: Sequence[PerformedPhone]) -> dict[int, tuple[float, float]]:
+    """Return from when to when each word is said, seconds, by number."""
+    spans: dict[int, tuple[float, float]] = {}
+    for phone in phones:
+        if phone.word >= 0:
+            spans[phone.word] = (spans.get(phone.word, (phone.start, 0.0))[0], phone.end)
+    return spans
 
 
 def _moved_by_sound(phones: Sequence[PerformedPhone], times: Float64Array, seed: int) -> Float64Array:

@@ -1,3 +1,4 @@
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -38,8 +39,11 @@ def _said(
     phones = said(rhythm, length)
     with table_of(folder, *performances) as table:
         driver = HeadDriver(table, keywords)
-        n_frames = int(phones[-1].end * RATE + 1e-6) + 1 + n_more
-        return driver.track(phones, words_of(rhythm), language, RATE, n_frames)
+        return driver.track(phones, words_of(rhythm), language, _times(phones[-1].end, n_more))
+
+
+def _times(end: float, n_more: int = 0) -> Float64Array:
+    return np.arange(int(end * RATE + 1e-6) + 1 + n_more) / RATE
 
 
 def _channel(track: HeadTrack, name: str) -> Float32Array:
@@ -47,14 +51,14 @@ def _channel(track: HeadTrack, name: str) -> Float32Array:
 
 
 def _time_of_peak(track: HeadTrack, name: str) -> float:
-    return float(np.argmax(np.abs(_channel(track, name)))) / track.rate
+    return float(np.argmax(np.abs(_channel(track, name)))) / RATE
 
 
 def test_a_phrase_of_equal_syllables_moves_the_head_as_it_was_recorded(tmp_path: Path) -> None:
     rhythm = "da da da da DA da da da"
     recorded = _recorded(rhythm, headYaw=_at(1.1, 8.0), headPitch=_at(1.4, -6.0), browInnerUp=_at(1.0, 0.5))
     track = _said(tmp_path, rhythm, recorded)
-    times = np.arange(len(track.values)) / RATE
+    times = _times(recorded.duration)
     assert [match.kind for match in track.matches] == [MatchKind.SYLLABLES]
     assert track.head[:, 0] == pytest.approx(_at(1.1, 8.0)(times), abs=0.8)
     assert track.head[:, 1] == pytest.approx(_at(1.4, -6.0)(times), abs=0.6)
@@ -171,7 +175,7 @@ def test_a_head_that_nobody_recorded_nods_at_yes_and_sways_by_its_seed(tmp_path:
     phones, words = said("da da yes da da"), words_of("da da yes da da")
     with table_of(tmp_path, performed("da da da", {"jawOpen": _still})) as table:
         one, same, other = (
-            HeadDriver(table, seed=seed).track(phones, words, "en", RATE, 97).values for seed in (1, 1, 2)
+            HeadDriver(table, seed=seed).track(phones, words, "en", _times(1.6)).values for seed in (1, 1, 2)
         )
     assert (one == same).all()
     assert (one != other).any()
@@ -185,6 +189,20 @@ def test_brows_are_looked_up_where_only_they_were_recorded(tmp_path: Path) -> No
     assert len(track.matches) == 1
 
 
+def test_a_sentence_of_a_longer_text_moves_as_it_does_alone(tmp_path: Path) -> None:
+    phones, words = said("da no da"), words_of("da no da")
+    later = [
+        replace(phone, start=phone.start + 9, middle=phone.middle + 9, end=phone.end + 9,
+                word=phone.word + 4 if phone.word >= 0 else -1)
+        for phone in phones
+    ]  # fmt: skip
+    with table_of(tmp_path, _recorded("da da da", headPitch=_at(0.6, -5.0))) as table:
+        driver, times = HeadDriver(table), _times(phones[-1].end)
+        alone = driver.track(phones, words, "en", times)
+        within = driver.track(later, ("no", "yes", "no", "yes", *words, "yes"), "en", times + 9)
+    assert within.values == pytest.approx(alone.values, abs=1e-4)
+
+
 def test_what_the_table_lacks_is_said(tmp_path: Path) -> None:
     track = _said(tmp_path, "da", _recorded("da da da da"))
     assert track.notes == ("the table has no phrases of 1 syllables for the head; it takes parts of others",)
@@ -194,7 +212,7 @@ def test_silence_and_a_single_frame_have_a_track(tmp_path: Path) -> None:
     recorded = _recorded("da da", browInnerUp=_level(0.5))
     assert not _said(tmp_path, "", recorded).values.any()
     with table_of(tmp_path, recorded) as table:
-        assert HeadDriver(table, NONE).track(said("da"), words_of("da"), "", RATE, 1).values.shape == (
+        assert HeadDriver(table, NONE).track(said("da"), words_of("da"), "", np.zeros(1)).values.shape == (
             1,
             len(CHANNELS),
         )
