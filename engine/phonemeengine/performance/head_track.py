@@ -23,6 +23,8 @@ FADE = 0.4
 """Seconds in which one recording goes over into the next, at most."""
 REST = 0.3
 """Seconds in which all come from rest, and go back there, at the beginning and the end."""
+MARGIN = 1.0
+"""Seconds before and after the times that are asked for, over which the filter goes too."""
 LOUD_RANGE = 24.0
 """Decibels from silence to full loudness, about the mean of the sentence."""
 _FAR = 1e4
@@ -75,29 +77,34 @@ class HeadDriver:
     def track(
         self, phones: Sequence[PerformedPhone], words: Sequence[str], language: str, times: Float64Array
     ) -> HeadTrack:
-        """Return how a sentence moves head, shoulders and brows.
+        """Return how a sentence, or what is said within one, moves head, shoulders and brows.
+
+        Neighbours meet where the times of one are those of the other, if both know the phones about them.
 
         Parameters
         ----------
-        phones : of the sentence, with energy and pitch where they are known.
+        phones : at least of these times, with energy and pitch where they are known; from rest to rest.
         words : the texts of words, by the numbers that phones have; there may be others before and after.
         language : its tag, such as ``en-us``; empty where nobody knows it: then no word has a gesture.
-        times : seconds, evenly spaced; at the first and the last one all is at rest.
+        times : seconds, evenly spaced.
         """
         spans = _spans_of(phones)
         numbers = [*spans]
         said = [words[number] for number in numbers]
         conjunctions = {numbers[k] for k in self._keywords.conjunctions_in(said, language)}
         matches = tuple(match for phrase in phrases_of(phones) for match in self._index.matches(phrase, conjunctions))
+        times, inner = _with_margins(times)
         values = self._joined(matches, times)
         if not {*HEAD} <= self._columns.keys():
             values[:, : len(HEAD)] = _moved_by_sound(phones, times, self._seed)
-        values *= _rested(times)[:, None]
+        values *= _rested(phones, times)[:, None]
         for first, last, gesture in self._keywords.gestures_in(said, language):
-            _gesticulate(values, gesture, (spans[numbers[first]][0], spans[numbers[last]][1]), times)
-        values = low_passed(values, (len(times) - 1) / max(times[-1] - times[0], 1e-9), CUTOFF)
+            start = spans[numbers[first]][0]
+            end = min(max(spans[numbers[last]][1], start + gesture.shortest), phones[-1].end)
+            _gesticulate(values, gesture, (times - start) / (end - start))
+        values = low_passed(values, 1 / (times[1] - times[0]), CUTOFF)
         values[:, len(HEAD) :] = values[:, len(HEAD) :].clip(0, 1)
-        return HeadTrack(values.astype(np.float32), matches, tuple(self._notes(matches)))
+        return HeadTrack(values[inner].astype(np.float32), matches, tuple(self._notes(matches)))
 
     def _joined(self, matches: Sequence[Match], times: Float64Array) -> Float64Array:
         """Return recorded phrases as they follow each other, shape (n_times, n_channels)."""
@@ -167,22 +174,27 @@ def _step(places: Float64Array) -> Float64Array:
     return step
 
 
-def _rested(times: Float64Array) -> Float64Array:
+def _rested(phones: Sequence[PerformedPhone], times: Float64Array) -> Float64Array:
     """Return 1, but for the beginning and the end, where it comes from 0 and goes there."""
-    return _step((times - times[0]) / REST) * _step((times[-1] - times) / REST)
+    return _step((times - phones[0].start) / REST) * _step((phones[-1].end - times) / REST)
 
 
-def _gesticulate(values: Float64Array, gesture: Gesture, span: tuple[float, float], times: Float64Array) -> None:
-    """Put a gesture in the place of what moves, from where that was to where it goes on."""
-    end = min(max(span[1], span[0] + gesture.shortest), times[-1])
-    within = np.flatnonzero((times >= span[0]) & (times <= end))
-    if len(within) < 2:
+def _with_margins(times: Float64Array) -> tuple[Float64Array, slice]:
+    """Return times with some before and after them, evenly spaced, and where among these they are."""
+    period = (times[-1] - times[0]) / max(len(times) - 1, 1) or MARGIN
+    n = round(MARGIN / period)
+    return times[0] + period * np.arange(-n, len(times) + n), slice(n, n + len(times))
+
+
+def _gesticulate(values: Float64Array, gesture: Gesture, places: Float64Array) -> None:
+    """Put a gesture, places 0..1, in the place of what moves, from where that was to where it goes on."""
+    within = np.flatnonzero((places >= 0) & (places <= 1))
+    if not len(within):
         return
-    places = np.linspace(0, 1, len(within))
     for channel in gesture.channels:
         column = values[:, CHANNELS.index(channel)]
         first, last = column[within[0]], column[within[-1]]
-        column[within] = first + (last - first) * _step(places) + gesture.curve(channel, places)
+        column[within] = first + (last - first) * _step(places[within]) + gesture.curve(channel, places[within])
 
 
 def _spans_of(phones: Sequence[PerformedPhone]) -> dict[int, tuple[float, float]]:

@@ -203,6 +203,23 @@ def test_a_sentence_of_a_longer_text_moves_as_it_does_alone(tmp_path: Path) -> N
     assert within.values == pytest.approx(alone.values, abs=1e-4)
 
 
+@pytest.mark.parametrize("middle", [0.5, 1.0, 1.5, 2.1, 2.6])
+def test_parts_of_a_sentence_meet_as_if_they_were_one(tmp_path: Path, middle: float) -> None:
+    rhythm = "da DA yes da, no DA da da DA da"
+    phones, words = said(rhythm), words_of(rhythm)
+    recorded = [
+        _recorded("da DA da da", headPitch=_at(0.6, -5.0)),
+        _recorded("da DA da da da", headYaw=_at(0.9, 9.0)),
+    ]
+    with table_of(tmp_path, *recorded) as table:
+        driver, times = HeadDriver(table), _times(phones[-1].end)
+        whole, before, after = (
+            driver.track(phones, words, "en", part).values
+            for part in (times, times[times <= middle], times[times > middle])
+        )
+    assert np.concatenate([before, after]) == pytest.approx(whole, abs=0.05)
+
+
 def test_what_the_table_lacks_is_said(tmp_path: Path) -> None:
     track = _said(tmp_path, "da", _recorded("da da da da"))
     assert track.notes == ("the table has no phrases of 1 syllables for the head; it takes parts of others",)
