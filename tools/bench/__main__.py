@@ -4,10 +4,12 @@ import argparse
 from collections.abc import Callable
 
 from tools.bench import (
+    alignment,
     card,
     dragging,
     head,
     learned,
+    long_speech,
     memory,
     microphone,
     mouth,
@@ -39,6 +41,8 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "mouth": mouth.figures,
     "movestates": movestates.figures,
     "voice": voice.figures,
+    "alignment": alignment.figures,
+    "long-speech": long_speech.figures,
 }
 
 
