@@ -183,9 +183,9 @@ class PerformanceTable(Closing):
         """
         if number not in self._kept:
             self._kept[number] = self._read(number)
+            while sum(kept.weights.nbytes for kept in self._kept.values()) > KEPT and len(self._kept) > 1:
+                self._kept.popitem(last=False)
         self._kept.move_to_end(number)
-        while sum(kept.weights.nbytes for kept in self._kept.values()) > KEPT and len(self._kept) > 1:
-            self._kept.popitem(last=False)
         return self._kept[number]
 
     def recordings(self) -> Iterator[tuple[int, Performance]]:
