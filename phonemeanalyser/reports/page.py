@@ -116,7 +116,7 @@ def _mistakes(report: Report) -> list[tuple[Phoneme, Phoneme]]:
 
 
 @dataclass(frozen=True)
-class Example:
+class DrawnExample:
     """A recording that is drawn: why, what each preset answered in it, and how right that is."""
 
     why: str
@@ -129,10 +129,10 @@ class Example:
         return len(self.heard[0].phonemes) * FRAME_PERIOD
 
 
-def _examples(report: Report) -> Iterator[Example]:
+def _examples(report: Report) -> Iterator[DrawnExample]:
     for k, why in _chosen(report).items():
         heard = [preset.scores.predictions[k] for preset in report.presets]
-        yield Example(why, heard, [group_scores_of([predictions]) for predictions in heard])
+        yield DrawnExample(why, heard, [group_scores_of([predictions]) for predictions in heard])
 
 
 def _chosen(report: Report) -> dict[int, str]:

@@ -12,7 +12,7 @@ TOUCHING = 1e-6
 """Seconds between two units that have one boundary."""
 
 
-class Unit(StrEnum):
+class LabelUnit(StrEnum):
     """What an utterance is made of."""
 
     WORD = "word"
@@ -20,13 +20,13 @@ class Unit(StrEnum):
     PHONE = "phone"
 
 
-def spans_of(utterance: Utterance, unit: Unit) -> list[tuple[float, float]]:
+def spans_of(utterance: Utterance, unit: LabelUnit) -> list[tuple[float, float]]:
     """Return when the units of an utterance begin and end, seconds, in order."""
     phones = tuple(utterance.phones)
     return [(phones[first].start, phones[last - 1].end) for first, last in _phones_in(utterance, unit)]
 
 
-def with_boundary(utterance: Utterance, unit: Unit, boundary: int, seconds: float) -> Utterance:
+def with_boundary(utterance: Utterance, unit: LabelUnit, boundary: int, seconds: float) -> Utterance:
     """Return an utterance with one boundary elsewhere.
 
     All phones of the unit that it bounds become longer or shorter by one factor, and so do those of the unit before
@@ -63,12 +63,12 @@ def with_boundary(utterance: Utterance, unit: Unit, boundary: int, seconds: floa
     return _with_phones(utterance, phones)
 
 
-def _phones_in(utterance: Utterance, unit: Unit) -> list[tuple[int, int]]:
+def _phones_in(utterance: Utterance, unit: LabelUnit) -> list[tuple[int, int]]:
     """Return the number of the first phone of each unit, and that after its last one."""
     counts = {
-        Unit.WORD: [len(word.phones) for word in utterance.words],
-        Unit.SYLLABLE: [len(syllable.phones) for word in utterance.words for syllable in word.syllables],
-        Unit.PHONE: [1 for _ in utterance.phones],
+        LabelUnit.WORD: [len(word.phones) for word in utterance.words],
+        LabelUnit.SYLLABLE: [len(syllable.phones) for word in utterance.words for syllable in word.syllables],
+        LabelUnit.PHONE: [1 for _ in utterance.phones],
     }[unit]
     ends = list(accumulate(counts))
     return [(end - n, end) for n, end in zip(counts, ends, strict=True)]

@@ -8,7 +8,7 @@ from pathlib import Path
 from phonemeengine.errors import AudioError, CorpusError, PerformanceError
 from phonemeengine.performance.corpus import Corpus, find_recordings, read_performance
 from phonemeengine.performance.recording import Performance
-from phonemeengine.performance.table_file import TableAbout, write_table
+from phonemeengine.performance.table_file import TableAbout, check_fits, write_table
 from phonemeengine.progress import Progress, no_progress, report_progress
 
 MOST_NOTES = 1000
@@ -47,16 +47,16 @@ def build_table(
     Raises
     ------
     CorpusError : there is no recording in the folder.
-    PerformanceError : no recording can be used, their channels differ, or the table cannot be written.
+    PerformanceError : no recording can be used, or the table cannot be written.
     Cancelled : it was not wanted any more; nothing has changed.
     """
     corpus = find_recordings(Path(folder))
-    reading = _Reading(corpus, progress)
+    reading = _CorpusReading(corpus, progress)
     about = write_table(path, reading.performances(), name=name or corpus.name)
     return BuiltTable(about, tuple(reading.left_out), (*corpus.notes, *reading.notes))
 
 
-class _Reading:
+class _CorpusReading:
     """Reads the recordings of a corpus, and remembers what is to be said of them."""
 
     def __init__(self, corpus: Corpus, progress: Progress) -> None:
@@ -71,17 +71,18 @@ class _Reading:
         ------
         PerformanceError : none can.
         """
-        n_good = 0
+        first: Performance | None = None
         for k, recording in enumerate(self._corpus.recordings):
             report_progress(self._progress, k / len(self._corpus.recordings))
             try:
                 performance, notes = read_performance(recording, synthetic=self._corpus.synthetic)
+                first = first or performance
+                check_fits(performance, first)
             except (AudioError, CorpusError, PerformanceError) as error:
                 self.left_out.append(str(error))
                 continue
-            n_good += 1
             self.notes += notes[: MOST_NOTES - len(self.notes)]
             yield performance
-        if not n_good:
+        if first is None:
             raise PerformanceError(f"no recording can be used; of the first one: {self.left_out[0]}")
         report_progress(self._progress, 1.0)

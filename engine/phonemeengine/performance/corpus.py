@@ -43,7 +43,7 @@ _FACES = {".csv": read_livelink, ".glb": read_gltf_face, ".gltf": read_gltf_face
 
 
 @dataclass(frozen=True)
-class Recording:
+class RecordingFiles:
     """The files of a recording.
 
     Attributes
@@ -77,7 +77,7 @@ class Corpus:
 
     name: str
     synthetic: bool
-    recordings: tuple[Recording, ...]
+    recordings: tuple[RecordingFiles, ...]
     notes: tuple[str, ...]
 
 
@@ -95,7 +95,7 @@ def find_recordings(folder: Path) -> Corpus:
         raise CorpusError(f"{printable_name(folder)}: this folder cannot be read ({error.strerror})") from error
     sounds = [path for path in files.values() if path.suffix.lower() in SUFFIXES]
     found = [_recording_of(sound, files) for sound in sounds]
-    recordings = tuple(entry for entry in found if isinstance(entry, Recording))
+    recordings = tuple(entry for entry in found if isinstance(entry, RecordingFiles))
     if not recordings:
         raise CorpusError(
             f"{printable_name(folder)}: a recording is NAME.wav, NAME.TextGrid and NAME.csv of Live Link Face, and "
@@ -105,7 +105,7 @@ def find_recordings(folder: Path) -> Corpus:
     return Corpus(name, synthetic, recordings, (*(note for note in found if isinstance(note, str)), *unknown))
 
 
-def read_performance(recording: Recording, *, synthetic: bool = False) -> tuple[Performance, tuple[str, ...]]:
+def read_performance(recording: RecordingFiles, *, synthetic: bool = False) -> tuple[Performance, tuple[str, ...]]:
     """Read a recording: its face at 60 frames a second, and its phones with their energy and pitch.
 
     Returns
@@ -150,17 +150,17 @@ def _about(folder: Path) -> tuple[str, bool]:
     return entries.get("name", folder.resolve().name), entries.get("synthetic", False)
 
 
-def _recording_of(sound: Path, files: dict[str, Path]) -> Recording | str:
+def _recording_of(sound: Path, files: dict[str, Path]) -> RecordingFiles | str:
     """Return a recording of a sound, or a sentence about what is missing."""
     stem = sound.stem.lower()
     labels = files.get(f"{stem}.textgrid")
     face = next((files[stem + suffix] for suffix in _FACES if stem + suffix in files), None)
     if labels is None or face is None:
         return f"{printable_name(sound)}: it is left out, as there is no {'TextGrid' if face else 'face'} beside it"
-    return Recording(sound, labels, face)
+    return RecordingFiles(sound, labels, face)
 
 
-def _shifted(recordings: tuple[Recording, ...], path: Path) -> tuple[tuple[Recording, ...], Iterator[str]]:
+def _shifted(recordings: tuple[RecordingFiles, ...], path: Path) -> tuple[tuple[RecordingFiles, ...], Iterator[str]]:
     """Return recordings with their offsets, and what is said of those that nobody knows."""
     offsets = _offsets_in(path) if path.is_file() else {}
     unknown = offsets.keys() - {recording.name for recording in recordings}
@@ -184,7 +184,7 @@ def _offsets_in(path: Path) -> dict[str, float]:
     return offsets
 
 
-def _check_lengths(face: FaceTrack, recording: Recording, duration: float) -> None:
+def _check_lengths(face: FaceTrack, recording: RecordingFiles, duration: float) -> None:
     begin, end = recording.offset, recording.offset + face.duration
     if begin > LONGEST_GAP or end < duration - LONGEST_GAP or end > duration + MOST_SURPLUS:
         raise CorpusError(

@@ -24,7 +24,7 @@ class FaceTrack:
 
     Attributes
     ----------
-    times : float64, shape (n_frames,): seconds since the first frame, increasing.
+    times : float64, shape (n_frames,): seconds since the face's beginning, increasing.
     channels : the names of the columns.
     weights : float32, shape (n_frames, n_channels), as in `Performance`.
     notes : what is odd about it, a sentence each.
@@ -37,11 +37,11 @@ class FaceTrack:
 
     @property
     def duration(self) -> float:
-        """From the first frame to the last one, seconds."""
+        """From the beginning to the last frame, seconds."""
         return float(self.times[-1])
 
     def sampled(self, times: Float64Array) -> Float32Array:
-        """Return the weights at some times, between frames on straight lines, before and after them at rest."""
+        """Return the weights at some times, between frames on straight lines, beyond them as at the nearest one."""
         columns = (np.interp(times, self.times, column) for column in self.weights.T)
         return np.stack([*columns], axis=1).astype(np.float32)
 

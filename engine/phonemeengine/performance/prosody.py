@@ -13,8 +13,8 @@ from phonemeengine.settings import HOP, SAMPLE_RATE
 
 QUIETEST = -100.0
 """What is quieter counts as so loud, dB."""
-_AT_ONCE = 256 * HOP
-"""Samples whose pitch is measured at once."""
+_AT_ONCE = 32 * HOP
+"""Samples whose pitch is measured at once: so few that no other core is called to help, which would cost more."""
 
 
 def measured(phones: Sequence[PerformedPhone], samples: Float32Array) -> tuple[PerformedPhone, ...]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import PerformanceError
+from phonemeengine.files import printable
 from phonemeengine.labels.label import ROUNDING
 from phonemeengine.labels.phone_sets import ipa_of
 from phonemeengine.labels.utterance import Phone, Utterance
@@ -80,7 +81,7 @@ class Performance:
 
     def __post_init__(self) -> None:
         if fault := self._fault():
-            raise PerformanceError(f"{self.name[:60]}: {fault}; record or label it anew")
+            raise PerformanceError(f"{printable(self.name[:60])}: {fault}; record or label it anew")
 
     @property
     def duration(self) -> float:
@@ -129,7 +130,7 @@ def _with_silence(spoken: list[PerformedPhone], duration: float) -> Iterator[Per
     at = 0.0
     for phone, following in zip(spoken, [*spoken[1:], None], strict=True):
         start = max(phone.start, begin)
-        if start > at + ROUNDING:
+        if start > at + ROUNDING or not at:
             yield _silence(at, start)
             at = start
         stop = following.start if following and following.word == phone.word else min(phone.end, end)

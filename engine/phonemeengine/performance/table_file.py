@@ -18,7 +18,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError, PerformanceError
-from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.files import atomic_write, printable, printable_name, reason_of
 from phonemeengine.lifetime import Closing
 from phonemeengine.performance.recording import Performance, PerformedPhone
 from phonemeengine.performance.units import UnitKind, duration_of, units_of
@@ -275,7 +275,7 @@ class _Writing:
         first: Performance | None = None
         for number, performance in enumerate(performances, 1):
             first = first or performance
-            _check_fits(performance, first)
+            check_fits(performance, first)
             self._add(number, performance)
         if first is None:
             raise PerformanceError("a table needs at least one recording, found none; name another folder")
@@ -339,7 +339,7 @@ def _refusing(name: str) -> Iterator[None]:
     except OSError as error:
         raise PerformanceError(f"{name}: it cannot be read ({reason_of(error)}); choose another file") from error
     except (sqlite3.Error, ValueError, TypeError, OverflowError) as error:
-        reason = str(error)[:100]
+        reason = printable(str(error)[:100])
         raise PerformanceError(
             f"{name}: this is no table of performances, or a damaged one ({reason}); build it anew with "
             "`phonemeanalyser performance build`"
@@ -368,7 +368,13 @@ def _check(connection: sqlite3.Connection) -> None:
         raise _DamageError("its tables are not those of this program")
 
 
-def _check_fits(performance: Performance, first: Performance) -> None:
+def check_fits(performance: Performance, first: Performance) -> None:
+    """Refuse a performance that does not go into the table of another one.
+
+    Raises
+    ------
+    PerformanceError : its channels or its rate differ, or a phone's name is not one word.
+    """
     if performance.channels != first.channels or performance.rate != first.rate:
         raise PerformanceError(
             f"{performance.name}: the recordings of a table must have the same channels and rate as {first.name} "

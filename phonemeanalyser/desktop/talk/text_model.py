@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.alignment.align import is_other_text
 from phonemeengine.errors import CorpusError, TextError
 from phonemeengine.files import printable
-from phonemeengine.labels.boundaries import Unit, with_boundary
+from phonemeengine.labels.boundaries import LabelUnit, with_boundary
 from phonemeengine.labels.text_io import write_text
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance
@@ -239,7 +239,7 @@ class TextModel(QObject):
             text, language = self.text, self._language_of_text
             self._work.replace(lambda _progress: self.tools.speak(text, language), self._take_speech)
 
-    def move_boundary(self, unit: Unit, boundary: int, seconds: float) -> None:
+    def move_boundary(self, unit: LabelUnit, boundary: int, seconds: float) -> None:
         """Move a boundary; see `with_boundary`."""
         if self.utterance is None or not self.editable:
             return

@@ -10,7 +10,7 @@ from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.timeline import Chapter, Lane, Timeline, TimelineView
 from phonemeengine.arrays import UInt32Array
-from phonemeengine.labels.boundaries import Unit
+from phonemeengine.labels.boundaries import LabelUnit
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.plan import PlanKind, PlanRow
@@ -18,7 +18,7 @@ from phonemeengine.speech.pinyin.track import PinyinTrack
 
 NAMES = ("words", "syllables", "phones")
 LETTERS = "letters"
-UNITS = (Unit.WORD, Unit.SYLLABLE, Unit.PHONE)
+UNITS = (LabelUnit.WORD, LabelUnit.SYLLABLE, LabelUnit.PHONE)
 WORD_COLOUR, SYLLABLE_COLOUR, RIME_COLOUR = "#3d5a80", "#5c677d", "#7a8499"
 """Dark enough for white letters, in both looks."""
 SCALE = 2.0

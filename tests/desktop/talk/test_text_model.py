@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.talk.text_model import POOR, TextModel, TextTools, fits_badly
 from phonemeengine.errors import VoiceError
-from phonemeengine.labels.boundaries import Unit, spans_of
+from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.phonemes import Phoneme
@@ -84,7 +84,7 @@ def test_labels_beside_a_sound_are_its_words(desk, tmp_path):
     (tmp_path / "said.TextGrid").write_text(format_utterance(SAID), encoding="utf-8")
     desk.open(tmp_path)
     assert desk.words() == ["so", "oh"]
-    assert np.allclose(spans_of(desk.texts.utterance, Unit.WORD), spans_of(SAID, Unit.WORD), atol=1e-6)
+    assert np.allclose(spans_of(desk.texts.utterance, LabelUnit.WORD), spans_of(SAID, LabelUnit.WORD), atol=1e-6)
 
 
 def test_a_script_beside_a_sound_is_its_text(desk, tmp_path):
@@ -221,7 +221,7 @@ def test_a_boundary_that_is_dragged_while_the_sound_plays_leaves_the_mouth_movin
     desk.align()
     jaws: list[float] = []
     desk.stage.play(0.4)
-    desk.texts.move_boundary(Unit.WORD, 2, 0.95)
+    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.95)
     desk.stage.play(10, lambda: jaws.append(desk.stage.jaw))
     assert max(jaws) > 5
 
@@ -233,13 +233,13 @@ def test_a_dragged_boundary_is_undone_and_done_again(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
     stack = desk.session.preset.undo_stack
-    desk.texts.move_boundary(Unit.WORD, 2, 0.8)
+    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
     assert stack.undoText() == "boundary of a word"
-    assert spans_of(desk.texts.utterance, Unit.WORD)[0] == pytest.approx((0.6, 0.8))
+    assert spans_of(desk.texts.utterance, LabelUnit.WORD)[0] == pytest.approx((0.6, 0.8))
     stack.undo()
     assert desk.texts.utterance is SAID
     stack.redo()
-    assert spans_of(desk.texts.utterance, Unit.WORD)[1] == pytest.approx((0.8, 1.1))
+    assert spans_of(desk.texts.utterance, LabelUnit.WORD)[1] == pytest.approx((0.8, 1.1))
 
 
 def test_an_alignment_is_undone(desk, tmp_path):
@@ -262,7 +262,7 @@ def test_an_edit_of_a_sound_that_is_no_longer_in_hand_changes_nothing(desk, tmp_
 def test_a_boundary_cannot_leave_nothing_of_a_word(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.texts.move_boundary(Unit.WORD, 2, 0.5)
+    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.5)
     assert desk.texts.utterance is SAID
     assert "leave nothing" in desk.failed[0]
 
@@ -270,11 +270,11 @@ def test_a_boundary_cannot_leave_nothing_of_a_word(desk, tmp_path):
 def test_what_was_dragged_is_what_is_saved(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.texts.move_boundary(Unit.WORD, 2, 0.8)
+    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
     desk.texts.save(tmp_path / "said.TextGrid")
     desk.wait()
     written = read_utterance(tmp_path / "said.TextGrid", DURATION)
-    assert np.allclose(spans_of(written, Unit.WORD), spans_of(desk.texts.utterance, Unit.WORD), atol=1e-6)
+    assert np.allclose(spans_of(written, LabelUnit.WORD), spans_of(desk.texts.utterance, LabelUnit.WORD), atol=1e-6)
     assert "said.TextGrid" in desk.told[-1]
 
 
@@ -306,7 +306,7 @@ def test_what_a_voice_says_is_known_with_its_times(desk):
     desk.say("Hello. You there.")
     desk.stage.play(10)
     assert desk.words() == ["Hello", "You there"]
-    assert spans_of(desk.texts.utterance, Unit.WORD)[1] == pytest.approx((0.6, 0.9))
+    assert spans_of(desk.texts.utterance, LabelUnit.WORD)[1] == pytest.approx((0.6, 0.9))
     assert not desk.texts.editable
 
 

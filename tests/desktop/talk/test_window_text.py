@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.talk.text_model import TextTools
 from phonemeanalyser.desktop.talk.text_panel import NO_LANGUAGE, TextPanel
 from phonemeanalyser.desktop.widgets.timeline import HEADING
 from phonemeanalyser.desktop.window import MainWindow
-from phonemeengine.labels.boundaries import Unit, spans_of
+from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import format_utterance
 from tests.desktop.hands import LEFT, edits, press, shown, wav
@@ -137,7 +137,7 @@ def test_a_boundary_is_dragged_and_undone_by_the_menu(window, desktop, qtbot):
     for seconds in (0.65, 0.7):
         QTest.mouseMove(lanes, place(window, 0, seconds))
     QTest.mouseRelease(lanes, LEFT, pos=place(window, 0, 0.7))
-    assert spans_of(desktop.talking.text.utterance, Unit.WORD)[1] == pytest.approx((0.7, 1.1), abs=0.01)
+    assert spans_of(desktop.talking.text.utterance, LabelUnit.WORD)[1] == pytest.approx((0.7, 1.1), abs=0.01)
     assert "Undo boundary of a word" in edits(window)
     window.talk.head.setFocus()
     press(window, Qt.Key.Key_Z, CONTROL)

@@ -4,6 +4,7 @@ import pytest
 
 from phonemeengine import Cancelled, CorpusError, PerformanceError, PerformanceTable, UnitKind, build_table
 from tests.engine.performance.corpora import write_recording
+from tests.engine.performance.faces import recorded_vmc
 
 
 def test_a_table_of_a_folder_has_its_recordings(tmp_path: Path) -> None:
@@ -28,6 +29,16 @@ def test_a_recording_that_cannot_be_used_is_left_out_and_said(tmp_path: Path) ->
     assert (built.about.n_recordings, built.about.name) == (1, "Ann")
     (sentence,) = built.left_out
     assert "bad.csv: frames may be missing for 0.1 s at most" in sentence
+
+
+def test_a_recording_with_other_channels_is_left_out(tmp_path: Path) -> None:
+    for name in ("first", "other"):
+        write_recording(tmp_path, name)
+    (tmp_path / "other.csv").unlink()
+    (tmp_path / "other.osc").write_text(recorded_vmc([k / 50 for k in range(51)]), encoding="utf-8")
+    built = build_table(tmp_path, tmp_path / "t.sqlite")
+    assert built.about.n_recordings == 1
+    assert built.left_out[0].startswith("other: the recordings of a table must have the same channels and rate as")
 
 
 def test_what_is_odd_about_a_recording_is_said(tmp_path: Path) -> None:

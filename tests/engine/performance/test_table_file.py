@@ -42,6 +42,11 @@ def test_a_recording_comes_back_as_it_was_but_for_float16(tmp_path: Path) -> Non
         assert np.abs(found.weights - performance.weights).max() < 0.0005
 
 
+def test_a_recording_that_is_asked_for_again_is_not_read_again(table: Path) -> None:
+    with PerformanceTable.open(table) as opened:
+        assert opened.recording(1) is opened.recording(1)
+
+
 def test_examples_of_the_nearest_duration_come_first(table: Path) -> None:
     with PerformanceTable.open(table) as opened:
         durations = [e.duration for e in opened.nearest(UnitKind.WORD, ("m", "a", "m", "a"), 0.5, 3)]
