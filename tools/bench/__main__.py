@@ -4,10 +4,12 @@ import argparse
 from collections.abc import Callable
 
 from tools.bench import (
+    alignment,
     card,
     dragging,
     head,
     learned,
+    long_speech,
     memory,
     microphone,
     mouth,
@@ -40,6 +42,8 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "mouth": mouth.figures,
     "movestates": movestates.figures,
     "voice": voice.figures,
+    "alignment": alignment.figures,
+    "long-speech": long_speech.figures,
     "performance-table": performance_table.figures,
 }
 

@@ -26,7 +26,7 @@ SHARES: dict[Phoneme, float] = {
     Phoneme.O: 0.058,
 }
 """How much of running speech is of each phoneme."""
-SHARE_WEIGHT = 0.4
+SHARE_WEIGHT = 0.45
 """The power of its share by which a phoneme's probability is divided: the text says what is said, not its frequency;
 more favours rare phonemes, less whole mouths."""
 LEAST_LIKELY = 1e-4

@@ -13,7 +13,7 @@ LEAST_FRAMES: dict[Manner, int] = {
     Manner.APPROXIMANT: 3,
     Manner.FRICATIVE: 5,
     Manner.SIBILANT: 6,
-    Manner.VOWEL: 6,
+    Manner.VOWEL: 7,
 }
 """What sounds of a manner last at least in speech that is not hurried, 10 ms each."""
 

@@ -98,18 +98,27 @@ def cheapest_way(
 
 
 class _Search:
+    """All states of a text: its sounds, then a pause at every junction, then what it does not hold between words."""
+
     def __init__(self, shortfalls: Float64Array, lattice: Lattice, prices: Prices, least: LeastFrames) -> None:
-        n, n_junctions = len(shortfalls), lattice.arrivals.shape[1]
+        n, n_sounds, n_junctions = len(shortfalls), len(lattice.columns), lattice.arrivals.shape[1]
         self._n, self._lattice = n, lattice
+        self._pauses = slice(n_sounds, n_sounds + n_junctions)
         self._between = slice(lattice.n_words + 1)
+        counts = (n_sounds, n_junctions, lattice.n_words + 1)
+        self._runs = _Runs(
+            np.concatenate([lattice.before, np.arange(n_junctions), np.arange(lattice.n_words + 1)]),
+            np.concatenate([least.sounds, np.repeat([least.silence, least.strange], counts[1:])]),
+            np.repeat([0.0, prices.silence, prices.strange], counts),
+            np.concatenate([lattice.columns, np.repeat([0, shortfalls.shape[1]], counts[1:])]),
+            np.column_stack([shortfalls, np.full(n, -prices.strange_frame)]),
+        )
+        self._variants = [(at := np.flatnonzero(row != NOWHERE), row[at]) for row in lattice.arrivals[1:]]
+        self._unsaid = lattice.arrivals[0] == NOWHERE
         self._may_skip = np.isfinite(prices.skip)
         self._skips = np.concatenate([[0.0], np.cumsum(prices.skip + prices.skip_sound * lattice.fewest)])
         self._reached = np.full((n + 1, n_junctions), -np.inf)
         self._whence = np.zeros((n + 1, n_junctions), np.uint8)
-        strange = np.full((n, 1), -prices.strange_frame)
-        self._sounds = _Runs(shortfalls[:, lattice.columns], lattice.before, least.sounds, 0.0)
-        self._pauses = _Runs(shortfalls[:, :1], np.arange(n_junctions), np.array([least.silence]), prices.silence)
-        self._strays = _Runs(strange, np.arange(lattice.n_words + 1), np.array([least.strange]), prices.strange)
         self._block = int(min(*least.sounds, least.silence, least.strange))
 
     def run(self) -> None:
@@ -119,20 +128,16 @@ class _Search:
             self._advance(slice(first, min(first + self._block, self._n + 1)))
 
     def _advance(self, frames: slice) -> None:
-        said, paused, strayed = (
-            runs.extend(frames, self._reached) for runs in (self._sounds, self._pauses, self._strays)
-        )
+        ended = self._runs.extend(frames, self._reached)
         reached, whence = self._reached[frames], self._whence[frames]
-        first, *others = self._lattice.arrivals
-        np.take(said, first, axis=1, out=reached, mode="wrap")
-        reached[:, first == NOWHERE] = -np.inf
-        for variant, arrivals in enumerate(others, 1):
-            at = np.flatnonzero(arrivals != NOWHERE)
-            better = said[:, arrivals[at]] > reached[:, at]
+        np.take(ended, self._lattice.arrivals[0], axis=1, out=reached, mode="wrap")
+        reached[:, self._unsaid] = -np.inf
+        for variant, (at, arrivals) in enumerate(self._variants, 1):
+            better = ended[:, arrivals] > reached[:, at]
             whence[:, at] = np.where(better, variant, whence[:, at])
-            reached[:, at] = np.maximum(reached[:, at], said[:, arrivals[at]])
-        _improve(reached, whence, paused, SILENT)
-        _improve(reached[:, self._between], whence[:, self._between], strayed, STRANGE)
+            reached[:, at] = np.maximum(reached[:, at], ended[:, arrivals])
+        _improve(reached, whence, ended[:, self._pauses], SILENT)
+        _improve(reached[:, self._between], whence[:, self._between], ended[:, self._pauses.stop :], STRANGE)
         self._skip(frames)
 
     def _skip(self, frames: slice) -> None:
@@ -157,57 +162,59 @@ class _Search:
                 yield WayStep(frame, frame, SKIPPED, junction)
                 continue
             if whence == SILENT:
-                step = WayStep(self._pauses.begin_of(frame, junction), frame, SILENT, NOWHERE)
+                state = self._pauses.start + junction
+                step = WayStep(self._runs.begin_of(frame, state), frame, SILENT, NOWHERE)
             elif whence == STRANGE:
-                step = WayStep(self._strays.begin_of(frame, junction), frame, STRANGE, NOWHERE)
+                state = self._pauses.stop + junction
+                step = WayStep(self._runs.begin_of(frame, state), frame, STRANGE, NOWHERE)
             else:
                 sound = int(lattice.arrivals[whence, junction])
-                step = WayStep(self._sounds.begin_of(frame, sound), frame, SOUND, sound)
+                step = WayStep(self._runs.begin_of(frame, sound), frame, SOUND, sound)
                 junction = int(lattice.before[sound])
             yield step
             frame = step.first
 
 
 class _Runs:
-    """States of one sort that last: how good they are, and when each was entered best, as the frames go by.
+    """States that last: how good they are, and when each was entered best, as the frames go by.
 
     Parameters
     ----------
-    scores : in each frame, shape (n_frames, n_states), or (n_frames, 1) where all have the same.
     at : the junctions from which they are entered, shape (n_states,).
-    least : frames that they last at least, shape (n_states,), or (1,) where all have the same.
-    price : of entering one.
+    least : frames that they last at least, shape (n_states,).
+    prices : of entering them, shape (n_states,).
+    columns : where the scores of each stand, shape (n_states,).
+    scores : in each frame, shape (n_frames, n_columns).
     """
 
-    def __init__(self, scores: Float64Array, at: IndexArray, least: IndexArray, price: float) -> None:
+    def __init__(
+        self, at: IndexArray, least: IndexArray, prices: Float64Array, columns: IndexArray, scores: Float64Array
+    ) -> None:
         self._at, self._least = at, least
-        self._sums = np.zeros((len(scores) + 1, scores.shape[1]))
-        np.cumsum(scores, axis=0, out=self._sums[1:])
-        begun = np.maximum(np.arange(len(self._sums))[:, np.newaxis] - least, 0)
-        self._before = np.take_along_axis(self._sums, begun, axis=0) + price
-        self._best = np.full((1, len(at)), -np.inf)
-        self._entered = np.zeros((len(self._sums), len(at)), bool)
+        sums = np.zeros((len(scores) + 1, scores.shape[1]))
+        np.cumsum(scores, axis=0, out=sums[1:])
+        begun = np.maximum(np.arange(len(sums))[:, np.newaxis] - least, 0)
+        self._sums = sums[:, columns]
+        self._before = sums[begun, columns] + prices
+        self._best = np.full(len(at), -np.inf)
+        self._entered = np.zeros((len(sums), len(at)), bool)
 
     def extend(self, frames: slice, reached: Float64Array) -> Float64Array:
         """Return the scores of those that may end with each frame, shape (n_frames, n_states)."""
         begun = np.arange(frames.start, frames.stop)[:, np.newaxis] - self._least
-        best = np.empty((len(begun) + 1, len(self._at)))
-        best[:1] = self._best
-        np.subtract(
-            reached.take(begun * reached.shape[1] + self._at, mode="clip"), self._before[frames], out=best[1:]
-        )
+        found: Float64Array = reached.take(begun * reached.shape[1] + self._at, mode="clip")
+        found -= self._before[frames]
         if frames.start < LONGEST_LEAST:
-            best[1:][np.broadcast_to(begun < 0, best[1:].shape)] = -np.inf
-        np.maximum.accumulate(best, axis=0, out=best)
-        np.greater(best[1:], best[:-1], out=self._entered[frames])
-        self._best = best[-1:]
-        ended: Float64Array = best[1:] + self._sums[frames]
-        return ended
+            found[begun < 0] = -np.inf
+        for best, entered in zip(found, self._entered[frames], strict=True):
+            np.greater(best, self._best, out=entered)
+            self._best = np.maximum(best, self._best, out=best)
+        return found + self._sums[frames]
 
     def begin_of(self, frame: int, state: int) -> int:
         """Return the frame with which a run begins that ends before `frame`."""
         back = int(self._entered[frame::-1, state].argmax())
-        return frame - back - int(self._least[state % len(self._least)])
+        return frame - back - int(self._least[state])
 
 
 def _improve(reached: Float64Array, whence: UInt8Array, scores: Float64Array, kind: int) -> None:

@@ -81,11 +81,7 @@ def animation_by(performer: Performer, speech: Transcript, rate: float) -> Anima
     ------
     MouthError : the rate lies outside its range.
     """
-    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
-        raise MouthError(
-            f"the frame rate must lie in {LOWEST_RATE:g}..{HIGHEST_RATE:g} frames per second, got {rate:g}; "
-            "choose another"
-        )
+    check_rate(rate)
     movestates = performer.table.movestates
     n_frames = math.floor(speech.duration * rate + 1e-6) + 1
     weights = np.zeros((n_frames, len(movestates)), np.float32)
@@ -95,6 +91,20 @@ def animation_by(performer: Performer, speech: Transcript, rate: float) -> Anima
     for column in [k for k, name in enumerate(movestates) if name in EYELIDS]:
         weights[:, column] = np.maximum(weights[:, column], blinks)
     return Animation(rate, movestates, weights, head)
+
+
+def check_rate(rate: float) -> None:
+    """Refuse a frame rate that is out of range.
+
+    Raises
+    ------
+    MouthError : it is.
+    """
+    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
+        raise MouthError(
+            f"the frame rate must lie in {LOWEST_RATE:g}..{HIGHEST_RATE:g} frames per second, got {rate:g}; "
+            "choose another"
+        )
 
 
 def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Iterator[FaceState]:

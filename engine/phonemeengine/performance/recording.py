@@ -130,7 +130,7 @@ def _with_silence(spoken: list[PerformedPhone], duration: float) -> Iterator[Per
     at = 0.0
     for phone, following in zip(spoken, [*spoken[1:], None], strict=True):
         start = max(phone.start, begin)
-        if start > at + ROUNDING:
+        if start > at + ROUNDING or not at:
             yield _silence(at, start)
             at = start
         stop = following.start if following and following.word == phone.word else min(phone.end, end)

@@ -47,6 +47,8 @@ _OF_OTHER_ALPHABETS = str.maketrans(
     {"S": "ʃ", "Z": "ʒ", "N": "ŋ", "X": "χ", "A": "a", "K": "k", "?": "ʔ", "ε": "ɛ", "Φ": "ɸ"}
 )
 """What some voices write beside IPA."""
+_MISNAMED = {"ru": str.maketrans({"y": "ɨ"})}
+"""What voices call otherwise than IPA does, by the first part of their tag: Russian ы is not rounded."""
 _NO_LIBRARY = (
     "no voice is installed: espeak-ng is missing; pip install 'phonemeanalyser[speech]', or install libespeak-ng1 of "
     "your system"
@@ -311,6 +313,7 @@ class _Library:
         self._library.espeak_Info.restype = ctypes.c_char_p
         self._library.espeak_ListVoices.restype = ctypes.POINTER(ctypes.POINTER(_VoiceEntry))
         self._chosen = ""
+        self._names: dict[int, str] = {}
         self.languages = self._languages()
         self.variants = tuple(sorted(v.identifier.decode()[3:] for v in self._voices("variant")))
 
@@ -322,6 +325,8 @@ class _Library:
             self._chosen = ""
             raise VoiceError(f"espeak-ng cannot load its voice {identifier!r}; install espeak-ng again")
         self._chosen = identifier
+        tag = identifier.partition("+")[0].rpartition("/")[2]
+        self._names = _MISNAMED.get(tag.partition("-")[0], {})
 
     def translated(self, text: str) -> Iterator[str]:
         """Return the names of the phones of a text, clause by clause."""
@@ -330,7 +335,7 @@ class _Library:
         mode = _IN_IPA | ord(SEPARATOR) << 8
         while rest.value is not None:
             names = self._library.espeak_TextToPhonemes(ctypes.byref(rest), _UTF8, mode)
-            yield names.decode() if names else ""
+            yield names.decode().translate(self._names) if names else ""
 
     def speak(self, text: str, hear: Hear, rate: int, *, phonemes: bool) -> None:
         """Have `hear` take the sound of a text; what it raises is raised here."""
@@ -338,7 +343,7 @@ class _Library:
 
         def take(samples: Any, n: int, events: Any) -> int:
             try:
-                return 0 if hear(_copied(samples, n), tuple(_events(events))) else 1
+                return 0 if hear(_copied(samples, n), tuple(_events(events, self._names))) else 1
             except BaseException as error:  # noqa: BLE001 - it must not be lost in the library
                 failures.append(error)
                 return 1
@@ -425,10 +430,10 @@ def _copied(samples: Any, n: int) -> Int16Array:
     return np.ctypeslib.as_array(samples, (n,)).copy() if n > 0 else np.zeros(0, np.int16)
 
 
-def _events(events: Any) -> Iterator[Event]:
+def _events(events: Any, names: dict[int, str]) -> Iterator[Event]:
     k = 0
     while (event := events[k]).kind:
         if event.kind in {_WORD_EVENT, _PHONEME_EVENT}:
-            name = event.name.decode(errors="ignore") if event.kind == _PHONEME_EVENT else ""
+            name = event.name.decode(errors="ignore").translate(names) if event.kind == _PHONEME_EVENT else ""
             yield Event(EventKind(event.kind), event.sample, event.position - 1, name)
         k += 1

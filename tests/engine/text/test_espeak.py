@@ -120,6 +120,19 @@ def test_remarks_and_tones_are_no_phones(name: str) -> None:
     assert espeak.symbols_of(name) == ()
 
 
+def test_the_russian_vowel_that_is_not_rounded_has_its_own_symbol() -> None:
+    russian = espeak.language_of("ru")
+    assert espeak.phone_names("мы", russian).endswith("ɨ")
+    heard: list[str] = []
+
+    def take(_samples: object, events: tuple[espeak.Event, ...]) -> bool:
+        heard.extend(event.name for event in events)
+        return True
+
+    espeak.synthesise("мы", russian, take)
+    assert any("ɨ" in name for name in heard)
+
+
 def test_a_name_is_split_into_symbols_without_stress_length_and_tone() -> None:
     assert espeak.symbols_of("ˈɑːɹ") == ("ɑ", "ɹ")
     assert espeak.symbols_of("tɕ") == ("t", "ɕ")
