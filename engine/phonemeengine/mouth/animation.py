@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -40,6 +40,11 @@ class Animation:
         """The time of each frame, seconds, shape (n_frames,)."""
         return np.arange(len(self.weights)) / self.rate
 
+    def of_movestates(self, movestates: tuple[str, ...]) -> "Animation":
+        """Return the animation of some of its movestates, in their order."""
+        columns = [self.movestates.index(name) for name in movestates]
+        return replace(self, movestates=movestates, weights=self.weights[:, columns])
+
 
 def animation_of(
     speech: Transcript, cues: Sequence[Cue], table: MouthTable, rate: float, idle: IdleMotion | None = None
@@ -76,11 +81,7 @@ def animation_by(performer: Performer, speech: Transcript, rate: float) -> Anima
     ------
     MouthError : the rate lies outside its range.
     """
-    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
-        raise MouthError(
-            f"the frame rate must lie in {LOWEST_RATE:g}..{HIGHEST_RATE:g} frames per second, got {rate:g}; "
-            "choose another"
-        )
+    check_rate(rate)
     movestates = performer.table.movestates
     n_frames = math.floor(speech.duration * rate + 1e-6) + 1
     weights = np.zeros((n_frames, len(movestates)), np.float32)
@@ -90,6 +91,20 @@ def animation_by(performer: Performer, speech: Transcript, rate: float) -> Anima
     for column in [k for k, name in enumerate(movestates) if name in EYELIDS]:
         weights[:, column] = np.maximum(weights[:, column], blinks)
     return Animation(rate, movestates, weights, head)
+
+
+def check_rate(rate: float) -> None:
+    """Refuse a frame rate that is out of range.
+
+    Raises
+    ------
+    MouthError : it is.
+    """
+    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
+        raise MouthError(
+            f"the frame rate must lie in {LOWEST_RATE:g}..{HIGHEST_RATE:g} frames per second, got {rate:g}; "
+            "choose another"
+        )
 
 
 def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Iterator[FaceState]:

@@ -240,7 +240,7 @@ def _phones_of(table: StrictTable) -> dict[str, StrictTable]:
     """Return the entry of each phone or class as a table; a shape alone stands for one that says no more."""
     entries: dict[str, StrictTable] = {}
     for key in table.entries:
-        name = _phone_named(key)
+        name = phone_named(key)
         if name in entries:
             raise MouthError(f"[phones] says twice what {name} is; remove one")
         entry = table.entries[key]
@@ -251,8 +251,8 @@ def _phones_of(table: StrictTable) -> dict[str, StrictTable]:
     return entries
 
 
-def _phone_named(key: str) -> str:
-    """Return the letter or class that a key of [phones] means."""
+def phone_named(key: str) -> str:
+    """Return the letter or class that a key of [phones] means, or refuse it."""
     if key in ARTICULATIONS:
         return key
     letters = letters_of(key)

@@ -70,8 +70,7 @@ class Exporter:
 
     def export_of(self, speech: Transcript, movement: Animation | None = None) -> Export:
         """Clean the cues of speech, and put together what the format writes; see `chunks_of`."""
-        if movement is not None:
-            self._check_movement(movement)
+        movement = None if movement is None else self._held(movement)
         options, anticipation = self._options, self._options.anticipation
         cues = cues_of(
             speech.runs,
@@ -138,9 +137,10 @@ class Exporter:
                 "one; rename it there"
             )
 
-    def _check_movement(self, movement: Animation) -> None:
+    def _held(self, movement: Animation) -> Animation:
+        """Return what the format holds of a movement: one with movestates of its own leaves others out."""
         known = self.format.movestates or movement.movestates
-        if not self.format.moves_head or movement.movestates != known:
+        if not self.format.moves_head or not {*known} <= {*movement.movestates}:
             raise ExportError(
                 f"{self.name} is made of cues, or of movestates other than {movement.movestates[0]} ... "
                 f"{movement.movestates[-1]}; leave the movement out"
@@ -149,6 +149,7 @@ class Exporter:
             raise ExportError(
                 f"{self.name} has {self.rate:g} frames per second, the movement {movement.rate:g}; make it with these"
             )
+        return movement if movement.movestates == known else movement.of_movestates(known)
 
     def _check_mesh(self) -> None:
         if self._mesh is not None and not self.format.moves_mesh:

@@ -1,0 +1,167 @@
+"""The driver: a sentence is looked up in a table of performances, fitted to its sound, smoothed and posed."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.errors import PerformanceError
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.performance.choice import Choice, Chosen, chosen_examples
+from phonemeengine.performance.fit import fitted
+from phonemeengine.performance.halves import Recordings, bounds_of
+from phonemeengine.performance.poses import PoseTable, load_poses, pose_shares, posed_weights
+from phonemeengine.performance.search import PlacedUnit, notes_on, placed_units
+from phonemeengine.performance.sentence import Sentence
+from phonemeengine.performance.smoothing import (
+    ENERGY_CHANNELS,
+    bounded,
+    brought_to_rest,
+    gains_of,
+    smoothed,
+    without_outliers,
+)
+from phonemeengine.performance.table_file import PerformanceTable
+from phonemeengine.performance.units import UnitKind
+
+MOUTH = ("jaw", "mouth", "cheek", "nose", "tongue")
+"""What the names of movestates begin with that units move: eyes, brows and the head have their own times."""
+
+
+class Part(StrEnum):
+    """What is done to a sentence after its units are joined, or besides; each can be left out."""
+
+    POSES = "poses"
+    FILTERS = "filters"
+    ENERGY = "energy"
+    WINDOW = "window"
+    HEAD = "head"
+
+
+@dataclass(frozen=True)
+class PerformanceOptions:
+    """How sentences are performed.
+
+    Attributes
+    ----------
+    choice : among the examples of a unit.
+    seed : of what is left to chance.
+    without : what is left out.
+    poses : model visemes; those that ship, where it is None.
+    """
+
+    choice: Choice = Choice.VITERBI
+    seed: int = 0
+    without: frozenset[Part] = frozenset()
+    poses: PoseTable | None = None
+
+
+@dataclass(frozen=True)
+class UsedUnit:
+    """A unit of a sentence, and the recording that it is from.
+
+    Attributes
+    ----------
+    start, end : in the sentence, seconds.
+    kind, names : the set and the phones of the example.
+    recording : its name.
+    source_start, source_end : in the recording, seconds.
+    """
+
+    start: float
+    end: float
+    kind: UnitKind
+    names: tuple[str, ...]
+    recording: str
+    source_start: float
+    source_end: float
+
+
+class PerformanceDriver:
+    """Has the performer of a table say sentences, with the mouth; see `MOUTH`.
+
+    Parameters
+    ----------
+    table : recorded performances; it stays open as long as this is used, by one thread at a time.
+    options : how they are performed.
+
+    Raises
+    ------
+    PerformanceError : no channel of the table is a blend shape of a mouth.
+    """
+
+    def __init__(self, table: PerformanceTable, options: PerformanceOptions | None = None) -> None:
+        self.options = options or PerformanceOptions()
+        names = table.about.channels
+        columns = [k for k, name in enumerate(names) if name in ARKIT and name.startswith(MOUTH)]
+        if not columns:
+            raise PerformanceError(
+                f"{table.about.name}: no channel of this table is a blend shape of a mouth as ARKit names them, such "
+                "as jawOpen; build it of recordings that have them"
+            )
+        self._table, self._recordings = table, Recordings(table, np.array(columns))
+        self._inventory = {kind: table.names(kind) for kind in UnitKind}
+        self._poses = self.options.poses or load_poses()
+        self._moved = moved = tuple(names[k] for k in columns)
+        self._places = np.array([ARKIT.index(name) for name in moved])
+        self._loud = [k for k, name in enumerate(moved) if name in ENERGY_CHANNELS]
+
+    def notes(self, sentence: Sentence) -> tuple[str, ...]:
+        """Return what the table lacks for a sentence, a sentence each."""
+        return tuple(notes_on(sentence, self._inventory))
+
+    def units(self, sentence: Sentence, number: int) -> tuple[UsedUnit, ...]:
+        """Return the units of a sentence in order of time; see `weights`."""
+        placed, chosen = self._looked_up(sentence, number)
+        return tuple(_used(placed, chosen, bounds_of(sentence)))
+
+    def weights(self, sentence: Sentence, number: int, times: Float64Array, frame: float) -> Float32Array:
+        """Return the weights of the blend shapes of `ARKIT` at some times, float32, shape (n_times, 52).
+
+        Parameters
+        ----------
+        sentence : its phones.
+        number : of the sentence in its text: equal sentences of other numbers may move otherwise.
+        times : seconds, evenly spaced, from the beginning of the sentence on.
+        frame : how long a picture is shown, seconds; closures last for one at least.
+
+        Raises
+        ------
+        PerformanceError : the table is damaged.
+        """
+        placed, chosen = self._looked_up(sentence, number)
+        moved = self._finished(fitted(placed, chosen, bounds_of(sentence), times), sentence, times, frame)
+        weights = np.zeros((len(times), len(ARKIT)), np.float32)
+        weights[:, self._places] = moved
+        return weights
+
+    def _looked_up(self, sentence: Sentence, number: int) -> tuple[tuple[PlacedUnit, ...], list[Chosen]]:
+        placed = placed_units(sentence, self._inventory)
+        seed = (abs(self.options.seed), int(self.options.seed < 0), number)
+        return placed, chosen_examples(placed, sentence, self._table, self._recordings, self.options.choice, seed)
+
+    def _finished(self, weights: Float32Array, sentence: Sentence, times: Float64Array, frame: float) -> Float32Array:
+        """Filter before posing, since a filter would open closed lips; the loudness spares these."""
+        without = self.options.without
+        if Part.FILTERS not in without:
+            weights = smoothed(without_outliers(weights), sentence, times)
+        weights = bounded(weights)
+        shares = pose_shares(sentence, self._poses, times, frame)
+        if Part.POSES not in without:
+            weights = posed_weights(weights, shares, self._poses, self._moved)
+        if Part.ENERGY not in without:
+            louder = 1 + (gains_of(sentence, times) - 1) * (1 - shares.firm)
+            weights[:, self._loud] *= louder[:, None]
+        if Part.WINDOW not in without:
+            weights = brought_to_rest(weights, sentence, times)
+        return bounded(weights)
+
+
+def _used(placed: tuple[PlacedUnit, ...], chosen: list[Chosen], bounds: Float64Array) -> Iterator[UsedUnit]:
+    for unit, (halves, example) in zip(placed, chosen, strict=True):
+        yield UsedUnit(
+            float(bounds[unit.unit.first]), float(bounds[unit.unit.last]), unit.kind, unit.names, halves.name,
+            float(halves.bounds[example.first]), float(halves.bounds[example.last]),
+        )  # fmt: skip

@@ -1,0 +1,184 @@
+"""What is said in a sound, as the track of a face that a table of performances moves."""
+
+import csv
+import io
+import math
+from bisect import bisect_right
+from collections import OrderedDict
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+
+from phonemeengine.arrays import Float32Array
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.animation import Animation, animation_by, check_rate
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.performer import IdleMotion, Performer
+from phonemeengine.mouth.table import USUAL_TABLE, load_table
+from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.performance.driver import Part, PerformanceDriver, PerformanceOptions, UsedUnit
+from phonemeengine.performance.fit import crossed
+from phonemeengine.performance.halves import weights_at
+from phonemeengine.performance.sentence import Sentence, performed_phones, sentences_in
+from phonemeengine.performance.smoothing import TO_REST
+from phonemeengine.performance.table_file import PerformanceTable
+
+RATE = 60.0
+"""Frames a second at least of what is looked up."""
+KEPT = 4
+"""Sentences whose movement stays in memory."""
+UNIT_COLUMNS = ("start_s", "end_s", "set", "phones", "recording", "from_s", "to_s")
+
+
+class PerformanceTrack:
+    """What a table's performer says.
+
+    Parameters
+    ----------
+    utterance : what is said, with times.
+    speech : how loud and high it is.
+    table : recorded performances; it stays open as long as the track is used, by one thread at a time.
+    options : how they are looked up.
+
+    Attributes
+    ----------
+    sentences : what is said, parted at long pauses.
+
+    Raises
+    ------
+    PerformanceError : the table has no blend shapes of a mouth.
+    """
+
+    def __init__(
+        self,
+        utterance: Utterance,
+        speech: Transcript,
+        table: PerformanceTable,
+        options: PerformanceOptions | None = None,
+    ) -> None:
+        self.utterance = utterance
+        self.sentences = sentences_in(performed_phones(utterance, speech))
+        self._driver = PerformanceDriver(table, options)
+
+    @cached_property
+    def notes(self) -> tuple[str, ...]:
+        """What the table lacks for it, a sentence each."""
+        return self._driver.notes(tuple(phone for sentence in self.sentences for phone in sentence))
+
+    def units(self) -> Iterator[UsedUnit]:
+        """Return the units that it is made of, in order of time; at a pause, neighbouring sentences overlap."""
+        for number, sentence in enumerate(self.sentences):
+            yield from self._driver.units(sentence, number)
+
+    def mouth(self, rate: float = RATE) -> "PerformedMouth":
+        """Return a mouth that says it, for a performer to play.
+
+        Parameters
+        ----------
+        rate : pictures a second that will be shown of it.
+        """
+        return PerformedMouth(self.sentences, self._driver, rate)
+
+    def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
+        """Animate a face: its mouth is looked up, it blinks, and its head moves with the sound.
+
+        Parameters
+        ----------
+        speech : how long the animation is, and how loud and high the voice.
+        rate : frames per second, 1..240.
+        idle : what else the face does; blinks and a moving head, where it is None.
+
+        Raises
+        ------
+        MouthError : the rate lies outside its range.
+        PerformanceError : the table is damaged.
+        """
+        check_rate(rate)
+        idle = idle or IdleMotion()
+        if Part.HEAD in self._driver.options.without:
+            idle = replace(idle, head=False)
+        performer = Performer(load_table(USUAL_TABLE), idle)
+        performer.play(self.mouth(rate))
+        return animation_by(performer, speech, rate)
+
+
+class PerformedMouth:
+    """A mouth that is looked up: the weights of its movestates at any time.
+
+    A sentence is looked up when a time in it is first asked for. Its frames are so many times closer than pictures
+    that each picture is a frame.
+
+    Parameters
+    ----------
+    sentences : what is said.
+    driver : looks it up.
+    rate : pictures a second.
+
+    Attributes
+    ----------
+    movestates : those of ARKit, in the order of the weights.
+    """
+
+    movestates = ARKIT
+
+    def __init__(self, sentences: tuple[Sentence, ...], driver: PerformanceDriver, rate: float) -> None:
+        self._sentences, self._driver, self._picture = sentences, driver, 1 / rate
+        self._rate = rate * math.ceil(RATE / rate)
+        self._begins = [_turn_to(sentence)[0] for sentence in sentences[1:]]
+        self._made: OrderedDict[int, tuple[int, Float32Array]] = OrderedDict()
+
+    def weights(self, time: float) -> Float32Array:
+        """Return the weights at a time, seconds, float32, shape (52,), 1 for the whole movement.
+
+        Raises
+        ------
+        PerformanceError : the table is damaged.
+        """
+        number = bisect_right(self._begins, time)
+        weights = self._weights_in(number, time)
+        begin, end = _turn_to(self._sentences[number])
+        if not number or time >= end:
+            return weights
+        share = crossed(np.array([time]), begin, end)
+        earlier = self._weights_in(number - 1, time)
+        mixed: Float32Array = earlier + share * (weights - earlier)
+        return mixed
+
+    def _weights_in(self, number: int, time: float) -> Float32Array:
+        first, frames = self._frames_of(number)
+        weights: Float32Array = weights_at(frames, np.array([time * self._rate - first]))[0]
+        return weights
+
+    def _frames_of(self, number: int) -> tuple[int, Float32Array]:
+        """Return the number of the first frame of a sentence, and the weights of all its frames."""
+        if number not in self._made:
+            sentence = self._sentences[number]
+            end = max(sentence[-1].end, sentence[-1].start + TO_REST)
+            first, last = math.floor(sentence[0].start * self._rate), math.ceil(end * self._rate)
+            times = np.arange(first, last + 1) / self._rate
+            self._made[number] = first, self._driver.weights(sentence, number, times, self._picture)
+        self._made.move_to_end(number)
+        if len(self._made) > KEPT:
+            self._made.popitem(last=False)
+        return self._made[number]
+
+
+def format_units(units: Iterable[UsedUnit]) -> str:
+    """Write units as CSV: `UNIT_COLUMNS`, times in seconds to the millisecond."""
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(UNIT_COLUMNS)
+    for unit in units:
+        start, end, source_start, source_end = (
+            f"{time:.3f}" for time in (unit.start, unit.end, unit.source_start, unit.source_end)
+        )
+        table.writerow((start, end, unit.kind, " ".join(unit.names), unit.recording, source_start, source_end))
+    return text.getvalue()
+
+
+def _turn_to(sentence: Sentence) -> tuple[float, float]:
+    """Return from when to when, seconds, the sentence before goes over into one: around the middle of the pause."""
+    pause = sentence[0]
+    return (pause.start + pause.middle) / 2, (pause.middle + pause.end) / 2
