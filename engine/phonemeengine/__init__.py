@@ -99,6 +99,10 @@ _PAGE = {
     "mouth.animation": "Animation",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
+    "mouth.expression.channels": "ExpressionChannels load_channels",
+    "mouth.expression.composer": "Expression",
+    "mouth.expression.inhibition": "InhibitionTimes",
+    "mouth.expression.streams": "ExpressionStream expression_presets held_expression recorded_expression",
     "mouth.performer": "FaceState IdleMotion MouthTrack Performer TimedFrame timed_frames",
     "mouth.viseme_override": "VisemeOverride",
     "mouth.table": "MouthTable load_table",

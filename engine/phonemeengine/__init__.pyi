@@ -54,6 +54,15 @@ from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.expression.channels import ExpressionChannels, load_channels
+from phonemeengine.mouth.expression.composer import Expression
+from phonemeengine.mouth.expression.inhibition import InhibitionTimes
+from phonemeengine.mouth.expression.streams import (
+    ExpressionStream,
+    expression_presets,
+    held_expression,
+    recorded_expression,
+)
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
@@ -147,6 +156,9 @@ __all__ = [
     "Example",
     "ExportError",
     "ExportOptions",
+    "Expression",
+    "ExpressionChannels",
+    "ExpressionStream",
     "FaceState",
     "Features",
     "Filter",
@@ -156,6 +168,7 @@ __all__ = [
     "HeadMotion",
     "HeadPose",
     "IdleMotion",
+    "InhibitionTimes",
     "InputChoice",
     "Kind",
     "Label",
@@ -263,10 +276,13 @@ __all__ = [
     "denoise",
     "devices",
     "export",
+    "expression_presets",
     "format_plan",
     "format_utterance",
+    "held_expression",
     "high_pass_gains",
     "languages",
+    "load_channels",
     "load_head",
     "load_lexicon",
     "load_morph_mesh",
@@ -288,6 +304,7 @@ __all__ = [
     "read_recordings",
     "read_utterance",
     "recognise_window",
+    "recorded_expression",
     "save_morph_targets",
     "save_preset",
     "score",

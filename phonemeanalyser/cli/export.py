@@ -12,10 +12,11 @@ from phonemeanalyser.cli.arguments import (
     add_sounds,
     number,
 )
+from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
 from phonemeanalyser.cli.scripts import SpokenTexts, spoken_texts
-from phonemeengine import FORMATS, Channel, Detail, EngineError, ExportOptions, IdleMotion, Preset, load_preset
+from phonemeengine import FORMATS, Channel, EngineError, ExportOptions, Preset, load_preset
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.table import shipped_tables
 
@@ -31,6 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
     parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
     add_mouth(parser)
+    add_expression(parser)
     parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
     add_channel(parser)
     add_overwrite(parser)
@@ -38,7 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Export sound files as the command line asks; 1 where one could not be."""
-    idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
+    idle = idle_of(options)
     written = ExportOptions(options.fps, options.minimum, options.anticipation, options.table, options.mesh, idle)
     exporter = Exporter(options.kind, written)
     if exporter.format.moves_mesh and options.out is None:

@@ -10,10 +10,12 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from types import FrameType
 
 from phonemeanalyser.cli.arguments import add_channel, add_preset, number_in, whole_in
+from phonemeanalyser.cli.expression import add_expression, expression_of
 from phonemeengine import (
     FRAME_PERIOD,
     Analysis,
@@ -55,6 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")
     table = f"mouth table of --osc: {USUAL_TABLE} as the head's, vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
+    add_expression(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -62,9 +65,16 @@ def run(options: argparse.Namespace) -> int:
     if options.list_devices:
         list_devices()
     else:
-        osc = None if options.osc is None else OscSettings(OscAddress.of(options.osc), load_table(options.table))
-        listen(load_preset(options.preset), input_of(options), options.seconds, options.kind, osc)
+        listen(load_preset(options.preset), input_of(options), options.seconds, options.kind, _osc_of(options))
     return 0
+
+
+def _osc_of(options: argparse.Namespace) -> OscSettings | None:
+    if options.osc is None:
+        if options.expression is not None:
+            options.parser.error("--expression is sent with the mouth; say where with --osc")
+        return None
+    return OscSettings(OscAddress.of(options.osc), load_table(options.table), expression_of(options))
 
 
 def add_input(parser: argparse.ArgumentParser) -> None:
@@ -167,7 +177,7 @@ def _sending(osc: OscSettings | None) -> Iterator[Performer | None]:
     if osc is None:
         yield None
         return
-    performer = Performer(osc.table, MOUTH_ALONE)
+    performer = Performer(osc.table, replace(MOUTH_ALONE, expression=osc.expression))
     mouth = OscMouth(osc.address, performer)
     try:
         yield performer

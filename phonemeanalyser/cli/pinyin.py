@@ -6,11 +6,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import number
+from phonemeanalyser.cli.expression import idle_of
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole, write_whole_bytes
 from phonemeengine import (
     EngineError,
     ExportOptions,
-    IdleMotion,
     PinyinTable,
     PinyinTrack,
     SoundReader,
@@ -81,7 +81,7 @@ def _check(options: argparse.Namespace) -> None:
 
 
 def _exporter_of(options: argparse.Namespace) -> Exporter:
-    idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed or 0)
+    idle = idle_of(options)
     exporter = Exporter(options.kind, ExportOptions(rate=options.fps, idle=idle))
     Guard(exporter.format.owns, options.overwrite).check(options.export)
     return exporter

@@ -8,6 +8,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_preset, add_script, add_theme, size_in
+from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, open_sound
 from phonemeanalyser.cli.output_files import write_whole_file
 from phonemeanalyser.cli.scripts import spoken_texts
@@ -21,8 +22,6 @@ from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif, write_film, write_gif, write_pictures
 from phonemeengine import (
     SAMPLE_RATE,
-    Detail,
-    IdleMotion,
     MorphMesh,
     SoundReader,
     load_head,
@@ -59,6 +58,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_preset(parser)
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
     add_mouth(parser)
+    add_expression(parser)
     add_channel(parser)
     add_theme(parser)
     parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
@@ -102,8 +102,10 @@ def _morph_mesh_of(mesh: Path | None, movestates: Path | None) -> MorphMesh:
 
 
 def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation:
-    idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed, Detail(options.detail))
+    idle = idle_of(options)
     table, preset = load_table(options.table), load_preset(options.preset)
+    if idle.expression is not None:
+        idle.expression.check_fits(table.movestates, table.name)
     texts = spoken_texts(options, [options.file])
     speech = texts.transcript(reader, options.file, analyse_with_progress(reader, preset, pitch=idle.head))
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, number
+from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import Guard, write_whole, write_whole_bytes, write_whole_file
 from phonemeanalyser.cli.pinyin import add_pinyin, pinyin_table_of, say_without_voice, write_plan
@@ -23,7 +24,6 @@ from phonemeengine import (
     Analysis,
     EngineError,
     ExportOptions,
-    IdleMotion,
     Lexicon,
     PinyinTable,
     SpokenSentence,
@@ -82,6 +82,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: the format's)")
     parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
     parser.add_argument("--no-head", action="store_true", help="keep the head still")
+    add_expression(parser)
     add_preset(parser)
     add_channel(parser)
     add_overwrite(parser)
@@ -175,7 +176,7 @@ class _Written:
             raise EngineError("--export and --format go together; name both")
         if options.plan is not None and options.text_driver == "rules":
             raise EngineError("--plan tells of the pinyin mouth; leave --text-driver rules out")
-        idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed or 0)
+        idle = idle_of(options)
         exporter = Exporter(options.kind, ExportOptions(rate=options.fps, idle=idle)) if options.kind else None
         language = _language_of(options, text)
         chinese = language in {*mandarin.TAGS, mandarin.PINYIN_TAG}

@@ -13,9 +13,12 @@ from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.phonemes import Phoneme
 
 LOWEST_RATE, HIGHEST_RATE = 1.0, 240.0
 """Frames per second."""
+AFTERWARDS = 0.2
+"""Seconds for which an expression is shown once it has come back after the last sound."""
 
 
 @dataclass(frozen=True)
@@ -82,8 +85,10 @@ def animation_by(performer: Performer, speech: Transcript, rate: float) -> Anima
     MouthError : the rate lies outside its range.
     """
     check_rate(rate)
+    spoken = [(run.start, run.end) for run in speech.runs if run.phoneme is not Phoneme.SILENCE]
+    performer.expect_speech(spoken)
     movestates = performer.table.movestates
-    n_frames = math.floor(speech.duration * rate + 1e-6) + 1
+    n_frames = math.floor(max(speech.duration, _end_of(performer, spoken)) * rate + 1e-6) + 1
     weights = np.zeros((n_frames, len(movestates)), np.float32)
     blinks, head = np.zeros(n_frames, np.float32), np.zeros((n_frames, 3), np.float32)
     for frame, face in enumerate(_faces(performer, speech, np.arange(n_frames) / rate)):
@@ -91,6 +96,12 @@ def animation_by(performer: Performer, speech: Transcript, rate: float) -> Anima
     for column in [k for k, name in enumerate(movestates) if name in EYELIDS]:
         weights[:, column] = np.maximum(weights[:, column], blinks)
     return Animation(rate, movestates, weights, head)
+
+
+def _end_of(performer: Performer, spoken: Sequence[tuple[float, float]]) -> float:
+    """Return when what is expressed after the last sound has come back, seconds."""
+    expression = performer.idle.expression
+    return 0.0 if expression is None or not spoken else spoken[-1][1] + expression.times.release + AFTERWARDS
 
 
 def check_rate(rate: float) -> None:

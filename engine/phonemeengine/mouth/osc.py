@@ -27,6 +27,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
 from phonemeengine.lifetime import Closing
+from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.performer import Performer
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
@@ -65,10 +66,15 @@ class OscAddress:
 
 @dataclass(frozen=True)
 class OscSettings:
-    """Where the mouth is sent to, and with which table."""
+    """Where the mouth is sent to, with which table, and what the face expresses meanwhile."""
 
     address: OscAddress
     table: MouthTable
+    expression: Expression | None = None
+
+    def __post_init__(self) -> None:
+        if self.expression is not None:
+            self.expression.check_fits(self.table.movestates, self.table.name)
 
 
 class OscMouth(Closing):

@@ -17,8 +17,11 @@ from typing import NamedTuple, Protocol
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
 from phonemeengine.features.front_end import F0
+from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION, Cue, begins_of, cleaned_cues
+from phonemeengine.mouth.expression.composer import Composer, Expression
+from phonemeengine.mouth.expression.inhibition import Inhibition
 from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
 from phonemeengine.mouth.morpher import Detail, Morpher
 from phonemeengine.mouth.table import MouthTable
@@ -44,12 +47,14 @@ class IdleMotion:
     blinks, head : whether it blinks, and whether its head moves.
     seed : equal seeds make equal faces.
     detail : how much of the speech its mouth follows.
+    expression : what it expresses meanwhile, on tables with the movestates of ARKit; None for nothing.
     """
 
     blinks: bool = True
     head: bool = True
     seed: int = 0
     detail: Detail = Detail.PHONEMES
+    expression: Expression | None = None
 
 
 MOUTH_ALONE = IdleMotion(blinks=False, head=False)
@@ -165,6 +170,7 @@ class Performer:
         self._closes_at = math.inf
         self._track: MouthTrack | None = None
         self._track_start = 0.0
+        self._express(None)
         self._restart()
 
     def configure(self, table: MouthTable, idle: IdleMotion) -> None:
@@ -173,7 +179,9 @@ class Performer:
             if table.shapes is not self.table.shapes:
                 self.visemes = VisemeOverride(table)
             again = (table, idle.detail, idle.seed) != (self.table, self.idle.detail, self.idle.seed)
-            self.table, self.idle = table, idle
+            before, self.table, self.idle = self.idle, table, idle
+            if idle.expression is not before.expression:
+                self._express(before.expression)
             if again:
                 self._restart()
 
@@ -212,6 +220,10 @@ class Performer:
     def hear_voice(self, time: float, intensity: float, f0: float) -> None:
         """Take the loudness alone, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time."""
         self._coming.append(self._runs[-1]._replace(time=time, intensity=intensity, f0=f0))
+
+    def expect_speech(self, speech: Iterable[tuple[float, float]]) -> None:
+        """Take when somebody will speak, start and end of each stretch in order, so that expressions give way."""
+        self._inhibition.expect(speech)
 
     def forget_coming(self, now: float) -> None:
         """Forget what was known of the future, since the sound stops or goes on elsewhere."""
@@ -256,7 +268,7 @@ class Performer:
         """Return the face at a time."""
         with self._lock:
             self._advance(time)
-            weights = self.visemes.apply(self._spoken(time), time)
+            weights = self._expressed(self.visemes.apply(self._spoken(time), time), time)
             blink = self.visemes.blinks * self._blinker.closure(time) if self.idle.blinks else 0.0
             return FaceState(self.table, weights, blink, self._head.pose(time) if self.idle.head else STILL)
 
@@ -273,7 +285,25 @@ class Performer:
                 return [(*max(asked.items(), key=lambda entry: entry[1]), "")]
             return [(frame.phoneme, frame.intensity, frame.phone) for frame in heard]
 
+    @property
+    def inhibition(self) -> float:
+        """How far speech holds expressions back, 0..1, at the last look."""
+        return self._held_back
+
     # -- inside -------------------------------------------------------------------------------------------
+
+    def _express(self, before: Expression | None) -> None:
+        """Express something else; what holds it back goes on unless it has other times."""
+        expression = self.idle.expression
+        self._composer = None if expression is None else Composer(expression)
+        if before is None or expression is None or before.times != expression.times:
+            self._inhibition, self._held_back = Inhibition(expression.times if expression else None), 0.0
+
+    def _expressed(self, weights: Float32Array, time: float) -> Float32Array:
+        if self._composer is None or self.table.movestates != ARKIT:
+            return weights
+        self._held_back = self._inhibition.at(time)
+        return self._composer.composed(weights, time, self._held_back)
 
     def _restart(self) -> None:
         """Have a new mouth say what was heard."""
@@ -329,6 +359,7 @@ class Performer:
                 self._changes.append(frame)
             self._heard.append(frame)
             self._morpher.set_loudness(frame.time, frame.intensity)
+            self._inhibition.hear(frame.time, speaks=frame.phoneme is not Phoneme.SILENCE)
             if self.idle.head:
                 self._head.hear(frame.time, frame.intensity, frame.f0)
         while self._movements and self._movements[0][0] <= time:

@@ -66,6 +66,7 @@ class Exporter:
         self.rate = self._checked_rate()
         self._check_table()
         self._check_mesh()
+        self._check_expression()
         self.export_of(Transcript("", 0.0))
 
     def export_of(self, speech: Transcript, movement: Animation | None = None) -> Export:
@@ -154,6 +155,13 @@ class Exporter:
     def _check_mesh(self) -> None:
         if self._mesh is not None and not self.format.moves_mesh:
             raise ExportError(f"{self.name} moves no mesh; leave {self._mesh.name} out, or choose gltf")
+
+    def _check_expression(self) -> None:
+        if self.idle.expression is None:
+            return
+        if not self.format.moves_head:
+            raise ExportError(f"{self.name} holds no expressions; leave them out, or choose livelink-csv or gltf")
+        self.idle.expression.check_fits(self._table.movestates, self._table.name)
 
 
 def _encoded(parts: Iterable[str]) -> Iterator[bytes]:

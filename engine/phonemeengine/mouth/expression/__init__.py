@@ -1,0 +1,1 @@
+"""Expressions beside speech: a smile that speaks, without either spoiling the other."""

@@ -1,0 +1,109 @@
+"""Speech and expressions on one face.
+
+Each channel i has class weights cS + cE = 1, each of N streams n priorities pS and pE, of which each class sums to 1.
+Then
+
+    M(n, i) = min(1, N (cS(i) pS(n) + cE(i) pE(n)))
+    out(i)  = min(1, sum over n of M(n, i) x(n, i) (1 - h r(i) if n is an expression))
+
+where h is how far speech holds expressions back, see `Inhibition`, and r(i) how much of the channel that concerns.
+With equal priorities all M are 1; with pS = 1 for the speech, it has the channels of speech for itself. Classes,
+priorities, sum and inhibition are those of a patent text on real-time speech animation; its formula for M is lost,
+this one is ours.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from phonemeengine.arrays import Float32Array
+from phonemeengine.errors import MouthError
+from phonemeengine.mouth.expression.channels import ExpressionChannels, shipped_channels
+from phonemeengine.mouth.expression.inhibition import InhibitionTimes
+from phonemeengine.mouth.expression.streams import ExpressionStream
+
+ONE = np.float32(1)
+
+
+@dataclass(frozen=True, eq=False)
+class Expression:
+    """What a face expresses beside its speech.
+
+    Attributes
+    ----------
+    streams : at least one.
+    speech_priority : of the speech on channels of speech, pS, 0..1; the streams share the rest equally. None gives
+        speech and every stream the same.
+    other_priority : of the speech on all other channels, pE, in the same way.
+    channels : on which speech and expressions meet.
+    times : how speech holds expressions back.
+
+    Raises
+    ------
+    MouthError : there is no stream, or a priority is out of range.
+    """
+
+    streams: tuple[ExpressionStream, ...]
+    speech_priority: float | None = None
+    other_priority: float | None = None
+    channels: ExpressionChannels = field(default_factory=shipped_channels)
+    times: InhibitionTimes = field(default_factory=InhibitionTimes)
+
+    def __post_init__(self) -> None:
+        if not self.streams:
+            raise MouthError("an expression needs a stream; name a preset such as smile")
+        for priority in (self.speech_priority, self.other_priority):
+            if priority is not None and not 0 <= priority <= 1:
+                raise MouthError(f"a priority lies in 0..1, found {priority:g}; correct it")
+
+    def check_fits(self, movestates: tuple[str, ...], table: str) -> None:
+        """Refuse a mouth table, by its name, that moves something else than the blend shapes of ARKit.
+
+        Raises
+        ------
+        MouthError : it does.
+        """
+        if movestates != self.channels.names:
+            raise MouthError(
+                f"expressions move the blend shapes of ARKit, which are not those of the table {table!r}; choose "
+                "another table, such as arkit"
+            )
+
+
+class Composer:
+    """Adds expressions to the weights of a speaking face.
+
+    Parameters
+    ----------
+    expression : what is expressed.
+    """
+
+    def __init__(self, expression: Expression) -> None:
+        self._streams, channels = expression.streams, expression.channels
+        n_streams = 1 + len(self._streams)
+        given = (expression.speech_priority, expression.other_priority)
+        of_speech, of_others = ((1 / n_streams if own is None else own) for own in given)
+        rest = [(1 - share) / len(self._streams) for share in (of_speech, of_others)]
+        self._speech = _multipliers(channels, n_streams, of_speech, of_others)
+        self._expressions = _multipliers(channels, n_streams, *rest)
+        self._reductions = channels.reductions
+
+    def composed(self, speech: Float32Array, time: float, inhibition: float) -> Float32Array:
+        """Return what the face shows, float32, shape (n_channels,), 0..1 where speech is not exaggerated.
+
+        Parameters
+        ----------
+        speech : the weights of the speech, shape (n_channels,).
+        time : of the expressions, seconds.
+        inhibition : how far speech holds expressions back, 0..1.
+        """
+        expressed: Float32Array = np.sum([stream.weights(time) for stream in self._streams], axis=0, dtype=np.float32)
+        left: Float32Array = ONE - np.float32(inhibition) * self._reductions
+        shown: Float32Array = self._speech * speech + self._expressions * left * expressed
+        return np.clip(shown, 0, np.maximum(ONE, speech), out=shown)
+
+
+def _multipliers(channels: ExpressionChannels, n_streams: int, speech: float, other: float) -> Float32Array:
+    """Return the multipliers of a stream with these priorities, shape (n_channels,)."""
+    weighted = channels.speech * np.float32(speech) + (ONE - channels.speech) * np.float32(other)
+    return np.minimum(ONE, np.float32(n_streams) * weighted)

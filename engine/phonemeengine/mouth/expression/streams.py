@@ -1,0 +1,143 @@
+"""What a face expresses over time, from presets, sliders or recordings."""
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.errors import MouthError
+from phonemeengine.files import read_text_file
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.expression.channels import columns_of
+from phonemeengine.strict_table import parse_toml
+
+FORMAT = "phonemeanalyser expressions 1"
+SHIPPED = Path(__file__).resolve().parent / "presets.toml"
+LARGEST_FILE = 1 << 20
+
+
+class ExpressionStream(Protocol):
+    """Weights of the 52 blend shapes of `ARKIT` over time: whatever it is made by."""
+
+    def weights(self, time: float) -> Float32Array:
+        """Return the weights at a time, seconds, float32, shape (52,), 0..1."""
+
+
+@dataclass(frozen=True, eq=False)
+class HeldExpression:
+    """An expression that stays.
+
+    Attributes
+    ----------
+    held : float32, shape (52,), 0..1.
+    """
+
+    held: Float32Array
+
+    def weights(self, _time: float) -> Float32Array:
+        """Return the weights, the same at any time."""
+        return self.held
+
+
+@dataclass(frozen=True, eq=False)
+class RecordedExpression:
+    """An expression that was recorded; before and after, its first and its last frame stay.
+
+    Attributes
+    ----------
+    times : of the frames, seconds, rising, shape (n_frames,); at least one.
+    frames : float32, shape (n_frames, 52), 0..1.
+    """
+
+    times: Float64Array
+    frames: Float32Array
+
+    def weights(self, time: float) -> Float32Array:
+        """Return the weights at a time, on the straight line between two frames."""
+        after = int(np.searchsorted(self.times, time))
+        if after == 0 or after == len(self.times):
+            frame: Float32Array = self.frames[min(after, len(self.times) - 1)]
+            return frame
+        share = np.float32((time - self.times[after - 1]) / (self.times[after] - self.times[after - 1]))
+        between: Float32Array = (1 - share) * self.frames[after - 1] + share * self.frames[after]
+        return between
+
+
+def recorded_expression(times: Float64Array, channels: Sequence[str], weights: Float32Array) -> ExpressionStream:
+    """Return a recording of some channels as an expression; what is no blend shape of `ARKIT` is left out.
+
+    Parameters
+    ----------
+    times : of the frames, seconds, rising, shape (n_frames,).
+    channels : the names of the columns.
+    weights : shape (n_frames, n_channels), 0..1.
+    """
+    frames = np.zeros((len(times), len(ARKIT)), np.float32)
+    for column, name in enumerate(channels):
+        if name in ARKIT:
+            frames[:, ARKIT.index(name)] = np.clip(weights[:, column], 0, 1)
+    return RecordedExpression(times, frames)
+
+
+def held_expression(shares: Mapping[str, float]) -> ExpressionStream:
+    """Return an expression that stays.
+
+    Parameters
+    ----------
+    shares : how far, 0..1, of presets such as ``smile`` and of blend shapes such as ``browInnerUp``; they add up, to
+        1 at most.
+
+    Raises
+    ------
+    MouthError : there is no such preset or blend shape, or a share is out of range.
+    """
+    held = np.zeros(len(ARKIT), np.float32)
+    known = expression_presets()
+    for name, share in shares.items():
+        if not 0 <= share <= 1:
+            raise MouthError(f"an expression is shown by 0..1, found {share:g} for {name}; correct it")
+        if name in known:
+            held += np.float32(share) * known[name]
+        else:
+            held[_columns_named(name, known)] += np.float32(share)
+    return HeldExpression(np.minimum(held, np.float32(1)))
+
+
+@cache
+def expression_presets() -> Mapping[str, Float32Array]:
+    """Return the expressions that ship with the program by name, each float32, shape (52,), 0..1."""
+    return load_expressions(SHIPPED)
+
+
+def load_expressions(path: str | os.PathLike[str]) -> Mapping[str, Float32Array]:
+    """Read expressions from a TOML file: names with percentages of blend shapes; see ``presets.toml``.
+
+    Raises
+    ------
+    MouthError : the file cannot be read, or says something impossible.
+    """
+    text = read_text_file(Path(path), LARGEST_FILE, "expressions (.toml)", MouthError)
+    top = parse_toml(text, "a file of expressions", FORMAT, MouthError)
+    top.check_keys(("expressions",), ("notes",))
+    expressions = top.table("expressions")
+    found = {}
+    for name in expressions.entries:
+        shape, weights = expressions.table(name), np.zeros(len(ARKIT), np.float32)
+        for channel in shape.entries:
+            weights[columns_of(channel)] = shape.limited(channel, 0, 100, "percent, 0..100") / 100
+        found[name] = weights
+    return found
+
+
+def _columns_named(name: str, known: Mapping[str, Float32Array]) -> list[int]:
+    try:
+        return columns_of(name)
+    except MouthError:
+        raise MouthError(
+            f"there is no expression {name[:40]!r}; choose one of {', '.join(known)}, or a shape such as mouthSmile"
+        ) from None
