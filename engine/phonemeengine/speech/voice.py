@@ -59,7 +59,7 @@ class SpokenSentence:
     samples : float32, shape (n,), mono at 44.1 kHz, ±1.
     words : what is said, in seconds from the sentence's beginning; may be none.
     text : as it is written.
-    skipped : words of the text that were not said, as far as somebody listened.
+    skipped : words of the text that were not said: by a program, or of Chinese characters that nobody can read.
     unheeded : words that the voice cannot say as the lexicon has them, and said as it reads them.
     """
 
@@ -132,8 +132,11 @@ class Voice:
 
     def _said_in_chinese(self, clause: str, language: Language, table: PinyinTable) -> SpokenSentence:
         read = mandarin.read_pinyin if language.tag == mandarin.PINYIN_TAG else mandarin.read
-        calls = [self._call(tokens, of) for tokens, of in _runs_of(read(clause))]
-        return _ended(calls, clause, _weight_of(clause, table) * table.pause / self.rate)
+        parts = list(read(clause))
+        calls = [self._call(tokens, of) for tokens, of in _runs_of(parts)]
+        sentence = _ended(calls, clause, _weight_of(clause, table) * table.pause / self.rate)
+        unread = (part.text for part in parts if isinstance(part, mandarin.PinyinWord) and not part.syllables)
+        return replace(sentence, skipped=tuple(unread))
 
     def _call(self, tokens: Sequence["_Token"], language: Language) -> "_Call":
         """Have the synthesizer speak words in one call."""
@@ -256,7 +259,7 @@ def _weight_of(clause: str, table: PinyinTable) -> float:
     return max(map(table.pause_at, last), default=0.0)
 
 
-def _runs_of(parts: Iterator["mandarin.PinyinWord | str"]) -> Iterator[tuple[list[_Token], Language]]:
+def _runs_of(parts: Sequence["mandarin.PinyinWord | str"]) -> Iterator[tuple[list[_Token], Language]]:
     """Return Chinese words, and those of other scripts, in runs that one call can speak; marks end a run."""
     run: list[_Token] = []
     chinese, english = language_of(mandarin.PINYIN_TAG), language_of("en-us")

@@ -7,11 +7,13 @@ import re
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import groupby
 from types import ModuleType
 
 from phonemeengine.errors import TextError, VoiceError
-from phonemeengine.labels.pinyin import onset_and_rime, sound_of
+from phonemeengine.labels.pinyin import is_sound, onset_and_rime, sound_of
 from phonemeengine.text.chinese_numbers import NUMBER, read_number, to_ascii_digits
+from phonemeengine.text.simplified import simplified
 from phonemeengine.text.syllables import SpokenSyllable
 
 TAGS = frozenset({"cmn", "zh", "zh-cmn"})
@@ -42,7 +44,8 @@ class PinyinWord:
     Attributes
     ----------
     text : as it is written.
-    syllables : pinyin with the tone behind it, ``ü`` written, 5 for the neutral one, such as ``lü4``.
+    syllables : pinyin with the tone behind it, ``ü`` written, 5 for the neutral one, such as ``lü4``; none of a
+        character that nobody can read.
     """
 
     text: str
@@ -59,9 +62,10 @@ def read(text: str) -> Iterator[PinyinWord | str]:
     for part in _PART.finditer(to_ascii_digits(text)):
         words = part.group()
         if part.lastgroup == "chinese":
-            yield from map(PinyinWord, words, ((syllable,) for syllable in _pinyin_of(words)))
+            for character, syllable in zip(words, pinyin_of(words), strict=True):
+                yield PinyinWord(character, (syllable,) if is_sound(syllable) else ())
         elif part.lastgroup == "number":
-            yield PinyinWord(words, tuple(_pinyin_of(read_number(words))))
+            yield PinyinWord(words, tuple(pinyin_of(read_number(words))))
         else:
             yield words
 
@@ -104,14 +108,25 @@ def pinyin_of(hanzi: str) -> list[str]:
     """
     pypinyin = _pypinyin()
     syllables: list[str] = pypinyin.lazy_pinyin(
-        hanzi, style=pypinyin.Style.TONE3, errors=list, neutral_tone_with_five=True, tone_sandhi=True, v_to_u=True
-    )
+        list(_phrases_of(hanzi)), style=pypinyin.Style.TONE3, errors=list, neutral_tone_with_five=True,
+        tone_sandhi=True, v_to_u=True,
+    )  # fmt: skip
     return syllables
 
 
-def _pinyin_of(hanzi: str) -> list[str]:
-    """Return a syllable for each character; one that nobody can read is a murmur."""
-    return [syllable if syllable[-1] in "12345" else "e5" for syllable in pinyin_of(hanzi)]
+def _phrases_of(hanzi: str) -> Iterator[str]:
+    """Return phrases that pypinyin knows, and single characters; phrases in their simplified form.
+
+    What is no phrase stays as it is written, since a simplified character may stand for others, too.
+    """
+    from pypinyin.seg.mmseg import seg  # noqa: PLC0415 - as below
+
+    at = 0
+    for is_phrase, group in groupby(seg.cut(simplified(hanzi)), lambda word: len(word) > 1):
+        words = list(group)
+        end = at + sum(map(len, words))
+        yield from words if is_phrase else seg.cut(hanzi[at:end])
+        at = end
 
 
 def _pypinyin() -> ModuleType:

@@ -117,7 +117,7 @@ class _MandarinReader:
         for word in self._read(clause):
             if isinstance(word, str):
                 yield from self._english.words_of(word)
-            else:
+            elif word.syllables:
                 syllables = tuple(map(mandarin.syllable_of, word.syllables))
                 variants = self._lexicon.pronunciations.get(word.text) or (syllables,)
                 yield ScriptWord(word.text, tuple(map(Pronunciation, variants)))

@@ -98,6 +98,24 @@ def test_a_listener_that_has_enough_ends_the_speech() -> None:
     assert n_blocks == 1
 
 
+@pytest.mark.parametrize("voice", ["", "klatt"])
+@pytest.mark.parametrize("n_blocks", [1, 2, 3, 7, 20, 80])
+def test_nothing_of_a_stopped_text_is_said_with_the_next_one(voice: str, n_blocks: int) -> None:
+    n, events = _heard("Hello there.", voice=voice)
+    heard = 0
+
+    def hear(_samples: object, _events: object) -> bool:
+        nonlocal heard
+        heard += 1
+        return heard < n_blocks
+
+    synthesise("The quick brown fox, and 1984 lazy dogs; why? " * 100, language_of("en-us"), hear, voice=voice)
+    again, said = _heard("Hello there.", voice=voice)
+    assert heard == n_blocks
+    assert [event.name for event in said] == [event.name for event in events]
+    assert again == pytest.approx(n, abs=0.02 * espeak.VOICE_RATE)
+
+
 def test_what_a_listener_raises_comes_through_the_library() -> None:
     def hear(_samples: object, _events: object) -> bool:
         raise TextError("enough")

@@ -4,8 +4,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from phonemeengine import Voice, pinyin_track, words_of
 from phonemeengine.text.chinese_numbers import numbers_spelt
 from phonemeengine.text.mandarin import pinyin_of
+from phonemeengine.text.simplified import simplified
 
 
 @pytest.mark.parametrize(
@@ -18,6 +20,44 @@ from phonemeengine.text.mandarin import pinyin_of
 )  # fmt: skip
 def test_characters_are_read_as_their_phrase_says(hanzi: str, pinyin: str) -> None:
     assert pinyin_of(hanzi) == pinyin.split()
+
+
+TRADITIONAL = (
+    "銀行 銀行行長 長大 長江 還錢 歸還 音樂 樂器 快樂 重要 重複 行長 會計 空調 認為 "
+    "覺得 睡覺 乾淨 餅乾 反應 教書 種樹 上當 相處 自傳 朝陽 幾乎 差別 參差不齊 彈琴 "
+    "子彈 可惡 過分 給予 冠軍 劃船 結實 積累 率領 沉沒 災難 勉強 喪事 捨得 石頭 挑戰 "
+    "應用 暈車 著急 睡著 鑽石 長髮 測量 寶藏 萬里長城 還原 乾杯 哪裡 繫鞋帶 頭髮 為什麼 "
+    "重慶 後來"
+)
+
+
+@pytest.mark.parametrize("phrase", TRADITIONAL.split())
+def test_a_traditional_phrase_is_read_as_the_simplified_one(phrase: str) -> None:
+    assert simplified(phrase) != phrase or phrase in {"重要", "可惡"}
+    assert pinyin_of(phrase) == pinyin_of(simplified(phrase))
+
+
+@pytest.mark.parametrize(
+    ("hanzi", "pinyin"), [("乾坤", "qian2 kun1"), ("著作", "zhu4 zuo4"), ("瞭望", "liao4 wang4")]
+)
+def test_a_character_outside_of_a_phrase_is_read_as_it_is_written(hanzi: str, pinyin: str) -> None:
+    assert pinyin_of(hanzi) == pinyin.split()
+
+
+@given(st.text(st.characters(min_codepoint=0x3400, max_codepoint=0x9FFF), max_size=20))
+def test_simplified_characters_stay_and_are_as_many(hanzi: str) -> None:
+    assert simplified(simplified(hanzi)) == simplified(hanzi)
+    assert len(simplified(hanzi)) == len(hanzi)
+
+
+@pytest.mark.parametrize("character", "兙嗧龦鿀")
+def test_a_character_that_nobody_can_read_is_left_out_and_told(character: str) -> None:
+    text = f"我{character}你"
+    assert [word.text for word in words_of(text, "cmn")] == ["我", "你"]
+    (sentence,) = Voice("cmn").speak(text)
+    assert ([word.text for word in sentence.words], sentence.skipped) == (["我", "你"], (character,))
+    silent = pinyin_track(text).utterance
+    assert ([word.text for word in silent.words], silent.skipped) == (["我", "你"], (character,))
 
 
 @given(st.text(st.characters(min_codepoint=0x3400, max_codepoint=0x9FFF), max_size=20))
