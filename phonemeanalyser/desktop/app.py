@@ -30,7 +30,7 @@ from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
-from phonemeanalyser.desktop.shutdown import SessionKeeper
+from phonemeanalyser.desktop.shutdown import SessionKeeper, end_promptly
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme, apply_theme, system_theme
 from phonemeanalyser.desktop.window import MainWindow
@@ -189,6 +189,7 @@ def _run(app: QApplication, file: Path | None, demo: Path, preset: Path | None, 
     keeper.close()
     desktop.close()
     collector.close()
+    end_promptly()
     return code
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.tasks import TaskQueue
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import EYELIDS
@@ -121,7 +121,7 @@ class FaceModel(QObject):
 
     def close(self) -> None:
         """End the work."""
-        self._work.close()
+        self._work.close(CLOSE_TIMEOUT)
 
     def _pairs(self, table: MouthTable) -> list[tuple[int, str]]:
         """Return the places of the movestates that the table moves and the face has, under its own names for them."""

@@ -45,7 +45,7 @@ class Scene:
 
 
 def rendering() -> ModuleType:
-    """Return what draws heads: 200 ms that only who sees one waits for."""
+    """Return what draws heads: a second the first time, in which a window should not stand still."""
     import phonemeanalyser.rendering.offscreen  # noqa: PLC0415
     import phonemeanalyser.rendering.renderer  # noqa: PLC0415
 

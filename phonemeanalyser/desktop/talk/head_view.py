@@ -8,8 +8,15 @@ from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
 
-from phonemeanalyser.desktop.talk.head_surface import GlSurface, PictureSurface, Scene, has_graphics_card
+from phonemeanalyser.desktop.talk.head_surface import (
+    GlSurface,
+    PictureSurface,
+    Scene,
+    has_graphics_card,
+    rendering,
+)
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import LIGHT, Light
@@ -60,17 +67,18 @@ class HeadView(QWidget):
         self._shown = -1
         self._from: QPointF | None = None
         self._message = QLabel("loading the head …")
+        self._work = TaskQueue(self._give_up)
         self._lay_out(theme)
         talking.face.changed.connect(self._take_face)
 
     def refresh(self) -> None:
-        """Show the face as it is now; the first time makes what it is drawn on."""
+        """Show the face as it is now, once what draws it is loaded."""
         if self._talking.face.morph_mesh is None or self.trouble:
             return
         if self._morph_mesh is None:
             self._take_face()
-        if self.surface is None:
-            self._begin(GlSurface(self._scene) if has_graphics_card() else PictureSurface(self._scene))
+        if self.surface is None and not self._work.busy:
+            self._work.submit(lambda _progress: rendering(), lambda _loaded: self._begin_drawing())
         if (
             self.surface is not None
             and self._shown != self._talking.revision
@@ -101,7 +109,8 @@ class HeadView(QWidget):
             self.look(camera=Camera.facing(self._morph_mesh.mesh), light=LIGHT)
 
     def release_gl(self) -> None:
-        """Return everything back to the graphics driver."""
+        """Return everything back to the graphics driver, and draw no more."""
+        self._work.close(CLOSE_TIMEOUT)
         if self.surface is not None:
             self.surface.release_gl()
 
@@ -199,6 +208,9 @@ class HeadView(QWidget):
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._message)
 
+    def _begin_drawing(self) -> None:
+        self._begin(GlSurface(self._scene) if has_graphics_card() else PictureSurface(self._scene))
+
     def _begin(self, surface: GlSurface | PictureSurface) -> None:
         """Draw on this one from now on; a failure comes while it paints, and is dealt with afterwards."""
         self.surface = surface
@@ -216,6 +228,9 @@ class HeadView(QWidget):
         if isinstance(failed, GlSurface):
             self._begin(PictureSurface(self._scene))
             return
+        self._give_up(sentence)
+
+    def _give_up(self, sentence: str) -> None:
         self.trouble = f"The head cannot be shown: {sentence}."
         self._message.setText(self.trouble)
         self._stack.setCurrentWidget(self._message)

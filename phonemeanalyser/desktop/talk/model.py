@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.face_model import FaceModel
 from phonemeanalyser.desktop.talk.osc_model import OscModel
 from phonemeanalyser.desktop.talk.text_model import TextModel
-from phonemeanalyser.desktop.tasks import TaskQueue
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
@@ -205,7 +205,7 @@ class TalkModel(QObject):
         self.text.close()
         self.osc.close()
         self.face.close()
-        self._work.close()
+        self._work.close(CLOSE_TIMEOUT)
 
     def _now(self) -> float:
         """Return the time that performers and the network share, seconds."""
