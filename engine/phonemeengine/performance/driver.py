@@ -9,7 +9,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import PerformanceError
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.performance.choice import Choice, Chosen, chosen_examples
+from phonemeengine.performance.choice import Chosen, ExampleChoice, chosen_examples
 from phonemeengine.performance.fit import fitted
 from phonemeengine.performance.halves import Recordings, bounds_of
 from phonemeengine.performance.poses import PoseTable, load_poses, pose_shares, posed_weights
@@ -30,7 +30,7 @@ MOUTH = ("jaw", "mouth", "cheek", "nose", "tongue")
 """What the names of movestates begin with that units move: eyes, brows and the head have their own times."""
 
 
-class Part(StrEnum):
+class PerformancePart(StrEnum):
     """What is done to a sentence after its units are joined, or besides; each can be left out."""
 
     POSES = "poses"
@@ -52,9 +52,9 @@ class PerformanceOptions:
     poses : model visemes; those that ship, where it is None.
     """
 
-    choice: Choice = Choice.VITERBI
+    choice: ExampleChoice = ExampleChoice.VITERBI
     seed: int = 0
-    without: frozenset[Part] = frozenset()
+    without: frozenset[PerformancePart] = frozenset()
     poses: PoseTable | None = None
 
 
@@ -145,16 +145,16 @@ class PerformanceDriver:
     def _finished(self, weights: Float32Array, sentence: Sentence, times: Float64Array, frame: float) -> Float32Array:
         """Filter before posing, since a filter would open closed lips; the loudness spares these."""
         without = self.options.without
-        if Part.FILTERS not in without:
+        if PerformancePart.FILTERS not in without:
             weights = smoothed(without_outliers(weights), sentence, times)
         weights = bounded(weights)
         shares = pose_shares(sentence, self._poses, times, frame)
-        if Part.POSES not in without:
+        if PerformancePart.POSES not in without:
             weights = posed_weights(weights, shares, self._poses, self._moved)
-        if Part.ENERGY not in without:
+        if PerformancePart.ENERGY not in without:
             louder = 1 + (gains_of(sentence, times) - 1) * (1 - shares.firm)
             weights[:, self._loud] *= louder[:, None]
-        if Part.WINDOW not in without:
+        if PerformancePart.WINDOW not in without:
             weights = brought_to_rest(weights, sentence, times)
         return bounded(weights)
 

@@ -12,13 +12,14 @@ from functools import cached_property
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.files import begins_like
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation, animation_by, check_rate
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.performer import IdleMotion, Performer
+from phonemeengine.mouth.performer import IdleMotion, MouthTrack, Performer
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.performance.driver import Part, PerformanceDriver, PerformanceOptions, UsedUnit
+from phonemeengine.performance.driver import PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
 from phonemeengine.performance.fit import crossed
 from phonemeengine.performance.halves import weights_at
 from phonemeengine.performance.sentence import Sentence, performed_phones, sentences_in
@@ -72,7 +73,7 @@ class PerformanceTrack:
         for number, sentence in enumerate(self.sentences):
             yield from self._driver.units(sentence, number)
 
-    def mouth(self, rate: float = RATE) -> "PerformedMouth":
+    def mouth(self, rate: float = RATE) -> MouthTrack:
         """Return a mouth that says it, for a performer to play.
 
         Parameters
@@ -97,7 +98,7 @@ class PerformanceTrack:
         """
         check_rate(rate)
         idle = idle or IdleMotion()
-        if Part.HEAD in self._driver.options.without:
+        if PerformancePart.HEAD in self._driver.options.without:
             idle = replace(idle, head=False)
         performer = Performer(load_table(USUAL_TABLE), idle)
         performer.play(self.mouth(rate))
@@ -163,6 +164,10 @@ class PerformedMouth:
         if len(self._made) > KEPT:
             self._made.popitem(last=False)
         return self._made[number]
+
+
+owns = begins_like(",".join(UNIT_COLUMNS).encode() + b"\n")
+"""Whether the content of a file is a list of units that was written here."""
 
 
 def format_units(units: Iterable[UsedUnit]) -> str:

@@ -138,9 +138,12 @@ class Exporter:
                 "one; rename it there"
             )
 
+    def takes(self, movestates: tuple[str, ...]) -> bool:
+        """Return whether a file can hold a movement of these movestates."""
+        return self.format.moves_head and self.format.movestates in {(), movestates}
+
     def _check_movement(self, movement: Animation) -> None:
-        known = self.format.movestates or movement.movestates
-        if not self.format.moves_head or movement.movestates != known:
+        if not self.takes(movement.movestates):
             raise ExportError(
                 f"{self.name} is made of cues, or of movestates other than {movement.movestates[0]} ... "
                 f"{movement.movestates[-1]}; leave the movement out"
