@@ -15,7 +15,7 @@ from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.choice import ExampleChoice
-from phonemeengine.performance.driver import PerformancePart, PerformanceOptions
+from phonemeengine.performance.driver import PerformanceOptions, PerformancePart
 from phonemeengine.performance.recording import SILENCE, Performance
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.track import PerformanceTrack, format_units
