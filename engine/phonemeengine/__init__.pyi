@@ -70,9 +70,13 @@ from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.building import BuiltTable, build_table
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.driver import PerformanceOptions, PerformancePart, UsedUnit
 from phonemeengine.performance.making import MadeCorpus, make_corpus
+from phonemeengine.performance.poses import Pose, PoseTable, load_poses
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import Example, PerformanceTable, TableAbout, write_table
+from phonemeengine.performance.track import PerformanceTrack, format_units
 from phonemeengine.performance.units import Unit, UnitKind, units_of
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
@@ -144,6 +148,7 @@ __all__ = [
     "DeviceError",
     "EngineError",
     "Example",
+    "ExampleChoice",
     "ExportError",
     "ExportOptions",
     "FaceState",
@@ -189,7 +194,10 @@ __all__ = [
     "OutputHead",
     "Performance",
     "PerformanceError",
+    "PerformanceOptions",
+    "PerformancePart",
     "PerformanceTable",
+    "PerformanceTrack",
     "PerformedPhone",
     "Performer",
     "Phone",
@@ -203,6 +211,8 @@ __all__ = [
     "Plan",
     "PlanKind",
     "PlanRow",
+    "Pose",
+    "PoseTable",
     "Predictions",
     "Preset",
     "PresetError",
@@ -245,6 +255,7 @@ __all__ = [
     "Unit",
     "UnitKind",
     "UnknownPhonemeError",
+    "UsedUnit",
     "Utterance",
     "Variable",
     "VisemeOverride",
@@ -263,6 +274,7 @@ __all__ = [
     "devices",
     "export",
     "format_plan",
+    "format_units",
     "high_pass_gains",
     "languages",
     "load_head",
@@ -271,6 +283,7 @@ __all__ = [
     "load_morph_targets",
     "load_phoneme_map",
     "load_pinyin_table",
+    "load_poses",
     "load_preset",
     "load_table",
     "low_pass_gains",

@@ -81,6 +81,23 @@ class SpokenTexts:
         say_misfits(printable_name(sound), found[0])
         return found
 
+    def known(
+        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]
+    ) -> tuple[Utterance, Transcript]:  # fmt: skip
+        """Return what is said in an open sound, which must be known, and as a mouth needs it; see `aligned`.
+
+        Raises
+        ------
+        EngineError : it is not known, or another text is said; its text cannot be spoken, or its labels be read.
+        """
+        found = self.aligned(reader, sound, analyses)
+        if found is None or is_other_text(found[0]):
+            raise EngineError(
+                f"{printable_name(sound)}: recorded faces are looked up by the phones that are said, which nobody "
+                "knows; give the text with --text, or the text or labels with --script"
+            )
+        return found
+
     def transcript(self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]) -> Transcript:
         """Return what is said in an open sound, with its text where that is known; see `aligned`."""
         found = self.aligned(reader, sound, analyses)

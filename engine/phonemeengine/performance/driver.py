@@ -9,7 +9,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import PerformanceError
 from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS, TONGUE
-from phonemeengine.performance.choice import Choice, Chosen, chosen_examples
+from phonemeengine.performance.choice import Chosen, ExampleChoice, chosen_examples
 from phonemeengine.performance.fit import fitted
 from phonemeengine.performance.halves import Recordings, bounds_of
 from phonemeengine.performance.keywords import Keywords
@@ -36,7 +36,7 @@ MOUTH = ("jaw", "mouth", "cheek", "nose", "tongue")
 _TONGUE = slice(len(FACE) - len(TONGUE), None)
 
 
-class Part(StrEnum):
+class PerformancePart(StrEnum):
     """What is done to a sentence after its units are joined, or besides; each can be left out."""
 
     POSES = "poses"
@@ -59,9 +59,9 @@ class PerformanceOptions:
     keywords : words with gestures, and conjunctions; those that ship, where it is None.
     """
 
-    choice: Choice = Choice.VITERBI
+    choice: ExampleChoice = ExampleChoice.VITERBI
     seed: int = 0
-    without: frozenset[Part] = frozenset()
+    without: frozenset[PerformancePart] = frozenset()
     poses: PoseTable | None = None
     keywords: Keywords | None = None
 
@@ -145,7 +145,7 @@ class PerformanceDriver:
         moved = self._finished(fitted(placed, chosen, bounds_of(sentence), times), sentence, times, frame)
         weights = np.zeros((len(times), len(FACE)), np.float32)
         weights[:, self._places] = moved
-        if Part.POSES not in self.options.without:
+        if PerformancePart.POSES not in self.options.without:
             weights[:, _TONGUE] = tongue_weights(sentence, times, frame)
         return weights
 
@@ -157,16 +157,16 @@ class PerformanceDriver:
     def _finished(self, weights: Float32Array, sentence: Sentence, times: Float64Array, frame: float) -> Float32Array:
         """Filter before posing, since a filter would open closed lips; the loudness spares these."""
         without = self.options.without
-        if Part.FILTERS not in without:
+        if PerformancePart.FILTERS not in without:
             weights = smoothed(without_outliers(weights), sentence, times)
         weights = bounded(weights)
         shares = pose_shares(sentence, self._poses, times, frame)
-        if Part.POSES not in without:
+        if PerformancePart.POSES not in without:
             weights = posed_weights(weights, shares, self._poses, self._moved)
-        if Part.ENERGY not in without:
+        if PerformancePart.ENERGY not in without:
             louder = 1 + (gains_of(sentence, times) - 1) * (1 - shares.firm)
             weights[:, self._loud] *= louder[:, None]
-        if Part.WINDOW not in without:
+        if PerformancePart.WINDOW not in without:
             weights = brought_to_rest(weights, sentence, times)
         return bounded(weights)
 

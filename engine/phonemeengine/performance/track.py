@@ -12,13 +12,14 @@ from functools import cached_property
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.files import begins_like
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation, animation_by, check_rate
 from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.performer import IdleMotion, Performer
+from phonemeengine.mouth.performer import IdleMotion, MouthTrack, Performer
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.performance.driver import FACE, Part, PerformanceDriver, PerformanceOptions, UsedUnit
+from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
 from phonemeengine.performance.fit import crossed
 from phonemeengine.performance.halves import weights_at
 from phonemeengine.performance.head_driver import HeadDriver
@@ -78,7 +79,7 @@ class PerformanceTrack:
         for number, sentence in enumerate(self.sentences):
             yield from self._driver.units(sentence, number)
 
-    def mouth(self, rate: float = RATE) -> "PerformedMouth":
+    def mouth(self, rate: float = RATE) -> MouthTrack:
         """Return a mouth that says it, for a performer to play.
 
         Parameters
@@ -112,7 +113,7 @@ class PerformanceTrack:
     def _head_by(self, table: PerformanceTable) -> HeadDriver | None:
         """Return what moves the head, unless that is left out."""
         options = self._driver.options
-        if Part.HEAD in options.without:
+        if PerformancePart.HEAD in options.without:
             return None
         words = [word.text for word in self.utterance.words]
         return HeadDriver(table, words, self.utterance.language, options.keywords, options.seed)
@@ -201,6 +202,10 @@ class PerformedMouth:
             about = _joined(self._sentences[max(number - 1, 0) : number + 2])
             frames[:, _HEAD_COLUMNS] = self._head.track(about, times)
         return frames
+
+
+owns = begins_like(",".join(UNIT_COLUMNS).encode() + b"\n")
+"""Whether the content of a file is a list of units that was written here."""
 
 
 def format_units(units: Iterable[UsedUnit]) -> str:

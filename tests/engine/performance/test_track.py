@@ -14,8 +14,8 @@ from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.performance.choice import Choice
-from phonemeengine.performance.driver import FACE, Part, PerformanceOptions
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.driver import FACE, PerformanceOptions, PerformancePart
 from phonemeengine.performance.recording import HEAD, SILENCE, Performance
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.track import PerformanceTrack, format_units
@@ -23,7 +23,7 @@ from phonemeengine.phonemes import Phoneme
 from tests.engine.performance.sentences import phones_in
 
 JAW, PUCKER = ARKIT.index("jawOpen"), ARKIT.index("mouthPucker")
-PLAIN = PerformanceOptions(without=frozenset(Part))
+PLAIN = PerformanceOptions(without=frozenset(PerformancePart))
 CHANNELS = ("headYaw", "mouthPucker", "jawOpen", "eyeBlinkLeft")
 
 
@@ -132,7 +132,7 @@ def test_equal_seeds_make_equal_faces(tmp_path: Path) -> None:
     with PerformanceTable.open(tmp_path / "many.sqlite") as table:
         utterance = utterance_of("ma", "ma")
         first, again, other = (
-            track_of(table, utterance, PerformanceOptions(Choice.RANDOM, seed)).animation(
+            track_of(table, utterance, PerformanceOptions(ExampleChoice.RANDOM, seed)).animation(
                 heard(utterance), 60, IdleMotion(seed=1)
             )
             for seed in (-5, -5, 5)
@@ -146,7 +146,7 @@ def test_a_head_moves_unless_it_is_left_out(table: PerformanceTable) -> None:
     speech = replace(heard(utterance), intensities=np.ones(150, np.float32), pitches=np.full(150, 120, np.float32))
     still, moved = (
         track_of(table, utterance, PerformanceOptions(without=without)).animation(speech, 60)
-        for without in (frozenset({Part.HEAD}), frozenset[Part]())
+        for without in (frozenset({PerformancePart.HEAD}), frozenset[PerformancePart]())
     )
     assert np.ptp(moved.head) > 0
     assert np.ptp(still.head) == 0
