@@ -161,6 +161,8 @@ _PAGE = {
     "performance.driver": "PerformanceOptions PerformancePart UsedUnit",
     "performance.choice": "ExampleChoice",
     "performance.poses": "Pose PoseTable load_poses",
+    "performance.phrases": "Phrase PhraseIndex PhraseMatch PhraseMatchKind phrases_of",
+    "performance.keywords": "Gesture Keywords load_keywords",
     # A voice, and how well it is recognised
     "calibration.scores.corpus": "FrameLabels LabelledUtterance read_recordings",
     "labels.label": "Label",

@@ -72,7 +72,9 @@ from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.building import BuiltTable, build_table
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceOptions, PerformancePart, UsedUnit
+from phonemeengine.performance.keywords import Gesture, Keywords, load_keywords
 from phonemeengine.performance.making import MadeCorpus, make_corpus
+from phonemeengine.performance.phrases import Phrase, PhraseIndex, PhraseMatch, PhraseMatchKind, phrases_of
 from phonemeengine.performance.poses import Pose, PoseTable, load_poses
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import Example, PerformanceTable, TableAbout, write_table
@@ -156,11 +158,13 @@ __all__ = [
     "Filter",
     "FrameBlock",
     "FrameLabels",
+    "Gesture",
     "GroupScores",
     "HeadMotion",
     "HeadPose",
     "IdleMotion",
     "InputChoice",
+    "Keywords",
     "Kind",
     "Label",
     "LabelledUtterance",
@@ -205,6 +209,10 @@ __all__ = [
     "Phoneme",
     "PhonemeData",
     "PhonemeMap",
+    "Phrase",
+    "PhraseIndex",
+    "PhraseMatch",
+    "PhraseMatchKind",
     "PinyinMouth",
     "PinyinTable",
     "PinyinTrack",
@@ -278,6 +286,7 @@ __all__ = [
     "high_pass_gains",
     "languages",
     "load_head",
+    "load_keywords",
     "load_lexicon",
     "load_morph_mesh",
     "load_morph_targets",
@@ -295,6 +304,7 @@ __all__ = [
     "movestate_of",
     "normalise",
     "phones_of",
+    "phrases_of",
     "pinyin_track",
     "read_recordings",
     "read_syllables",

@@ -3,7 +3,7 @@
 import argparse
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeanalyser.cli.jobs import say_note
@@ -20,6 +20,7 @@ from phonemeengine import (
     Transcript,
     Utterance,
     format_units,
+    load_keywords,
     load_preset,
     transcribe,
 )
@@ -39,6 +40,8 @@ def add_performance(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--use", metavar="NAME", help="the name of the table that is used")
     parser.add_argument("--choice", choices=CHOICES, help=f"among examples of a unit (default: {CHOICES[0]})")
     parser.add_argument("--without", type=_parts, metavar="PARTS", help=f"leave out any of {PARTS}")
+    words = "your own words with gestures, and conjunctions (TOML)"
+    parser.add_argument("--keywords", type=Path, action="append", metavar="F", help=words)
     parser.add_argument("--units", type=Path, metavar="OUT.csv", help="write what was taken from which recording")
 
 
@@ -109,14 +112,15 @@ def performing(options: argparse.Namespace, driver: str = "table") -> Iterator[P
     guard = Guard(owns, getattr(options, "overwrite", False))
     guard.check(options.units)
     choice, without = ExampleChoice(options.choice or CHOICES[0]), options.without or frozenset()
-    looked_up = PerformanceOptions(choice, options.seed or 0, without)
+    keywords = load_keywords(*options.keywords or ())
+    looked_up = PerformanceOptions(choice, options.seed or 0, without, keywords=keywords)
     with ExitStack() as stack:
         tables = [stack.enter_context(PerformanceTable.open(path)) for path in options.performance]
         yield Performing(_chosen(tables, options.use), looked_up, options.units, guard)
 
 
 def _check_unused(options: argparse.Namespace) -> None:
-    for name in ("use", "choice", "without", "units"):
+    for name in ("use", "choice", "without", "keywords", "units"):
         if getattr(options, name) is not None:
             raise EngineError(f"--{name} goes with --performance; name a table of recorded faces")
 
@@ -134,7 +138,8 @@ def _chosen(tables: list[PerformanceTable], name: str | None) -> PerformanceTabl
 def labelled(options: argparse.Namespace) -> tuple[Utterance, Transcript]:
     """Return what is said in ``--recording``, as the TextGrid beside it has it, and how loud and high."""
     with SoundReader(options.recording, options.channel) as reader:
-        utterance = read_utterance(options.recording.with_suffix(".TextGrid"), reader.duration)
+        labels = read_utterance(options.recording.with_suffix(".TextGrid"), reader.duration)
+    utterance = replace(labels, language=options.language or "")
     preset = load_preset(options.preset)
     return utterance, transcribe(options.recording, preset, channel=options.channel, pitch=True, script=utterance)
 

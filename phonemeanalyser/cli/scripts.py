@@ -2,7 +2,7 @@
 
 import argparse
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeanalyser.cli.jobs import say_note
@@ -42,7 +42,7 @@ class SpokenTexts:
     ----------
     texts : by the sound's file.
     labels : a TextGrid with the sounds of the only one; None where there are texts.
-    language : of the texts.
+    language : of the texts, or the labels.
     lexicon : goes before the language's voice.
     """
 
@@ -59,7 +59,7 @@ class SpokenTexts:
         EngineError : its text cannot be spoken, or its labels cannot be read.
         """
         if self.labels is not None:
-            return read_utterance(self.labels, duration)
+            return replace(read_utterance(self.labels, duration), language=self.language or "")
         text = self.texts.get(sound)
         return None if text is None else words_of(text, self.language, self.lexicon)
 
@@ -121,7 +121,7 @@ def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenT
         return NO_TEXTS
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
     if options.script is not None and options.script.suffix.lower() == LABELS:
-        return SpokenTexts({}, _labels_of(options.script, sounds), None, None)
+        return SpokenTexts({}, _labels_of(options.script, sounds), options.language, None)
     return SpokenTexts(_texts_of(options, sounds), None, options.language, lexicon)
 
 

@@ -1,6 +1,7 @@
 """Recorded faces that say what is said, as a person asks for them: the jaw of the recording opens steadily."""
 
 import csv
+import json
 from pathlib import Path
 
 import numpy as np
@@ -62,6 +63,27 @@ def test_a_voice_is_said_by_the_table(recorded: Path) -> None:
     assert "m" in (recorded / "units.csv").read_text(encoding="utf-8")
 
 
+def _head_in(folder: Path) -> dict[str, list[float]]:
+    curves = json.loads((folder / "out.json").read_text(encoding="utf-8"))
+    return {curve["name"]: curve["values"] for curve in (*curves["head"], *curves["curves"])}
+
+
+def test_the_head_makes_the_gestures_of_key_words_unless_it_is_left_out(recorded: Path) -> None:
+    own = 'format = "phonemeanalyser keywords 1"\n[gestures.bow]\nshortest = 0.5\n'
+    own += 'channels = { headPitch = [-20] }\n[languages.en]\nbow = ["mami"]\n'
+    (recorded / "own.toml").write_text(own, encoding="utf-8")
+    words = ["export", "mami.wav", "--performance", "ann.sqlite", "--format", "curves-json", "-o", "out.json"]
+    words += ["--script", "mami.TextGrid", "--language", "en-us", "--overwrite"]
+    assert main(words) == 0
+    assert min(_head_in(recorded).get("pitch", [0])) > -3
+    assert main([*words, "--keywords", "own.toml"]) == 0
+    moved = _head_in(recorded)
+    assert min(moved["pitch"]) < -14
+    assert "tongueMidDorsalPalate" in moved
+    assert main([*words, "--keywords", "own.toml", "--without", "head"]) == 0
+    assert "pitch" not in _head_in(recorded)
+
+
 def test_formats_with_shapes_of_their_own_follow_the_phones(
     recorded: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:  # fmt: skip
@@ -84,6 +106,8 @@ EXPORT = ["export", "mami.wav", "--format", "livelink-csv", "-o", "out.csv"]
         ([*EXPORT, "--performance", "mami.wav"], "mami.wav: this is no table of performances"),
         ([*EXPORT, "--performance", "ann.sqlite"], "looked up by the phones that are said, which nobody knows"),
         ([*EXPORT, "--use", "Ann"], "--use goes with --performance"),
+        ([*EXPORT, "--keywords", "own.toml"], "--keywords goes with --performance"),
+        ([*EXPORT, "--performance", "ann.sqlite", "--keywords", "mami.csv"], "mami.csv: this is no TOML file"),
         ([*EXPORT, "--performance", "ann.sqlite", "--units", "mami.csv"], "mami.csv: the file that is there"),
         (["speak", "hi", "--text-driver", "table"], "--text-driver table needs a table of recorded faces"),
         (["speak", "你", "--performance", "ann.sqlite", "--plan", "-"], "--plan tells of the pinyin mouth"),

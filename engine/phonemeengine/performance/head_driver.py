@@ -14,7 +14,7 @@ from phonemeengine.mouth.head_motion import HeadMotion
 from phonemeengine.performance.fit import crossed
 from phonemeengine.performance.keywords import CHANNELS, Gesture, Keywords, load_keywords
 from phonemeengine.performance.monotone_cubic import MonotoneCubics
-from phonemeengine.performance.phrases import Match, MatchKind, Phrase, phrases_of
+from phonemeengine.performance.phrases import Phrase, PhraseMatch, PhraseMatchKind, phrases_of
 from phonemeengine.performance.recording import HEAD, SILENCE, Performance
 from phonemeengine.performance.sentence import Sentence
 from phonemeengine.performance.smoothing import low_passed
@@ -55,7 +55,7 @@ class HeadDriver:
         self._columns = {name: k for k, name in enumerate(table.about.channels) if name in CHANNELS}
         self._turns = {*HEAD} <= self._columns.keys()
 
-    def matches(self, sentence: Sentence) -> tuple[Match, ...]:
+    def matches(self, sentence: Sentence) -> tuple[PhraseMatch, ...]:
         """Return the recorded phrases of which a sentence's movement is made, in order of time."""
         if not self._columns:
             return ()
@@ -66,7 +66,7 @@ class HeadDriver:
         """Return what the table lacks for a sentence, a sentence each."""
         if not self._turns:
             yield "the table has no turns of the head: it moves with the sound"
-        lengths = {len(match.phrase) for match in self.matches(sentence) if match.kind is MatchKind.PIECE}
+        lengths = {len(match.phrase) for match in self.matches(sentence) if match.kind is PhraseMatchKind.PIECE}
         if lengths:
             counts = ", ".join(map(str, sorted(lengths)))
             yield f"the table has no phrase of so many syllables: {counts}; the head takes parts of others"
@@ -97,7 +97,7 @@ class HeadDriver:
         values[:, len(HEAD) :] = values[:, len(HEAD) :].clip(0, 1)
         return values[inner].astype(np.float32)
 
-    def _joined(self, matches: Sequence[Match], times: Float64Array) -> Float64Array:
+    def _joined(self, matches: Sequence[PhraseMatch], times: Float64Array) -> Float64Array:
         """Return recorded phrases as they follow each other, shape (n_times, n_channels)."""
         values = np.zeros((len(times), len(CHANNELS)))
         for match, share in zip(matches, _shares_of([match.phrase for match in matches], times), strict=True):
@@ -129,7 +129,7 @@ class HeadDriver:
                 yield starts[first], min(end, sentence[-1].end), gesture
 
 
-def _fitted(match: Match, times: Float64Array) -> Float64Array:
+def _fitted(match: PhraseMatch, times: Float64Array) -> Float64Array:
     """Return the times of the recorded phrase that belong to some times of the one that is said.
 
     Syllables meet where their numbers agree, else those with stress; before and after, the recording runs on.
@@ -139,7 +139,7 @@ def _fitted(match: Match, times: Float64Array) -> Float64Array:
     return MonotoneCubics(said, recorded, first).at(times, np.zeros(len(times), np.intp))
 
 
-def _anchors(phrase: Phrase, match: Match) -> tuple[float, ...]:
+def _anchors(phrase: Phrase, match: PhraseMatch) -> tuple[float, ...]:
     if len(match.phrase) == len(match.example):
         return phrase.times
     beats = phrase.beats if len(match.phrase.beats) == len(match.example.beats) else ()

@@ -8,7 +8,7 @@ import pytest
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import CHANNELS, Keywords
-from phonemeengine.performance.phrases import Match, MatchKind
+from phonemeengine.performance.phrases import PhraseMatch, PhraseMatchKind
 from phonemeengine.performance.recording import HEAD, Performance
 from tests.engine.performance.rhythms import RATE, Movement, performed, said, table_of, words_of
 
@@ -20,7 +20,7 @@ class Moved(NamedTuple):
     """How a sentence moved, what it was made of, and what is said of it."""
 
     values: Float32Array
-    matches: tuple[Match, ...]
+    matches: tuple[PhraseMatch, ...]
     notes: tuple[str, ...]
 
 
@@ -69,7 +69,7 @@ def test_a_phrase_of_equal_syllables_moves_the_head_as_it_was_recorded(tmp_path:
     recorded = _recorded(rhythm, headYaw=_at(1.1, 8.0), headPitch=_at(1.4, -6.0), browInnerUp=_at(1.0, 0.5))
     track = _said(tmp_path, rhythm, recorded)
     times = _times(recorded.duration)
-    assert [match.kind for match in track.matches] == [MatchKind.SYLLABLES]
+    assert [match.kind for match in track.matches] == [PhraseMatchKind.SYLLABLES]
     assert _channel(track, "headYaw") == pytest.approx(_at(1.1, 8.0)(times), abs=0.8)
     assert _channel(track, "headPitch") == pytest.approx(_at(1.4, -6.0)(times), abs=0.6)
     assert _channel(track, "browInnerUp") == pytest.approx(_at(1.0, 0.5)(times), abs=0.05)
@@ -87,7 +87,7 @@ def test_a_nod_stays_on_its_syllable_however_fast_one_speaks(tmp_path: Path, len
 def test_stresses_meet_where_the_syllables_are_not_as_many(tmp_path: Path) -> None:
     recorded = _recorded("da da da DA da da", headPitch=_at(0.3 + 3.5 * 0.2, -8.0))
     track = _said(tmp_path, "da da DA da da", recorded)
-    assert [match.kind for match in track.matches] == [MatchKind.STRESSES]
+    assert [match.kind for match in track.matches] == [PhraseMatchKind.STRESSES]
     assert _time_of_peak(track, "headPitch") == pytest.approx(0.3 + 2.5 * 0.2, abs=0.03)
 
 
