@@ -34,7 +34,7 @@ from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.labels.utterance import Utterance, shifted
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.performance.corpus import find_recordings, read_performance
-from phonemeengine.performance.driver import MOUTH, PerformanceDriver
+from phonemeengine.performance.driver import FACE, MOUTH, PerformanceDriver
 from phonemeengine.performance.recording import Performance
 from phonemeengine.performance.sentences import sentences
 from tools.bench.figures import Absolute, Figure, answer_of
@@ -246,7 +246,8 @@ def _open(table: PerformanceTable, left_out: Sequence[Performance]) -> float:
     for performance in left_out:
         times = np.arange(0, performance.duration, 1 / (2 * PICTURES))
         weights = driver.weights(performance.phones, 0, times, 1 / PICTURES)[::2]
-        apart = lips.apart(Animation(PICTURES, ARKIT, weights, np.zeros((len(weights), 3), np.float32)))
+        moved = Animation(PICTURES, FACE, weights, np.zeros((len(weights), 3), np.float32))
+        apart = lips.apart(moved.of_movestates(ARKIT))
         for phone in performance.phones:
             if phone.name in {"p", "b", "m"}:
                 seen = apart[(times[::2] >= phone.start) & (times[::2] <= phone.end)]

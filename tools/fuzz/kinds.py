@@ -5,7 +5,7 @@ import json
 import struct
 import zipfile
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from random import Random
 
@@ -26,9 +26,11 @@ from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceDriver, PerformanceOptions
 from phonemeengine.performance.gltf_face import parse_gltf_face
+from phonemeengine.performance.head_driver import HeadDriver
+from phonemeengine.performance.keywords import USUAL_KEYWORDS, load_keywords
 from phonemeengine.performance.livelink import read_livelink
 from phonemeengine.performance.poses import USUAL_POSES, load_poses
-from phonemeengine.performance.recording import phones_of
+from phonemeengine.performance.recording import HEAD, phones_of
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.units import UnitKind
 from phonemeengine.performance.vmc import read_vmc
@@ -84,6 +86,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "toml": Kind(presets, _through(folder / "preset.toml", load_preset)),
         "mouth table": Kind(tables, _through(folder / "table.toml", load_table)),
         "pinyin table": Kind((USUAL_PINYIN_TABLE.read_bytes(),), _through(folder / "pinyin.toml", load_pinyin_table)),
+        "key words": Kind((USUAL_KEYWORDS.read_bytes(),), _through(folder / "keywords.toml", load_keywords)),
         "poses": Kind((USUAL_POSES.read_bytes(),), _through(folder / "poses.toml", load_poses)),
         "live link": Kind((_livelink(),), _through(folder / "a.csv", read_livelink)),
         "vmc": Kind((recorded_vmc([k / 60 for k in range(20)]).encode(),), _through(folder / "a.osc", read_vmc)),
@@ -130,7 +133,9 @@ def _performed(path: Path) -> object:
 
 
 def _table(path: Path) -> bytes:
-    write_table(path, [performance_of("ma.ma tu"), performance_of("pa.pi", 0.2)])
+    performances = (performance_of("ma.ma tu"), performance_of("pa.pi", 0.2))
+    turned = [replace(p, channels=(*p.channels, *HEAD), weights=np.tile(p.weights, 3)[:, :5]) for p in performances]
+    write_table(path, turned)
     return path.read_bytes()
 
 
@@ -141,6 +146,7 @@ def _looked_through(path: Path) -> object:
         for choice in ExampleChoice:
             driver = PerformanceDriver(table, PerformanceOptions(choice))
             assert np.isfinite(driver.weights(sentence, 0, times, 1 / 60)).all()
+        assert np.isfinite(HeadDriver(table, ("Ma", "yes", "no"), "en").track(sentence, times)).all()
         found = [
             table.nearest(kind, names, 0.2, 10) + table.within(kind, names, 0.1, 0.5)
             for kind in UnitKind
