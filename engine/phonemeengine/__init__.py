@@ -157,7 +157,7 @@ _PAGE = {
     "performance.building": "BuiltTable build_table",
     "performance.making": "MadeCorpus make_corpus",
     # A sentence that they say
-    "performance.track": "PerformanceTrack format_units",
+    "performance.track": "PerformanceTrack face_table format_units",
     "performance.driver": "PerformanceOptions PerformancePart UsedUnit",
     "performance.choice": "ExampleChoice",
     "performance.poses": "Pose PoseTable load_poses",

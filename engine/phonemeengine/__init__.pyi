@@ -78,7 +78,7 @@ from phonemeengine.performance.phrases import Phrase, PhraseIndex, PhraseMatch, 
 from phonemeengine.performance.poses import Pose, PoseTable, load_poses
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import Example, PerformanceTable, TableAbout, write_table
-from phonemeengine.performance.track import PerformanceTrack, format_units
+from phonemeengine.performance.track import PerformanceTrack, face_table, format_units
 from phonemeengine.performance.units import Unit, UnitKind, units_of
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
@@ -281,6 +281,7 @@ __all__ = [
     "denoise",
     "devices",
     "export",
+    "face_table",
     "format_plan",
     "format_units",
     "high_pass_gains",

@@ -17,7 +17,7 @@ from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation, animation_by, check_rate
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.performer import IdleMotion, MouthTrack, Performer
-from phonemeengine.mouth.table import USUAL_TABLE, load_table
+from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
 from phonemeengine.performance.fit import crossed
@@ -35,6 +35,11 @@ KEPT = 4
 """Sentences whose movement stays in memory."""
 _HEAD_COLUMNS = [(*HEAD, *FACE).index(name) for name in CHANNELS]
 UNIT_COLUMNS = ("start_s", "end_s", "set", "phones", "recording", "from_s", "to_s")
+
+
+def face_table() -> MouthTable:
+    """Return the mouth table of faces that are looked up: ARKit's shapes, and all movestates of `FACE`."""
+    return replace(load_table(USUAL_TABLE), movestates=FACE)
 
 
 class PerformanceTrack:
@@ -106,7 +111,7 @@ class PerformanceTrack:
         idle = idle or IdleMotion()
         if self._head is None:
             idle = replace(idle, head=False)
-        performer = Performer(replace(load_table(USUAL_TABLE), movestates=FACE), idle)
+        performer = Performer(face_table(), idle)
         performer.play(self.mouth(rate))
         return animation_by(performer, speech, rate)
 

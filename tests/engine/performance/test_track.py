@@ -11,16 +11,19 @@ import pytest
 
 from phonemeengine.errors import MouthError, PerformanceError
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
-from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.performer import IdleMotion
+from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS
+from phonemeengine.mouth.osc import OscMouth
+from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import FACE, PerformanceOptions, PerformancePart
 from phonemeengine.performance.recording import HEAD, SILENCE, Performance
 from phonemeengine.performance.table_file import PerformanceTable, write_table
-from phonemeengine.performance.track import PerformanceTrack, format_units
+from phonemeengine.performance.track import PerformanceTrack, face_table, format_units
 from phonemeengine.phonemes import Phoneme
 from tests.engine.performance.sentences import phones_in
+from tests.fakes.osc_receiver import Receiver
+from tests.fakes.players import wait_for
 
 JAW, PUCKER = ARKIT.index("jawOpen"), ARKIT.index("mouthPucker")
 PLAIN = PerformanceOptions(without=frozenset(PerformancePart))
@@ -173,6 +176,20 @@ def test_head_brows_shoulders_and_tongue_move_with_the_mouth(tmp_path: Path) -> 
     assert moved["shoulderShiftRight"].max() == pytest.approx(0.5, abs=0.02)
     assert moved["tongueTipAlveolar"].max() == pytest.approx(1.0, abs=0.02)
     assert moved["tongueTipAlveolar"][animation.times < 0.6].max() < 0.05
+
+
+def test_shoulders_and_tongue_travel_over_the_network(tmp_path: Path) -> None:
+    channels = ("jawOpen", SHOULDERS[1])
+    plain = recorded("ni", length=0.2)
+    write_table(tmp_path / "t.sqlite", [replace(plain, channels=channels, weights=plain.weights[:, 1:3])])
+    receiver, performer = Receiver(), Performer(face_table())
+    with PerformanceTable.open(tmp_path / "t.sqlite") as table:
+        performer.play(track_of(table, utterance_of("ni", length=0.2), PerformanceOptions()).mouth())
+        with OscMouth(receiver.address, performer, clock=lambda: 0.2):
+            wait_for(lambda: bool(receiver.of("/VMC/Ext/Blend/Apply")), "a frame")
+    receiver.close()
+    sent = {name for name, weight in receiver.of("/VMC/Ext/Blend/Val") if weight}
+    assert {SHOULDERS[1], "tongueTipAlveolar", "jawOpen"} <= sent
 
 
 def test_the_head_goes_from_sentence_to_sentence_without_a_jump(tmp_path: Path) -> None:
