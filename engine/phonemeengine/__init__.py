@@ -54,6 +54,11 @@ Recorded faces become a table, in which units of new sentences are looked up by 
     with PerformanceTable.open("anna.sqlite") as table:
         table.nearest(UnitKind.SYLLABLE, ("m", "a"), 0.21, limit=10)
 
+What is said in a sound, with how loud and high that is, is said by such a face::
+
+        track = PerformanceTrack(utterance, transcript, table)
+        animation = track.animation(transcript, rate=60)      # or performer.play(track.mouth(), start=now)
+
 A preset learns a voice from labelled recordings of it, and is told how right it is on others::
 
     result = calibrate(preset, read_recordings("takes"), held_back=read_recordings("sentence.flac"))
@@ -156,6 +161,13 @@ _PAGE = {
     "performance.table_file": "Example PerformanceTable TableAbout write_table",
     "performance.building": "BuiltTable build_table",
     "performance.making": "MadeCorpus make_corpus",
+    # A sentence that they say
+    "performance.track": "PerformanceTrack face_table format_units",
+    "performance.driver": "PerformanceOptions PerformancePart UsedUnit",
+    "performance.choice": "ExampleChoice",
+    "performance.poses": "Pose PoseTable load_poses",
+    "performance.phrases": "Phrase PhraseIndex PhraseMatch PhraseMatchKind phrases_of",
+    "performance.keywords": "Gesture Keywords load_keywords",
     # A voice, and how well it is recognised
     "calibration.scores.corpus": "FrameLabels LabelledUtterance read_recordings",
     "labels.label": "Label",

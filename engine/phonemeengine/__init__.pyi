@@ -80,9 +80,15 @@ from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.building import BuiltTable, build_table
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.driver import PerformanceOptions, PerformancePart, UsedUnit
+from phonemeengine.performance.keywords import Gesture, Keywords, load_keywords
 from phonemeengine.performance.making import MadeCorpus, make_corpus
+from phonemeengine.performance.phrases import Phrase, PhraseIndex, PhraseMatch, PhraseMatchKind, phrases_of
+from phonemeengine.performance.poses import Pose, PoseTable, load_poses
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import Example, PerformanceTable, TableAbout, write_table
+from phonemeengine.performance.track import PerformanceTrack, face_table, format_units
 from phonemeengine.performance.units import Unit, UnitKind, units_of
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
@@ -154,6 +160,7 @@ __all__ = [
     "DeviceError",
     "EngineError",
     "Example",
+    "ExampleChoice",
     "ExportError",
     "ExportOptions",
     "Expression",
@@ -164,12 +171,14 @@ __all__ = [
     "Filter",
     "FrameBlock",
     "FrameLabels",
+    "Gesture",
     "GroupScores",
     "HeadMotion",
     "HeadPose",
     "IdleMotion",
     "InhibitionTimes",
     "InputChoice",
+    "Keywords",
     "Kind",
     "Label",
     "LabelledUtterance",
@@ -203,7 +212,10 @@ __all__ = [
     "OutputHead",
     "Performance",
     "PerformanceError",
+    "PerformanceOptions",
+    "PerformancePart",
     "PerformanceTable",
+    "PerformanceTrack",
     "PerformedPhone",
     "Performer",
     "Phone",
@@ -211,12 +223,18 @@ __all__ = [
     "Phoneme",
     "PhonemeData",
     "PhonemeMap",
+    "Phrase",
+    "PhraseIndex",
+    "PhraseMatch",
+    "PhraseMatchKind",
     "PinyinMouth",
     "PinyinTable",
     "PinyinTrack",
     "Plan",
     "PlanKind",
     "PlanRow",
+    "Pose",
+    "PoseTable",
     "Predictions",
     "Preset",
     "PresetError",
@@ -259,6 +277,7 @@ __all__ = [
     "Unit",
     "UnitKind",
     "UnknownPhonemeError",
+    "UsedUnit",
     "Utterance",
     "Variable",
     "VisemeOverride",
@@ -277,18 +296,22 @@ __all__ = [
     "devices",
     "export",
     "expression_presets",
+    "face_table",
     "format_plan",
+    "format_units",
     "format_utterance",
     "held_expression",
     "high_pass_gains",
     "languages",
     "load_channels",
     "load_head",
+    "load_keywords",
     "load_lexicon",
     "load_morph_mesh",
     "load_morph_targets",
     "load_phoneme_map",
     "load_pinyin_table",
+    "load_poses",
     "load_preset",
     "load_table",
     "low_pass_gains",
@@ -300,6 +323,7 @@ __all__ = [
     "movestate_of",
     "normalise",
     "phones_of",
+    "phrases_of",
     "pinyin_track",
     "read_recordings",
     "read_utterance",

@@ -15,6 +15,7 @@ from phonemeanalyser.cli.arguments import (
 from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
+from phonemeanalyser.cli.performing import Performing, add_performance, performing
 from phonemeanalyser.cli.scripts import SpokenTexts, spoken_texts
 from phonemeengine import FORMATS, Channel, EngineError, ExportOptions, Preset, load_preset
 from phonemeengine.mouth.exports.exporter import Exporter
@@ -33,6 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
     add_mouth(parser)
     add_expression(parser)
+    add_performance(parser)
     parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
     add_channel(parser)
     add_overwrite(parser)
@@ -48,17 +50,37 @@ def run(options: argparse.Namespace) -> int:
     preset = load_preset(options.preset)
     jobs = jobs_of(options.inputs, options.out, exporter.format.full_ending)
     guard = Guard(exporter.format.owns, options.overwrite)
+    if options.units is not None and len(jobs) > 1:
+        raise EngineError("--units tells of one sound, and there are several; leave it out, or name one alone")
     texts = spoken_texts(options, [job.source for job in jobs])
-    return 1 if run_all(jobs, lambda job: _export(job, options.channel, preset, texts, exporter, guard)) else 0
+    with performing(options) as performer:
+
+        def act(job: Job) -> None:
+            _export(job, options.channel, preset, texts, exporter, guard, performer)
+
+        return 1 if run_all(jobs, act) else 0
 
 
-def _export(job: Job, channel: Channel, preset: Preset, texts: SpokenTexts, exporter: Exporter, guard: Guard) -> None:
+def _export(
+    job: Job,
+    channel: Channel,
+    preset: Preset,
+    texts: SpokenTexts,
+    exporter: Exporter,
+    guard: Guard,
+    performer: Performing | None,
+) -> None:
     guard.check(job.target)
     with open_sound(job, channel) as reader:
-        pitch = exporter.format.moves_head and exporter.idle.head
+        pitch = performer is not None or (exporter.format.moves_head and exporter.idle.head)
         analyses = analyse_with_progress(reader, preset, pitch=pitch)
-        speech = texts.transcript(reader, job.source, analyses)
-    parts = exporter.chunks_of(speech)
+        movement = None
+        if performer is None:
+            speech = texts.transcript(reader, job.source, analyses)
+        else:
+            utterance, speech = texts.known(reader, job.source, analyses)
+            movement = performer.movement(utterance, speech, exporter)
+    parts = exporter.chunks_of(speech, movement)
     if job.target is None:
         text = b"".join(parts).decode()
         print_whole(lambda file: file.writelines([text]))

@@ -8,7 +8,9 @@ from pathlib import Path
 from phonemeanalyser.cli.arguments import number
 from phonemeanalyser.cli.expression import idle_of
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole, write_whole_bytes
+from phonemeanalyser.cli.performing import Performing, labelled
 from phonemeengine import (
+    Animation,
     EngineError,
     ExportOptions,
     PinyinTable,
@@ -56,21 +58,34 @@ def write_plan(track: PinyinTrack, target: Path) -> None:
         write_whole(target, lambda file: file.writelines([text]))
 
 
-def say_without_voice(options: argparse.Namespace, text: str) -> None:
-    """Write what the command line asks for of a text without sound, or of a recording with its labels."""
-    _check(options)
+def say_without_voice(options: argparse.Namespace, text: str, performer: Performing | None) -> None:
+    """Write what the command line asks for of a text without sound, or of a recording with its labels.
+
+    Parameters
+    ----------
+    performer : how a table of recorded faces moves the face, if one does.
+    """
+    _check(options, performer)
     exporter = _exporter_of(options) if options.export else None
+    if performer is not None and options.recording is not None:
+        utterance, speech = labelled(options)
+        _write(options, exporter, speech, performer.movement(utterance, speech, exporter))
+        return
     track, speech = _said(options, text)
     if track.utterance.skipped:
         print(_skipped(track.utterance.skipped), file=sys.stderr)
-    if exporter is not None:
+    if performer is not None:
+        _write(options, exporter, speech, performer.movement(track.utterance, speech, exporter))
+    elif exporter is not None:
         _export(options, exporter, track, speech)
     if options.plan is not None:
         write_plan(track, options.plan)
 
 
-def _check(options: argparse.Namespace) -> None:
-    if options.plan is None and options.export is None:
+def _check(options: argparse.Namespace, performer: Performing | None) -> None:
+    if options.plan is not None and performer is not None:
+        raise EngineError("--plan tells of the pinyin mouth; leave --performance out")
+    if options.plan is None and options.export is None and (performer is None or performer.units is None):
         raise EngineError("there is nothing to write; ask for the plan with --plan, or for a file with --export")
     if (options.export is None) != (options.kind is None):
         raise EngineError("--export and --format go together; name both")
@@ -107,8 +122,15 @@ def _export(options: argparse.Namespace, exporter: Exporter, track: PinyinTrack,
     if options.text_driver == "pinyin" and not by_letters:
         print(f"phonemeanalyser: {exporter.name} has shapes of its own, which follow the phones", file=sys.stderr)
     movement = track.animation(speech, exporter.rate, exporter.idle) if by_letters else None
-    guard = Guard(exporter.format.owns, options.overwrite)
-    write_whole_bytes(options.export, exporter.chunks_of(speech, movement), guard)
+    _write(options, exporter, speech, movement)
+
+
+def _write(
+    options: argparse.Namespace, exporter: Exporter | None, speech: Transcript, movement: Animation | None
+) -> None:  # fmt: skip
+    if exporter is not None:
+        guard = Guard(exporter.format.owns, options.overwrite)
+        write_whole_bytes(options.export, exporter.chunks_of(speech, movement), guard)
 
 
 def _skipped(words: tuple[str, ...]) -> str:

@@ -11,6 +11,7 @@ from phonemeanalyser.cli.arguments import add_channel, add_mouth, add_preset, ad
 from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, open_sound
 from phonemeanalyser.cli.output_files import write_whole_file
+from phonemeanalyser.cli.performing import add_performance, performing
 from phonemeanalyser.cli.scripts import spoken_texts
 from phonemeanalyser.colours import DARK, LIGHT
 from phonemeanalyser.rendering.animation_player import AnimationPlayer
@@ -59,6 +60,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
     add_mouth(parser)
     add_expression(parser)
+    add_performance(parser)
     add_channel(parser)
     add_theme(parser)
     parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
@@ -107,7 +109,12 @@ def _animation_of(reader: SoundReader, options: argparse.Namespace) -> Animation
     if idle.expression is not None:
         idle.expression.check_fits(table.movestates, table.name)
     texts = spoken_texts(options, [options.file])
-    speech = texts.transcript(reader, options.file, analyse_with_progress(reader, preset, pitch=idle.head))
+    analyses = analyse_with_progress(reader, preset, pitch=idle.head or options.performance is not None)
+    with performing(options) as performer:
+        if performer is not None:
+            utterance, speech = texts.known(reader, options.file, analyses)
+            return performer.track(utterance, speech).animation(speech, options.fps, idle)
+    speech = texts.transcript(reader, options.file, analyses)
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
     return animation_of(speech, cues, table, options.fps, idle)

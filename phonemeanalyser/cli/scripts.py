@@ -2,7 +2,7 @@
 
 import argparse
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeanalyser.cli.jobs import say_note
@@ -42,7 +42,7 @@ class SpokenTexts:
     ----------
     texts : by the sound's file.
     labels : a TextGrid with the sounds of the only one; None where there are texts.
-    language : of the texts.
+    language : of the texts, or the labels.
     lexicon : goes before the language's voice.
     """
 
@@ -59,7 +59,7 @@ class SpokenTexts:
         EngineError : its text cannot be spoken, or its labels cannot be read.
         """
         if self.labels is not None:
-            return read_utterance(self.labels, duration)
+            return replace(read_utterance(self.labels, duration), language=self.language or "")
         text = self.texts.get(sound)
         return None if text is None else words_of(text, self.language, self.lexicon)
 
@@ -79,6 +79,23 @@ class SpokenTexts:
             return None
         found = scripted_transcript_of(analyses, script, printable_name(sound), reader.duration, sound)
         say_misfits(printable_name(sound), found[0])
+        return found
+
+    def known(
+        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]
+    ) -> tuple[Utterance, Transcript]:  # fmt: skip
+        """Return what is said in an open sound, which must be known, and as a mouth needs it; see `aligned`.
+
+        Raises
+        ------
+        EngineError : it is not known, or another text is said; its text cannot be spoken, or its labels be read.
+        """
+        found = self.aligned(reader, sound, analyses)
+        if found is None or is_other_text(found[0]):
+            raise EngineError(
+                f"{printable_name(sound)}: recorded faces are looked up by the phones that are said, which nobody "
+                "knows; give the text with --text, or the text or labels with --script"
+            )
         return found
 
     def transcript(self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]) -> Transcript:
@@ -104,7 +121,7 @@ def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenT
         return NO_TEXTS
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
     if options.script is not None and options.script.suffix.lower() == LABELS:
-        return SpokenTexts({}, _labels_of(options.script, sounds), None, None)
+        return SpokenTexts({}, _labels_of(options.script, sounds), options.language, None)
     return SpokenTexts(_texts_of(options, sounds), None, options.language, lexicon)
 
 

@@ -15,6 +15,7 @@ from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset
 from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import Guard, write_whole, write_whole_bytes, write_whole_file
+from phonemeanalyser.cli.performing import Performing, add_performance, performing
 from phonemeanalyser.cli.pinyin import add_pinyin, pinyin_table_of, say_without_voice, write_plan
 from phonemeanalyser.cli.scripts import say_misfits
 from phonemeengine import (
@@ -22,6 +23,7 @@ from phonemeengine import (
     SAMPLE_RATE,
     Analyser,
     Analysis,
+    Animation,
     EngineError,
     ExportOptions,
     Lexicon,
@@ -66,13 +68,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--recording", type=Path, metavar="SOUND", help="a sound; its .TextGrid has syllables of pinyin"
     )
     parser.add_argument("--silent", action="store_true", help="a Chinese text without sound")
-    driver = "what moves a face (auto: pinyin for Chinese, else rules)"
-    parser.add_argument("--text-driver", choices=["auto", "pinyin", "rules"], default="auto", help=driver)
+    driver = "what moves a face (auto: a table of --performance, pinyin for Chinese, else rules)"
+    parser.add_argument("--text-driver", choices=["auto", "pinyin", "table", "rules"], default="auto", help=driver)
     parser.add_argument("--language", metavar="L", help="of the text, such as en-us, de, fr, cmn")
     parser.add_argument("--voice", default="", metavar="V", help="another voice, such as f2, m3 or klatt")
     lexicon = "how words are pronounced, .toml or .csv: the voice says those whose sounds it has"
     parser.add_argument("--lexicon", type=Path, metavar="FILE", help=lexicon)
     add_pinyin(parser)
+    add_performance(parser)
     program = "another voice: a command that writes a WAV file {output} of {text}, and may write a TextGrid beside it"
     parser.add_argument("--program", metavar="COMMAND", help=program)
     parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="write the sound as WAV (default: play it)")
@@ -91,10 +94,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Speak as the command line asks."""
     text = _text_of(options)
-    if options.silent or options.recording is not None:
-        say_without_voice(options, text)
-        return 0
-    written = _Written.of(options, text)
+    if options.text_driver == "table" and options.performance is None:
+        raise EngineError("--text-driver table needs a table of recorded faces; name it with --performance")
+    with performing(options, options.text_driver) as performer:
+        if options.silent or options.recording is not None:
+            say_without_voice(options, text, performer)
+        else:
+            _speak(options, text, performer)
+    return 0
+
+
+def _speak(options: argparse.Namespace, text: str, performer: Performing | None) -> None:
+    written = _Written.of(options, text, performer)
     for note in speakable(text).notes:
         say_note("the text", note)
     sentences = _spoken(options, text)
@@ -102,7 +113,6 @@ def run(options: argparse.Namespace) -> int:
         _play(sentences)
     else:
         written.write(sentences)
-    return 0
 
 
 def _text_of(options: argparse.Namespace) -> str:
@@ -167,23 +177,26 @@ class _Written:
     text: str
     letters: PinyinTable | None
     seed: int | None
+    performer: Performing | None
     overwrite: bool
 
     @classmethod
-    def of(cls, options: argparse.Namespace, text: str) -> "_Written":
+    def of(cls, options: argparse.Namespace, text: str, performer: Performing | None) -> "_Written":
         """Check what the command line asks for, before anything is spoken."""
         if (options.export is None) != (options.kind is None):
             raise EngineError("--export and --format go together; name both")
-        if options.plan is not None and options.text_driver == "rules":
-            raise EngineError("--plan tells of the pinyin mouth; leave --text-driver rules out")
+        if options.plan is not None and (performer is not None or options.text_driver == "rules"):
+            raise EngineError("--plan tells of the pinyin mouth; leave --text-driver rules and --performance out")
         idle = idle_of(options)
         exporter = Exporter(options.kind, ExportOptions(rate=options.fps, idle=idle)) if options.kind else None
         language = _language_of(options, text)
         chinese = language in {*mandarin.TAGS, mandarin.PINYIN_TAG}
-        by_letters = options.text_driver == "pinyin" or (options.text_driver == "auto" and chinese)
+        auto = options.text_driver == "auto" and performer is None
+        by_letters = options.text_driver == "pinyin" or (auto and chinese)
         written = cls(
             options.out, options.labels, options.export, options.plan, exporter, language, text,
-            pinyin_table_of(options) if by_letters or options.plan else None, options.seed, options.overwrite,
+            pinyin_table_of(options) if by_letters or options.plan else None, options.seed, performer,
+            options.overwrite,
         )  # fmt: skip
         for target in (written.sound, written.labels, written.export):
             written._guard.check(target)
@@ -192,11 +205,12 @@ class _Written:
     @property
     def nothing(self) -> bool:
         """Whether nothing is written, so that the speech is played."""
-        return not any((self.sound, self.labels, self.export, self.plan))
+        units = self.performer and self.performer.units
+        return not any((self.sound, self.labels, self.export, self.plan, units))
 
     def write(self, sentences: Iterator[SpokenSentence]) -> None:
         """Write what was asked for."""
-        said = _Said(loud=self.exporter is not None)
+        said = _Said(loud=self.exporter is not None or self.performer is not None)
         if self.sound is None:
             said.take(sentences, None)
         else:
@@ -210,12 +224,19 @@ class _Written:
         track = (
             None if self.letters is None else pinyin_track(utterance, self.letters, text=self.text, seed=self.seed)
         )
-        if self.export is not None and self.exporter is not None:
+        if self.performer is not None:
+            speech = said.transcript(utterance, self.sound)
+            self._write_export(speech, self.performer.movement(utterance, speech, self.exporter))
+        elif self.exporter is not None:
             speech, moves = said.transcript(utterance, self.sound), self.exporter.format.moves_head
             movement = track.animation(speech, self.exporter.rate, self.exporter.idle) if track and moves else None
-            write_whole_bytes(self.export, self.exporter.chunks_of(speech, movement), self._guard)
+            self._write_export(speech, movement)
         if self.plan is not None and track is not None:
             write_plan(track, self.plan)
+
+    def _write_export(self, speech: Transcript, movement: Animation | None) -> None:
+        if self.export is not None and self.exporter is not None:
+            write_whole_bytes(self.export, self.exporter.chunks_of(speech, movement), self._guard)
 
     @property
     def _guard(self) -> Guard:

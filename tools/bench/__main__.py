@@ -15,6 +15,7 @@ from tools.bench import (
     mouth,
     movestates,
     one_frame,
+    performance,
     performance_table,
     playing,
     recording,
@@ -44,6 +45,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "voice": voice.figures,
     "alignment": alignment.figures,
     "long-speech": long_speech.figures,
+    "performance": performance.figures,
     "performance-table": performance_table.figures,
 }
 

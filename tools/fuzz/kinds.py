@@ -5,9 +5,11 @@ import json
 import struct
 import zipfile
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from random import Random
+
+import numpy as np
 
 from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance_files import read_utterance
@@ -21,9 +23,14 @@ from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.morph_mesh import morph_targets_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import TABLES, load_table
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.driver import PerformanceDriver, PerformanceOptions
 from phonemeengine.performance.gltf_face import parse_gltf_face
+from phonemeengine.performance.head_driver import HeadDriver
+from phonemeengine.performance.keywords import USUAL_KEYWORDS, load_keywords
 from phonemeengine.performance.livelink import read_livelink
-from phonemeengine.performance.recording import phones_of
+from phonemeengine.performance.poses import USUAL_POSES, load_poses
+from phonemeengine.performance.recording import HEAD, phones_of
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.units import UnitKind
 from phonemeengine.performance.vmc import read_vmc
@@ -33,7 +40,7 @@ from phonemeengine.recognition.model import load_model, save_model
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE, load_pinyin_table
 from tests.engine.performance.corpora import PHONES, SYLLABLES
 from tests.engine.performance.faces import animated_face, ramp, recorded_vmc
-from tests.engine.performance.sentences import performance_of
+from tests.engine.performance.sentences import performance_of, phones_in
 from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, morph_mesh_of_cube
 from tests.models import tone_model
 from tools.fuzz.mutation import mutated
@@ -79,6 +86,8 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "toml": Kind(presets, _through(folder / "preset.toml", load_preset)),
         "mouth table": Kind(tables, _through(folder / "table.toml", load_table)),
         "pinyin table": Kind((USUAL_PINYIN_TABLE.read_bytes(),), _through(folder / "pinyin.toml", load_pinyin_table)),
+        "key words": Kind((USUAL_KEYWORDS.read_bytes(),), _through(folder / "keywords.toml", load_keywords)),
+        "poses": Kind((USUAL_POSES.read_bytes(),), _through(folder / "poses.toml", load_poses)),
         "live link": Kind((_livelink(),), _through(folder / "a.csv", read_livelink)),
         "vmc": Kind((recorded_vmc([k / 60 for k in range(20)]).encode(),), _through(folder / "a.osc", read_vmc)),
         "gltf face": Kind((moving,), lambda content: parse_gltf_face(content, "a.glb")),
@@ -124,13 +133,20 @@ def _performed(path: Path) -> object:
 
 
 def _table(path: Path) -> bytes:
-    write_table(path, [performance_of("ma.ma tu"), performance_of("pa.pi", 0.2)])
+    performances = (performance_of("ma.ma tu"), performance_of("pa.pi", 0.2))
+    turned = [replace(p, channels=(*p.channels, *HEAD), weights=np.tile(p.weights, 3)[:, :5]) for p in performances]
+    write_table(path, turned)
     return path.read_bytes()
 
 
 def _looked_through(path: Path) -> object:
-    """Open a table, and ask it for all that it has."""
+    """Open a table, ask it for all that it has, and have it say a sentence."""
+    sentence, times = phones_in("ma.pi tu"), np.arange(60) / 60
     with PerformanceTable.open(path) as table:
+        for choice in ExampleChoice:
+            driver = PerformanceDriver(table, PerformanceOptions(choice))
+            assert np.isfinite(driver.weights(sentence, 0, times, 1 / 60)).all()
+        assert np.isfinite(HeadDriver(table, ("Ma", "yes", "no"), "en").track(sentence, times)).all()
         found = [
             table.nearest(kind, names, 0.2, 10) + table.within(kind, names, 0.1, 0.5)
             for kind in UnitKind

@@ -97,7 +97,7 @@ class FaceState(NamedTuple):
 
 
 class MouthTrack(Protocol):
-    """A mouth whose movement is known beforehand, made from what is written."""
+    """A mouth, and maybe a head, whose movement is known beforehand."""
 
     @property
     def movestates(self) -> tuple[str, ...]:
@@ -105,6 +105,9 @@ class MouthTrack(Protocol):
 
     def weights(self, time: float) -> Float32Array:
         """Return the weights at a time, seconds, float32, shape (n_movestates,), 1 for the whole movement."""
+
+    def head(self, time: float) -> HeadPose | None:
+        """Return how the head is turned at a time, seconds; None where it goes with what is heard."""
 
 
 SILENT = TimedFrame(-math.inf, Phoneme.SILENCE, 0.0)
@@ -171,6 +174,7 @@ class Performer:
         self._track: MouthTrack | None = None
         self._track_start = 0.0
         self._express(None)
+        self._columns: list[int] = []  # where the movestates of the table are in those of the track
         self._restart()
 
     def configure(self, table: MouthTable, idle: IdleMotion) -> None:
@@ -182,6 +186,7 @@ class Performer:
             before, self.table, self.idle = self.idle, table, idle
             if idle.expression is not before.expression:
                 self._express(before.expression)
+            self._columns = self._columns_of_track()
             if again:
                 self._restart()
 
@@ -211,11 +216,14 @@ class Performer:
     def play(self, track: MouthTrack | None, start: float = 0.0) -> None:
         """Have a track move the mouth, whose time 0 is at `start`, whatever is heard; None goes on by what is heard.
 
-        Blinks, the head and the shapes that are asked for stay. A table of other movestates than the track's goes on
-        by what is heard, too.
+        Blinks and the shapes that are asked for stay, and so does the head, unless the track turns it. A table with
+        movestates that the track does not have goes on by what is heard, too.
         """
         with self._lock:
-            self._track, self._track_start = track, start
+            if track is not self._track:
+                self._track = track
+                self._columns = self._columns_of_track()
+            self._track_start = start
 
     def hear_voice(self, time: float, intensity: float, f0: float) -> None:
         """Take the loudness alone, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time."""
@@ -270,7 +278,7 @@ class Performer:
             self._advance(time)
             weights = self._expressed(self.visemes.apply(self._spoken(time), time), time)
             blink = self.visemes.blinks * self._blinker.closure(time) if self.idle.blinks else 0.0
-            return FaceState(self.table, weights, blink, self._head.pose(time) if self.idle.head else STILL)
+            return FaceState(self.table, weights, blink, self._pose(time) if self.idle.head else STILL)
 
     def pop_said(self) -> list[tuple[Phoneme, float, str]]:
         """Return each phoneme that was heard since the last call, and last what is heard now.
@@ -300,10 +308,12 @@ class Performer:
             self._inhibition, self._held_back = Inhibition(expression.times if expression else None), 0.0
 
     def _expressed(self, weights: Float32Array, time: float) -> Float32Array:
-        if self._composer is None or self.table.movestates != ARKIT:
+        if self._composer is None or self.table.movestates[: len(ARKIT)] != ARKIT:
             return weights
         self._held_back = self._inhibition.at(time)
-        return self._composer.composed(weights, time, self._held_back)
+        shown = weights.copy()
+        shown[: len(ARKIT)] = self._composer.composed(weights[: len(ARKIT)], time, self._held_back)
+        return shown
 
     def _restart(self) -> None:
         """Have a new mouth say what was heard."""
@@ -341,9 +351,19 @@ class Performer:
         self._movements = deque((max(begin, earliest, self._begun), _onset_of(cue)) for begin, cue in movements)
 
     def _spoken(self, time: float) -> Float32Array:
-        if self._track is not None and self._track.movestates == self.table.movestates:
-            return self._track.weights(time - self._track_start)
+        if self._track is not None and self._columns:
+            return self._track.weights(time - self._track_start)[self._columns]
         return self._morpher.weights(time)
+
+    def _pose(self, time: float) -> HeadPose:
+        turned = None if self._track is None else self._track.head(time - self._track_start)
+        return self._head.pose(time) if turned is None else turned
+
+    def _columns_of_track(self) -> list[int]:
+        """Return where the table's movestates are in those of the track; none where one is missing there."""
+        places = {name: k for k, name in enumerate(() if self._track is None else self._track.movestates)}
+        known = [places[name] for name in self.table.movestates if name in places]
+        return known if len(known) == len(self.table.movestates) else []
 
     def _run_ends(self) -> list[float]:
         return [*(run.time for run in self._runs[1:]), math.inf]

@@ -30,7 +30,7 @@ Chosen = tuple[RecordedHalves, Example]
 """An example and its recording."""
 
 
-class Choice(StrEnum):
+class ExampleChoice(StrEnum):
     """How one of several examples is chosen."""
 
     VITERBI = "viterbi"
@@ -44,7 +44,7 @@ def chosen_examples(
     sentence: Sentence,
     table: PerformanceTable,
     recordings: Recordings,
-    choice: Choice,
+    choice: ExampleChoice,
     seed: Sequence[int],
 ) -> list[Chosen]:
     """Return an example for each unit of a sentence.
@@ -60,26 +60,26 @@ def chosen_examples(
     PerformanceError : the table is damaged.
     """
     candidates = [_candidates(unit, duration_of(unit.unit, sentence), table, choice) for unit in placed]
-    if choice is not Choice.VITERBI:
+    if choice is not ExampleChoice.VITERBI:
         chance = np.random.default_rng([*seed])
         candidates = [(few[chance.integers(len(few))],) for few in candidates]
     chosen = [
         [_found(example, unit, table, recordings) for example in few]
         for unit, few in zip(placed, candidates, strict=True)
     ]
-    return [few[0] for few in chosen] if choice is not Choice.VITERBI else _best_way(placed, chosen, sentence)
+    return [few[0] for few in chosen] if choice is not ExampleChoice.VITERBI else _best_way(placed, chosen, sentence)
 
 
 def _candidates(
-    placed: PlacedUnit, duration: float, table: PerformanceTable, choice: Choice
+    placed: PlacedUnit, duration: float, table: PerformanceTable, choice: ExampleChoice
 ) -> tuple[Example, ...]:  # fmt: skip
     """Return the examples among which is chosen, at least one."""
     found: tuple[Example, ...] = ()
-    if choice is Choice.RANDOM:
+    if choice is ExampleChoice.RANDOM:
         found = table.within(placed.kind, placed.names, 0.0, _LONGEST)
-    if choice is Choice.BAND:
+    if choice is ExampleChoice.BAND:
         found = table.within(placed.kind, placed.names, duration * (1 - BAND), duration * (1 + BAND))
-    n = N_CANDIDATES if choice is Choice.VITERBI else 1
+    n = N_CANDIDATES if choice is ExampleChoice.VITERBI else 1
     found = found or table.nearest(placed.kind, placed.names, duration, n)
     if not found:
         raise _damage(table)

@@ -8,10 +8,11 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import PerformanceError
-from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.performance.choice import Choice, Chosen, chosen_examples
+from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS, TONGUE
+from phonemeengine.performance.choice import Chosen, ExampleChoice, chosen_examples
 from phonemeengine.performance.fit import fitted
 from phonemeengine.performance.halves import Recordings, bounds_of
+from phonemeengine.performance.keywords import Keywords
 from phonemeengine.performance.poses import PoseTable, load_poses, pose_shares, posed_weights
 from phonemeengine.performance.search import PlacedUnit, notes_on, placed_units
 from phonemeengine.performance.sentence import Sentence
@@ -24,13 +25,18 @@ from phonemeengine.performance.smoothing import (
     without_outliers,
 )
 from phonemeengine.performance.table_file import PerformanceTable
+from phonemeengine.performance.tongue import tongue_weights
 from phonemeengine.performance.units import UnitKind
 
+FACE = (*ARKIT, *SHOULDERS, *TONGUE)
+"""The movestates of a face that a table moves."""
 MOUTH = ("jaw", "mouth", "cheek", "nose", "tongue")
 """What the names of movestates begin with that units move: eyes, brows and the head have their own times."""
 
+_TONGUE = slice(len(FACE) - len(TONGUE), None)
 
-class Part(StrEnum):
+
+class PerformancePart(StrEnum):
     """What is done to a sentence after its units are joined, or besides; each can be left out."""
 
     POSES = "poses"
@@ -50,12 +56,14 @@ class PerformanceOptions:
     seed : of what is left to chance.
     without : what is left out.
     poses : model visemes; those that ship, where it is None.
+    keywords : words with gestures, and conjunctions; those that ship, where it is None.
     """
 
-    choice: Choice = Choice.VITERBI
+    choice: ExampleChoice = ExampleChoice.VITERBI
     seed: int = 0
-    without: frozenset[Part] = frozenset()
+    without: frozenset[PerformancePart] = frozenset()
     poses: PoseTable | None = None
+    keywords: Keywords | None = None
 
 
 @dataclass(frozen=True)
@@ -81,6 +89,8 @@ class UsedUnit:
 
 class PerformanceDriver:
     """Has the performer of a table say sentences, with the mouth; see `MOUTH`.
+
+    The tongue, which no camera sees, goes from pose to pose.
 
     Parameters
     ----------
@@ -118,7 +128,7 @@ class PerformanceDriver:
         return tuple(_used(placed, chosen, bounds_of(sentence)))
 
     def weights(self, sentence: Sentence, number: int, times: Float64Array, frame: float) -> Float32Array:
-        """Return the weights of the blend shapes of `ARKIT` at some times, float32, shape (n_times, 52).
+        """Return the weights of the movestates of `FACE` at some times, float32, shape (n_times, 60).
 
         Parameters
         ----------
@@ -133,8 +143,10 @@ class PerformanceDriver:
         """
         placed, chosen = self._looked_up(sentence, number)
         moved = self._finished(fitted(placed, chosen, bounds_of(sentence), times), sentence, times, frame)
-        weights = np.zeros((len(times), len(ARKIT)), np.float32)
+        weights = np.zeros((len(times), len(FACE)), np.float32)
         weights[:, self._places] = moved
+        if PerformancePart.POSES not in self.options.without:
+            weights[:, _TONGUE] = tongue_weights(sentence, times, frame)
         return weights
 
     def _looked_up(self, sentence: Sentence, number: int) -> tuple[tuple[PlacedUnit, ...], list[Chosen]]:
@@ -145,16 +157,16 @@ class PerformanceDriver:
     def _finished(self, weights: Float32Array, sentence: Sentence, times: Float64Array, frame: float) -> Float32Array:
         """Filter before posing, since a filter would open closed lips; the loudness spares these."""
         without = self.options.without
-        if Part.FILTERS not in without:
+        if PerformancePart.FILTERS not in without:
             weights = smoothed(without_outliers(weights), sentence, times)
         weights = bounded(weights)
         shares = pose_shares(sentence, self._poses, times, frame)
-        if Part.POSES not in without:
+        if PerformancePart.POSES not in without:
             weights = posed_weights(weights, shares, self._poses, self._moved)
-        if Part.ENERGY not in without:
+        if PerformancePart.ENERGY not in without:
             louder = 1 + (gains_of(sentence, times) - 1) * (1 - shares.firm)
             weights[:, self._loud] *= louder[:, None]
-        if Part.WINDOW not in without:
+        if PerformancePart.WINDOW not in without:
             weights = brought_to_rest(weights, sentence, times)
         return bounded(weights)
 

@@ -75,7 +75,7 @@ class Phrase:
         return min(syllables, key=lambda k: abs(self.times[k] - middle))
 
 
-class MatchKind(StrEnum):
+class PhraseMatchKind(StrEnum):
     """How a phrase was found."""
 
     SYLLABLES = "syllables"
@@ -84,7 +84,7 @@ class MatchKind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Match:
+class PhraseMatch:
     """A phrase that is to be said, and one that was recorded.
 
     Attributes
@@ -98,7 +98,7 @@ class Match:
     phrase: Phrase
     recording: int
     example: Phrase
-    kind: MatchKind
+    kind: PhraseMatchKind
 
 
 @dataclass(frozen=True)
@@ -140,7 +140,7 @@ class PhraseIndex:
                 self._by_syllables[len(phrase)].append(recorded)
                 self._by_stresses[len(phrase.beats)].append(recorded)
 
-    def matches(self, phrase: Phrase, conjunctions: Collection[int] = ()) -> Iterator[Match]:
+    def matches(self, phrase: Phrase, conjunctions: Collection[int] = ()) -> Iterator[PhraseMatch]:
         """Return what is found for a phrase and, where it must be split, for its parts, in order of time.
 
         Parameters
@@ -152,17 +152,17 @@ class PhraseIndex:
         joints = phrase.word_starts
         beside = [k for k in joints if phrase.words[k] in conjunctions]
         if alike := self._of_like_syllables(phrase):
-            yield Match(phrase, alike.recording, alike.phrase, MatchKind.SYLLABLES)
+            yield PhraseMatch(phrase, alike.recording, alike.phrase, PhraseMatchKind.SYLLABLES)
         elif beside:
             yield from self._of_parts(phrase, phrase.nearest_to_middle(beside), conjunctions)
         elif alike := self._of_like_stresses(phrase):
-            yield Match(phrase, alike.recording, alike.phrase, MatchKind.STRESSES)
+            yield PhraseMatch(phrase, alike.recording, alike.phrase, PhraseMatchKind.STRESSES)
         elif joints:
             yield from self._of_parts(phrase, phrase.nearest_to_middle(joints), conjunctions)
         else:
             yield self._piece_for(phrase)
 
-    def _of_parts(self, phrase: Phrase, at: int, conjunctions: Collection[int]) -> Iterator[Match]:
+    def _of_parts(self, phrase: Phrase, at: int, conjunctions: Collection[int]) -> Iterator[PhraseMatch]:
         yield from self.matches(phrase.part(0, at), conjunctions)
         yield from self.matches(phrase.part(at, len(phrase)), conjunctions)
 
@@ -176,7 +176,7 @@ class PhraseIndex:
         usable = (r for r in found if 1 / MOST_STRETCH <= r.phrase.duration / phrase.duration <= MOST_STRETCH)
         return min(usable, key=lambda r: abs(r.phrase.duration - phrase.duration), default=None)
 
-    def _piece_for(self, phrase: Phrase) -> Match:
+    def _piece_for(self, phrase: Phrase) -> PhraseMatch:
         """Return the beginning of a longer phrase for a word that none matches, or the longest one there is.
 
         A table of long sentences has none of a single word.
@@ -184,7 +184,7 @@ class PhraseIndex:
         n = min((count for count in self._by_syllables if count > len(phrase)), default=max(self._by_syllables))
         parts = [_Recorded(r.recording, r.phrase.part(0, min(n, len(phrase)))) for r in self._by_syllables[n]]
         chosen = _most_alike(parts, phrase)
-        return Match(phrase, chosen.recording, chosen.phrase, MatchKind.PIECE)
+        return PhraseMatch(phrase, chosen.recording, chosen.phrase, PhraseMatchKind.PIECE)
 
 
 def _phrase_of(spoken: Sequence[PerformedPhone]) -> Phrase:

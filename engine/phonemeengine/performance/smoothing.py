@@ -73,7 +73,7 @@ def smoothed(weights: Float32Array, sentence: Sentence, times: Float64Array) -> 
         ([0] * len(sentence), max(LEAST_PHRASE_CUTOFF, ABOVE_WORD * word)),
     ):
         for first, last in _parts_of(sentence, numbers, times):
-            result[first:last] = _filtered(result[first:last], cutoff / rate)
+            result[first:last] = low_passed(result[first:last], cutoff / rate)
     return result.astype(np.float32)
 
 
@@ -123,8 +123,14 @@ def _parts_of(sentence: Sentence, numbers: Sequence[int], times: Float64Array) -
             yield int(first), min(int(last) + 1, len(times))
 
 
-def _filtered(part: Float64Array, cutoff: float) -> Float64Array:
-    """Filter shape (n_frames, n_channels); the cut-off is beside the rate of frames."""
+def low_passed(part: Float64Array, cutoff: float) -> Float64Array:
+    """Return a part without what changes fast, neither early nor late; its ends stay where they are.
+
+    Parameters
+    ----------
+    part : shape (n_frames, n_channels).
+    cutoff : where the filter leaves a half, beside the rate of frames.
+    """
     n = len(part)
     if n < 3:
         return part

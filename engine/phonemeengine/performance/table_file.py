@@ -11,6 +11,9 @@ from collections import OrderedDict
 from collections.abc import Iterable, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +23,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError, PerformanceError
 from phonemeengine.files import atomic_write, printable, printable_name, reason_of
 from phonemeengine.lifetime import Closing
+from phonemeengine.performance.phrases import PhraseIndex
 from phonemeengine.performance.recording import Performance, PerformedPhone
 from phonemeengine.performance.units import UnitKind, duration_of, units_of
 
@@ -52,6 +56,7 @@ SCHEMA = (
 _EXAMPLES = "SELECT recording, first, last, duration FROM unit WHERE item = ? AND "
 _BEFORE = _EXAMPLES + "duration < ? ORDER BY duration DESC LIMIT ?"
 _FROM = _EXAMPLES + "duration >= ? ORDER BY duration LIMIT ?"
+_PHONES = 'SELECT recording, start, middle, "end", name, word, syllable, stress, energy, pitch FROM phone '
 _WITHIN = _EXAMPLES + "duration BETWEEN ? AND ? ORDER BY duration"
 
 
@@ -194,6 +199,14 @@ class PerformanceTable(Closing):
             numbers = [_whole(row[0]) for row in self._connection.execute("SELECT id FROM recording ORDER BY id")]
         return ((number, self._read(number)) for number in numbers)
 
+    @cached_property
+    def phrases(self) -> PhraseIndex:
+        """The phrases of all recordings; they are read when they are first asked for."""
+        with _refusing(self._name):
+            rows = self._connection.execute(_PHONES + "ORDER BY recording, k")
+            recordings = groupby(rows, key=itemgetter(0))
+            return PhraseIndex((_whole(number), [*map(_phone, few)]) for number, few in recordings)
+
     def _item(self, kind: UnitKind, names: tuple[str, ...]) -> int:
         query = "SELECT id FROM item WHERE kind = ? AND key = ?"
         row = self._connection.execute(query, (kind.value, " ".join(names))).fetchone()
@@ -207,11 +220,8 @@ class PerformanceTable(Closing):
                 raise _DamageError(f"there is no recording of the number {number}")
             name, rate, n_frames, synthetic, words, content = row
             weights = _weights_of(content, _whole(n_frames), len(self.about.channels))
-            query = (
-                'SELECT start, middle, "end", name, word, syllable, stress, energy, pitch FROM phone '
-                "WHERE recording = ? ORDER BY k"
-            )
-            phones = tuple(_phone(row) for row in self._connection.execute(query, (number,)))
+            rows = self._connection.execute(_PHONES + "WHERE recording = ? ORDER BY k", (number,))
+            phones = tuple(map(_phone, rows))
             texts = tuple(_text(words).split("\n")) if words else ()
             return Performance(
                 _text(name), _real(rate), self.about.channels, weights, phones, texts, bool(_whole(synthetic))
@@ -403,7 +413,7 @@ def _weights_of(content: Any, n_frames: int, n_channels: int) -> Float32Array:
 
 
 def _phone(row: tuple[Any, ...]) -> PerformedPhone:
-    start, middle, end, name, word, syllable, stress, energy, pitch = row
+    _recording, start, middle, end, name, word, syllable, stress, energy, pitch = row
     return PerformedPhone(
         _real(start), _real(middle), _real(end), _text(name), _whole(word), _whole(syllable), _whole(stress),
         _real(energy), _real(pitch),

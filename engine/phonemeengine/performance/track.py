@@ -11,16 +11,20 @@ from functools import cached_property
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.files import begins_like
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation, animation_by, check_rate
-from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.performer import IdleMotion, Performer
-from phonemeengine.mouth.table import USUAL_TABLE, load_table
+from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.performer import IdleMotion, MouthTrack, Performer
+from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.performance.driver import Part, PerformanceDriver, PerformanceOptions, UsedUnit
+from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
 from phonemeengine.performance.fit import crossed
 from phonemeengine.performance.halves import weights_at
+from phonemeengine.performance.head_driver import HeadDriver
+from phonemeengine.performance.keywords import CHANNELS
+from phonemeengine.performance.recording import HEAD
 from phonemeengine.performance.sentence import Sentence, performed_phones, sentences_in
 from phonemeengine.performance.smoothing import TO_REST
 from phonemeengine.performance.table_file import PerformanceTable
@@ -29,7 +33,13 @@ RATE = 60.0
 """Frames a second at least of what is looked up."""
 KEPT = 4
 """Sentences whose movement stays in memory."""
+_HEAD_COLUMNS = [(*HEAD, *FACE).index(name) for name in CHANNELS]
 UNIT_COLUMNS = ("start_s", "end_s", "set", "phones", "recording", "from_s", "to_s")
+
+
+def face_table() -> MouthTable:
+    """Return the mouth table of faces that are looked up: ARKit's shapes, and all movestates of `FACE`."""
+    return replace(load_table(USUAL_TABLE), movestates=FACE)
 
 
 class PerformanceTrack:
@@ -61,28 +71,30 @@ class PerformanceTrack:
         self.utterance = utterance
         self.sentences = sentences_in(performed_phones(utterance, speech))
         self._driver = PerformanceDriver(table, options)
+        self._head = self._head_by(table)
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
         """What the table lacks for it, a sentence each."""
-        return self._driver.notes(tuple(phone for sentence in self.sentences for phone in sentence))
+        phones = _joined(self.sentences)
+        return (*self._driver.notes(phones), *(() if self._head is None else self._head.notes(phones)))
 
     def units(self) -> Iterator[UsedUnit]:
         """Return the units that it is made of, in order of time; at a pause, neighbouring sentences overlap."""
         for number, sentence in enumerate(self.sentences):
             yield from self._driver.units(sentence, number)
 
-    def mouth(self, rate: float = RATE) -> "PerformedMouth":
+    def mouth(self, rate: float = RATE) -> MouthTrack:
         """Return a mouth that says it, for a performer to play.
 
         Parameters
         ----------
         rate : pictures a second that will be shown of it.
         """
-        return PerformedMouth(self.sentences, self._driver, rate)
+        return PerformedMouth(self.sentences, self._driver, self._head, rate)
 
     def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
-        """Animate a face: its mouth is looked up, it blinks, and its head moves with the sound.
+        """Animate a face: mouth, brows and head are looked up, and it blinks.
 
         Parameters
         ----------
@@ -97,15 +109,23 @@ class PerformanceTrack:
         """
         check_rate(rate)
         idle = idle or IdleMotion()
-        if Part.HEAD in self._driver.options.without:
+        if self._head is None:
             idle = replace(idle, head=False)
-        performer = Performer(load_table(USUAL_TABLE), idle)
+        performer = Performer(face_table(), idle)
         performer.play(self.mouth(rate))
         return animation_by(performer, speech, rate)
 
+    def _head_by(self, table: PerformanceTable) -> HeadDriver | None:
+        """Return what moves the head, unless that is left out."""
+        options = self._driver.options
+        if PerformancePart.HEAD in options.without:
+            return None
+        words = [word.text for word in self.utterance.words]
+        return HeadDriver(table, words, self.utterance.language, options.keywords, options.seed)
+
 
 class PerformedMouth:
-    """A mouth that is looked up: the weights of its movestates at any time.
+    """A face that is looked up: the weights of its movestates, and how the head is turned, at any time.
 
     A sentence is looked up when a time in it is first asked for. Its frames are so many times closer than pictures
     that each picture is a frame.
@@ -113,29 +133,45 @@ class PerformedMouth:
     Parameters
     ----------
     sentences : what is said.
-    driver : looks it up.
+    driver : looks the mouth up.
+    head : looks head, shoulders and brows up, which are at rest where it is None.
     rate : pictures a second.
 
     Attributes
     ----------
-    movestates : those of ARKit, in the order of the weights.
+    movestates : those of `FACE`, in the order of the weights.
     """
 
-    movestates = ARKIT
+    movestates = FACE
 
-    def __init__(self, sentences: tuple[Sentence, ...], driver: PerformanceDriver, rate: float) -> None:
-        self._sentences, self._driver, self._picture = sentences, driver, 1 / rate
+    def __init__(
+        self, sentences: tuple[Sentence, ...], driver: PerformanceDriver, head: HeadDriver | None, rate: float
+    ) -> None:  # fmt: skip
+        self._sentences, self._driver, self._head, self._picture = sentences, driver, head, 1 / rate
         self._rate = rate * math.ceil(RATE / rate)
         self._begins = [_turn_to(sentence)[0] for sentence in sentences[1:]]
         self._made: OrderedDict[int, tuple[int, Float32Array]] = OrderedDict()
 
     def weights(self, time: float) -> Float32Array:
-        """Return the weights at a time, seconds, float32, shape (52,), 1 for the whole movement.
+        """Return the weights at a time, seconds, float32, shape (60,), 1 for the whole movement.
 
         Raises
         ------
         PerformanceError : the table is damaged.
         """
+        return self._frame_at(time)[len(HEAD) :]
+
+    def head(self, time: float) -> HeadPose | None:
+        """Return how the head is turned at a time, seconds; None where it is not looked up.
+
+        Raises
+        ------
+        PerformanceError : the table is damaged.
+        """
+        return None if self._head is None else HeadPose(*self._frame_at(time)[: len(HEAD)].tolist())
+
+    def _frame_at(self, time: float) -> Float32Array:
+        """Return turns and weights at a time; where two sentences meet, both have a share."""
         number = bisect_right(self._begins, time)
         weights = self._weights_in(number, time)
         begin, end = _turn_to(self._sentences[number])
@@ -152,17 +188,29 @@ class PerformedMouth:
         return weights
 
     def _frames_of(self, number: int) -> tuple[int, Float32Array]:
-        """Return the number of the first frame of a sentence, and the weights of all its frames."""
+        """Return the number of the first frame of a sentence, and turns and weights of all its frames."""
         if number not in self._made:
             sentence = self._sentences[number]
             end = max(sentence[-1].end, sentence[-1].start + TO_REST)
             first, last = math.floor(sentence[0].start * self._rate), math.ceil(end * self._rate)
             times = np.arange(first, last + 1) / self._rate
-            self._made[number] = first, self._driver.weights(sentence, number, times, self._picture)
+            self._made[number] = first, self._frames_at(number, times)
         self._made.move_to_end(number)
         if len(self._made) > KEPT:
             self._made.popitem(last=False)
         return self._made[number]
+
+    def _frames_at(self, number: int, times: Float64Array) -> Float32Array:
+        frames = np.zeros((len(times), len(HEAD) + len(FACE)), np.float32)
+        frames[:, len(HEAD) :] = self._driver.weights(self._sentences[number], number, times, self._picture)
+        if self._head is not None:
+            about = _joined(self._sentences[max(number - 1, 0) : number + 2])
+            frames[:, _HEAD_COLUMNS] = self._head.track(about, times)
+        return frames
+
+
+owns = begins_like(",".join(UNIT_COLUMNS).encode() + b"\n")
+"""Whether the content of a file is a list of units that was written here."""
 
 
 def format_units(units: Iterable[UsedUnit]) -> str:
@@ -176,6 +224,11 @@ def format_units(units: Iterable[UsedUnit]) -> str:
         )
         table.writerow((start, end, unit.kind, " ".join(unit.names), unit.recording, source_start, source_end))
     return text.getvalue()
+
+
+def _joined(sentences: tuple[Sentence, ...]) -> Sentence:
+    """Return sentences as one; neighbours share a pause."""
+    return sentences[0] + tuple(phone for sentence in sentences[1:] for phone in sentence[1:])
 
 
 def _turn_to(sentence: Sentence) -> tuple[float, float]:

@@ -1,6 +1,7 @@
 """The performer: whoever asks it moves alike, and it does not matter how often anybody looks."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
+from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import CLOSE_AFTER, MOUTH_ALONE, FaceState, IdleMotion, Performer, TimedFrame
@@ -226,3 +228,50 @@ def test_a_forced_shape_keeps_the_eyes_open() -> None:
     times = np.arange(0.5, 20.0, 1 / RATE).tolist()
     assert max(performer.at(time).blink for time in times) < 0.01
     assert max(free.at(time).blink for time in times) > 0.9
+
+
+class Nodding:
+    """A track that opens the jaw to the clock's tenths, shifts the shoulders, and may turn the head."""
+
+    movestates = ("shoulderShiftLeft", *reversed(ARKIT.movestates))
+
+    def __init__(self, *, turns: bool) -> None:
+        self._turns = turns
+
+    def weights(self, time: float) -> Weights:
+        weights = np.zeros(len(self.movestates), np.float32)
+        weights[0], weights[self.movestates.index("jawOpen")] = 1.0, time / 10
+        return weights
+
+    def head(self, time: float) -> HeadPose | None:
+        return HeadPose(0.0, -time, 0.0) if self._turns else None
+
+
+def test_a_track_turns_the_head_and_moves_what_the_table_names() -> None:
+    performer = Performer(ARKIT)
+    performer.play(Nodding(turns=True), start=1.0)
+    face = performer.at(3.0)
+    assert face.weights[JAW] == pytest.approx(0.2)
+    assert np.count_nonzero(face.weights) == 1
+    assert face.head == HeadPose(0.0, -2.0, 0.0)
+    extended = replace(ARKIT, movestates=(*ARKIT.movestates, "shoulderShiftLeft"))
+    performer.configure(extended, IdleMotion(head=False))
+    face = performer.at(3.0)
+    assert (face.weights[JAW], face.weights[-1]) == pytest.approx((0.2, 1.0))
+    assert face.head == HeadPose()
+
+
+def test_a_head_that_a_track_leaves_alone_goes_with_what_is_heard() -> None:
+    performer, other = Performer(ARKIT), Performer(ARKIT)
+    performer.play(Nodding(turns=False))
+    for each in (performer, other):
+        each.hear([TimedFrame(0.0, Phoneme.A, 1.0, 120.0)])
+    assert performer.at(0.5).head == other.at(0.5).head != HeadPose()
+    performer.play(None)
+    assert performer.at(0.5).weights == pytest.approx(other.at(0.5).weights)
+
+
+def test_a_table_with_movestates_that_a_track_lacks_goes_on_by_what_is_heard() -> None:
+    performer = Performer(load_table("vrm"))
+    performer.play(Nodding(turns=True))
+    assert not performer.at(3.0).weights.any()

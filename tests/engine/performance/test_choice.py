@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeengine.performance.choice import Choice, chosen_examples
+from phonemeengine.performance.choice import ExampleChoice, chosen_examples
 from phonemeengine.performance.halves import TRAITS, Recordings, traits_of
 from phonemeengine.performance.recording import Performance
 from phonemeengine.performance.search import PlacedUnit
@@ -40,7 +40,7 @@ def placed_in(sentence: Sentence, *kinds: UnitKind) -> list[PlacedUnit]:
 
 
 def chosen(
-    table: PerformanceTable, choice: Choice, *kinds: UnitKind, length: float = 0.1, seed: int = 0
+    table: PerformanceTable, choice: ExampleChoice, *kinds: UnitKind, length: float = 0.1, seed: int = 0
 ) -> list[int]:
     """Give the recordings that are chosen for the units of some sets in "ma.ma"."""
     sentence = phones_in("ma.ma", length)
@@ -50,31 +50,31 @@ def chosen(
 
 
 def test_the_nearest_example_is_that_of_the_nearest_duration(table: PerformanceTable) -> None:
-    assert chosen(table, Choice.NEAREST, UnitKind.WORD, length=0.11) == [3]
-    assert chosen(table, Choice.NEAREST, UnitKind.WORD, length=9.0) == [5]
+    assert chosen(table, ExampleChoice.NEAREST, UnitKind.WORD, length=0.11) == [3]
+    assert chosen(table, ExampleChoice.NEAREST, UnitKind.WORD, length=9.0) == [5]
 
 
 def test_chance_takes_any_example_and_that_of_a_band_any_in_it(table: PerformanceTable) -> None:
-    assert {chosen(table, Choice.RANDOM, UnitKind.WORD, seed=k)[0] for k in range(50)} == {1, 2, 3, 4, 5}
-    assert {chosen(table, Choice.BAND, UnitKind.WORD, seed=k)[0] for k in range(50)} == {1, 2, 3}  # 15 %
-    assert chosen(table, Choice.BAND, UnitKind.WORD, length=0.15) == [4]  # none is in the band: the nearest
+    assert {chosen(table, ExampleChoice.RANDOM, UnitKind.WORD, seed=k)[0] for k in range(50)} == {1, 2, 3, 4, 5}
+    assert {chosen(table, ExampleChoice.BAND, UnitKind.WORD, seed=k)[0] for k in range(50)} == {1, 2, 3}  # 15 %
+    assert chosen(table, ExampleChoice.BAND, UnitKind.WORD, length=0.15) == [4]  # none is in the band: the nearest
 
 
 def test_equal_seeds_choose_alike(table: PerformanceTable) -> None:
-    runs = [chosen(table, Choice.RANDOM, UnitKind.LEFT_HALF, seed=seed) for seed in (3, 3, 4)]
+    runs = [chosen(table, ExampleChoice.RANDOM, UnitKind.LEFT_HALF, seed=seed) for seed in (3, 3, 4)]
     assert runs[0] == runs[1] != runs[2]
 
 
 def test_the_best_way_goes_on_with_the_face_that_it_has(table: PerformanceTable) -> None:
     halves = (UnitKind.LEFT_HALF, UnitKind.RIGHT_HALF)
-    levels = {number % 2 for number in chosen(table, Choice.VITERBI, *halves, length=0.1065)}
+    levels = {number % 2 for number in chosen(table, ExampleChoice.VITERBI, *halves, length=0.1065)}
     assert len(levels) == 1  # all of one level, though 2 and 3 are as near in length
 
 
 def test_the_best_way_keeps_to_one_recording_where_that_fits(table: PerformanceTable) -> None:
     kinds = (UnitKind.BOUNDARY_DIPHONE, UnitKind.SYLLABLE, UnitKind.DIPHONE)
-    assert len({*chosen(table, Choice.VITERBI, UnitKind.SYLLABLE, length=0.1)}) == 1
-    assert {*chosen(table, Choice.VITERBI, *kinds, length=0.1)} == {1}
+    assert len({*chosen(table, ExampleChoice.VITERBI, UnitKind.SYLLABLE, length=0.1)}) == 1
+    assert {*chosen(table, ExampleChoice.VITERBI, *kinds, length=0.1)} == {1}
 
 
 def test_the_traits_of_a_half_tell_of_its_length_its_voice_and_its_neighbours() -> None:

@@ -2,7 +2,7 @@ from itertools import pairwise
 
 import pytest
 
-from phonemeengine.performance.phrases import Match, MatchKind, PhraseIndex, phrases_of
+from phonemeengine.performance.phrases import PhraseIndex, PhraseMatch, PhraseMatchKind, phrases_of
 from tests.engine.performance.rhythms import said
 
 
@@ -10,12 +10,14 @@ def _index(*rhythms: str, length: float = 0.2) -> PhraseIndex:
     return PhraseIndex((k, said(rhythm, length)) for k, rhythm in enumerate(rhythms))
 
 
-def _found(index: PhraseIndex, rhythm: str, conjunctions: set[int] | None = None, length: float = 0.2) -> list[Match]:
+def _found(
+    index: PhraseIndex, rhythm: str, conjunctions: set[int] | None = None, length: float = 0.2
+) -> list[PhraseMatch]:
     (phrase,) = phrases_of(said(rhythm, length))
     return [*index.matches(phrase, conjunctions or set())]
 
 
-def _outline(matches: list[Match]) -> list[tuple[int, int, MatchKind]]:
+def _outline(matches: list[PhraseMatch]) -> list[tuple[int, int, PhraseMatchKind]]:
     """Give for each match its syllables, its recording and how it was found."""
     return [(len(match.phrase), match.recording, match.kind) for match in matches]
 
@@ -42,7 +44,7 @@ def test_silence_has_no_phrase_and_an_empty_table_none_for_any() -> None:
 
 def test_a_phrase_of_equal_syllables_is_found() -> None:
     index = _index("da", "da da DA", "da da da DA")
-    assert _outline(_found(index, "DA da da")) == [(3, 1, MatchKind.SYLLABLES)]
+    assert _outline(_found(index, "DA da da")) == [(3, 1, PhraseMatchKind.SYLLABLES)]
 
 
 def test_of_equal_numbers_of_syllables_the_likest_stresses_count() -> None:
@@ -59,7 +61,7 @@ def test_of_equally_stressed_phrases_the_nearest_duration_counts() -> None:
 def test_a_phrase_without_a_match_is_split_beside_its_conjunctions() -> None:
     index = _index("da da DA", "DA da da da")
     matches = _found(index, "da da DA and DA da da", {3})
-    assert _outline(matches) == [(3, 0, MatchKind.SYLLABLES), (4, 1, MatchKind.SYLLABLES)]
+    assert _outline(matches) == [(3, 0, PhraseMatchKind.SYLLABLES), (4, 1, PhraseMatchKind.SYLLABLES)]
     assert matches[1].phrase.words == (3, 4, 5, 6)
 
 
@@ -71,39 +73,39 @@ def test_the_conjunction_nearest_the_middle_splits_first() -> None:
 
 def test_a_conjunction_is_left_alone_where_the_whole_phrase_is_found() -> None:
     index = _index("da da DA da da", "da da", "da da da")
-    assert _outline(_found(index, "da da and da da", {2})) == [(5, 0, MatchKind.SYLLABLES)]
+    assert _outline(_found(index, "da da and da da", {2})) == [(5, 0, PhraseMatchKind.SYLLABLES)]
 
 
 def test_a_conjunction_that_begins_a_phrase_splits_nothing() -> None:
     index = _index("DA da DA da da")
-    assert _outline(_found(index, "and DA da DA", {0})) == [(4, 0, MatchKind.STRESSES)]
+    assert _outline(_found(index, "and DA da DA", {0})) == [(4, 0, PhraseMatchKind.STRESSES)]
 
 
 def test_without_a_conjunction_the_number_of_stresses_counts_alone() -> None:
     index = _index("da DA da DA da DA", "da DA da da da DA da", "DA")
-    assert _outline(_found(index, "DA da da da da da da DA")) == [(8, 1, MatchKind.STRESSES)]
+    assert _outline(_found(index, "DA da da da da da da DA")) == [(8, 1, PhraseMatchKind.STRESSES)]
 
 
 def test_stresses_alone_find_nothing_that_is_more_than_twice_as_long() -> None:
     index = _index("DA da da da da da da da da da da")
-    assert _outline(_found(index, "da DA")) == [(1, 0, MatchKind.PIECE)] * 2
+    assert _outline(_found(index, "da DA")) == [(1, 0, PhraseMatchKind.PIECE)] * 2
 
 
 def test_where_nothing_is_found_the_word_boundary_nearest_the_middle_splits() -> None:
     index = _index("da da", "da da da da")
     matches = _found(index, "da.da da.da.da.da")
-    assert _outline(matches) == [(2, 0, MatchKind.SYLLABLES), (4, 1, MatchKind.SYLLABLES)]
+    assert _outline(matches) == [(2, 0, PhraseMatchKind.SYLLABLES), (4, 1, PhraseMatchKind.SYLLABLES)]
 
 
 def test_a_word_that_none_matches_takes_the_beginning_of_the_next_longer_phrase() -> None:
     index = _index("da da", "DA da DA da", "da DA da DA")
     (match,) = _found(index, "da.DA.da")
-    assert (match.recording, match.kind, len(match.example)) == (2, MatchKind.PIECE, 3)
+    assert (match.recording, match.kind, len(match.example)) == (2, PhraseMatchKind.PIECE, 3)
 
 
 def test_a_word_that_is_longer_than_all_phrases_takes_the_longest_one() -> None:
     (match,) = _found(_index("da", "da da"), "da.da.da.da.da")
-    assert (match.recording, match.kind, len(match.example)) == (1, MatchKind.PIECE, 2)
+    assert (match.recording, match.kind, len(match.example)) == (1, PhraseMatchKind.PIECE, 2)
 
 
 @pytest.mark.parametrize("rhythm", ["DA", "da.DA.da da", "da and DA da.da.DA da and da.DA da", "da " * 200])

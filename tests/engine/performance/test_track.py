@@ -11,19 +11,22 @@ import pytest
 
 from phonemeengine.errors import MouthError, PerformanceError
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
-from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.performer import IdleMotion
+from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS
+from phonemeengine.mouth.osc import OscMouth
+from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.performance.choice import Choice
-from phonemeengine.performance.driver import Part, PerformanceOptions
-from phonemeengine.performance.recording import SILENCE, Performance
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.driver import FACE, PerformanceOptions, PerformancePart
+from phonemeengine.performance.recording import HEAD, SILENCE, Performance
 from phonemeengine.performance.table_file import PerformanceTable, write_table
-from phonemeengine.performance.track import PerformanceTrack, format_units
+from phonemeengine.performance.track import PerformanceTrack, face_table, format_units
 from phonemeengine.phonemes import Phoneme
 from tests.engine.performance.sentences import phones_in
+from tests.fakes.osc_receiver import Receiver
+from tests.fakes.players import wait_for
 
 JAW, PUCKER = ARKIT.index("jawOpen"), ARKIT.index("mouthPucker")
-PLAIN = PerformanceOptions(without=frozenset(Part))
+PLAIN = PerformanceOptions(without=frozenset(PerformancePart))
 CHANNELS = ("headYaw", "mouthPucker", "jawOpen", "eyeBlinkLeft")
 
 
@@ -132,7 +135,7 @@ def test_equal_seeds_make_equal_faces(tmp_path: Path) -> None:
     with PerformanceTable.open(tmp_path / "many.sqlite") as table:
         utterance = utterance_of("ma", "ma")
         first, again, other = (
-            track_of(table, utterance, PerformanceOptions(Choice.RANDOM, seed)).animation(
+            track_of(table, utterance, PerformanceOptions(ExampleChoice.RANDOM, seed)).animation(
                 heard(utterance), 60, IdleMotion(seed=1)
             )
             for seed in (-5, -5, 5)
@@ -146,12 +149,66 @@ def test_a_head_moves_unless_it_is_left_out(table: PerformanceTable) -> None:
     speech = replace(heard(utterance), intensities=np.ones(150, np.float32), pitches=np.full(150, 120, np.float32))
     still, moved = (
         track_of(table, utterance, PerformanceOptions(without=without)).animation(speech, 60)
-        for without in (frozenset({Part.HEAD}), frozenset[Part]())
+        for without in (frozenset({PerformancePart.HEAD}), frozenset[PerformancePart]())
     )
     assert np.ptp(moved.head) > 0
     assert np.ptp(still.head) == 0
     with pytest.raises(MouthError, match="frame rate"):
         track_of(table, utterance).animation(speech, 0)
+
+
+def test_head_brows_shoulders_and_tongue_move_with_the_mouth(tmp_path: Path) -> None:
+    channels = (*HEAD, "jawOpen", "browInnerUp", "shoulderShiftRight")
+    plain = recorded("ma.ma ni", length=0.2)
+    weights = np.zeros((len(plain.weights), len(channels)), np.float32)
+    weights[:, 1] = 6 * np.sin(2 * np.pi * np.arange(len(weights)) / len(weights))
+    weights[:, 4:] = 0.5
+    write_table(tmp_path / "t.sqlite", [replace(plain, channels=channels, weights=weights)])
+    utterance = utterance_of("ma.ma", "ni", length=0.2, pause=0.2, gap=0.0)
+    with PerformanceTable.open(tmp_path / "t.sqlite") as table:
+        track = track_of(table, utterance, PerformanceOptions())
+        animation = track.animation(heard(utterance), 60)
+    assert track.notes == ()
+    assert animation.movestates == FACE
+    moved = dict(zip(FACE, animation.weights.T, strict=True))
+    assert np.ptp(animation.head, axis=0) == pytest.approx([0, 12, 0], abs=3)
+    assert moved["browInnerUp"].max() == pytest.approx(0.5, abs=0.02)
+    assert moved["shoulderShiftRight"].max() == pytest.approx(0.5, abs=0.02)
+    assert moved["tongueTipAlveolar"].max() == pytest.approx(1.0, abs=0.02)
+    assert moved["tongueTipAlveolar"][animation.times < 0.6].max() < 0.05
+
+
+def test_shoulders_and_tongue_travel_over_the_network(tmp_path: Path) -> None:
+    channels = ("jawOpen", SHOULDERS[1])
+    plain = recorded("ni", length=0.2)
+    write_table(tmp_path / "t.sqlite", [replace(plain, channels=channels, weights=plain.weights[:, 1:3])])
+    receiver, performer = Receiver(), Performer(face_table())
+    with PerformanceTable.open(tmp_path / "t.sqlite") as table:
+        performer.play(track_of(table, utterance_of("ni", length=0.2), PerformanceOptions()).mouth())
+        with OscMouth(receiver.address, performer, clock=lambda: 0.2):
+            wait_for(lambda: bool(receiver.of("/VMC/Ext/Blend/Apply")), "a frame")
+    receiver.close()
+    sent = {name for name, weight in receiver.of("/VMC/Ext/Blend/Val") if weight}
+    assert {SHOULDERS[1], "tongueTipAlveolar", "jawOpen"} <= sent
+
+
+def test_the_head_goes_from_sentence_to_sentence_without_a_jump(tmp_path: Path) -> None:
+    channels = (*HEAD, "jawOpen")
+    recordings = []
+    for words, height in (("ma", 9.0), ("tu.tu", -9.0)):
+        plain = recorded(words, length=0.2)
+        weights = np.zeros((len(plain.weights), len(channels)), np.float32)
+        weights[len(weights) // 2 :, 0] = height
+        recordings.append(replace(plain, channels=channels, weights=weights))
+    write_table(tmp_path / "t.sqlite", recordings)
+    utterance = utterance_of("ma", "tu.tu", "ma", length=0.2, pause=0.4)
+    with PerformanceTable.open(tmp_path / "t.sqlite") as table:
+        track = track_of(table, utterance, PerformanceOptions())
+        head = track.animation(heard(utterance), 120).head
+    assert len(track.sentences) == 3
+    assert np.ptp(head[:, 0]) > 5
+    assert np.abs(np.diff(head[:, 0])).max() * 120 < 120  # degrees a second
+    assert np.abs(head[[0, -1]]).max() < 0.1
 
 
 def test_silence_alone_is_a_face_at_rest(table: PerformanceTable) -> None:

@@ -138,10 +138,14 @@ class Exporter:
                 "one; rename it there"
             )
 
+    def takes(self, movestates: tuple[str, ...]) -> bool:
+        """Return whether a file can hold a movement of these movestates; it leaves out those that it has none for."""
+        return self.format.moves_head and {*self.format.movestates} <= {*movestates}
+
     def _held(self, movement: Animation) -> Animation:
-        """Return what the format holds of a movement: one with movestates of its own leaves others out."""
+        """Return what the format holds of a movement."""
         known = self.format.movestates or movement.movestates
-        if not self.format.moves_head or not {*known} <= {*movement.movestates}:
+        if not self.takes(movement.movestates):
             raise ExportError(
                 f"{self.name} is made of cues, or of movestates other than {movement.movestates[0]} ... "
                 f"{movement.movestates[-1]}; leave the movement out"

@@ -57,13 +57,13 @@ class Expression:
                 raise MouthError(f"a priority lies in 0..1, found {priority:g}; correct it")
 
     def check_fits(self, movestates: tuple[str, ...], table: str) -> None:
-        """Refuse a mouth table, by its name, that moves something else than the blend shapes of ARKit.
+        """Refuse a mouth table, by its name, that does not begin with the blend shapes of ARKit.
 
         Raises
         ------
         MouthError : it does.
         """
-        if movestates != self.channels.names:
+        if movestates[: len(self.channels.names)] != self.channels.names:
             raise MouthError(
                 f"expressions move the blend shapes of ARKit, which are not those of the table {table!r}; choose "
                 "another table, such as arkit"

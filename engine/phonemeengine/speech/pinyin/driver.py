@@ -47,6 +47,9 @@ class PinyinMouth:
         """Return the weights at a time, seconds, float32, shape (n_movestates,), 1 for the whole movement."""
         return self._eased(time) if self._spring is None else self._spring.at(time)
 
+    def head(self, time: float) -> None:
+        """Leave the head to what is heard."""
+
     def _eased(self, time: float) -> Float32Array:
         begun = bisect_right(self._starts, time)
         mixed = shares_of(self._movements[max(begun - 2, 0) : begun], time)

@@ -1,0 +1,122 @@
+"""Recorded faces that say what is said, as a person asks for them: the jaw of the recording opens steadily."""
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from phonemeanalyser.cli.main import main
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.performance.building import build_table
+from tests.engine.performance.corpora import write_recording
+
+JAW = 2 + ARKIT.index("jawOpen")
+PLAIN = ["--without", "poses,filters,energy,window"]
+
+
+@pytest.fixture
+def recorded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the recording "mami", and a table of it."""
+    monkeypatch.chdir(tmp_path)
+    write_recording(tmp_path)
+    build_table(tmp_path, tmp_path / "ann.sqlite", name="Ann")
+    return tmp_path
+
+
+def jaws_in(path: Path) -> list[float]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return [float(row[JAW]) for row in [*csv.reader(file)][1:]]
+
+
+def test_a_recording_that_is_said_again_moves_as_it_did(recorded: Path) -> None:
+    words = ["mami.wav", "--performance", "ann.sqlite", "--format", "livelink-csv", "-o", "out.csv"]
+    assert main(["export", *words, "--script", "mami.TextGrid", "--units", "units.csv", *PLAIN]) == 0
+    assert jaws_in(recorded / "out.csv") == pytest.approx(np.linspace(0, 1, 61).tolist(), abs=0.01)
+    units = (recorded / "units.csv").read_text(encoding="utf-8").splitlines()
+    assert "0.250,0.700,word,m a m i,mami,0.250,0.700" in units
+    assert main(["speak", "--recording", "mami.wav", "--performance", "ann.sqlite", "--units", "again.csv"]) == 0
+    assert (recorded / "again.csv").read_text(encoding="utf-8").splitlines() == units
+
+
+def test_lips_meet_in_an_export_unless_poses_are_left_out(recorded: Path) -> None:
+    words = ["export", "mami.wav", "--performance", "ann.sqlite", "--format", "livelink-csv", "--script"]
+    assert main([*words, "mami.TextGrid", "-o", "out.csv"]) == 0
+    second_m = jaws_in(recorded / "out.csv")[30:37]  # from 0.5 to 0.6 s
+    assert min(second_m) < 0.06
+
+
+def test_a_text_is_said_by_the_table_without_sound_too(
+    recorded: Path, capsys: pytest.CaptureFixture[str]
+) -> None:  # fmt: skip
+    words = ["妈咪", "--silent", "--performance", "ann.sqlite", "--export", "out.csv", "--format", "livelink-csv"]
+    assert main(["speak", *words]) == 0
+    assert max(jaws_in(recorded / "out.csv")) > 0.3
+    assert main(["speak", "妈八", *words[1:], "--overwrite"]) == 0
+    assert "Ann: note: nobody says [p] in the recordings, so it looks like [m]" in capsys.readouterr().err
+
+
+def test_a_voice_is_said_by_the_table(recorded: Path) -> None:
+    words = ["mummy", "--language", "en-us", "--performance", "ann.sqlite", "--units", "units.csv"]
+    assert main(["speak", *words]) == 0
+    assert "m" in (recorded / "units.csv").read_text(encoding="utf-8")
+
+
+def _head_in(folder: Path) -> dict[str, list[float]]:
+    curves = json.loads((folder / "out.json").read_text(encoding="utf-8"))
+    return {curve["name"]: curve["values"] for curve in (*curves["head"], *curves["curves"])}
+
+
+def test_the_head_makes_the_gestures_of_key_words_unless_it_is_left_out(recorded: Path) -> None:
+    own = 'format = "phonemeanalyser keywords 1"\n[gestures.bow]\nshortest = 0.5\n'
+    own += 'channels = { headPitch = [-20] }\n[languages.en]\nbow = ["mami"]\n'
+    (recorded / "own.toml").write_text(own, encoding="utf-8")
+    words = ["export", "mami.wav", "--performance", "ann.sqlite", "--format", "curves-json", "-o", "out.json"]
+    words += ["--script", "mami.TextGrid", "--language", "en-us", "--overwrite"]
+    assert main(words) == 0
+    assert min(_head_in(recorded).get("pitch", [0])) > -3
+    assert main([*words, "--keywords", "own.toml"]) == 0
+    moved = _head_in(recorded)
+    assert min(moved["pitch"]) < -14
+    assert "tongueMidDorsalPalate" in moved
+    assert main([*words, "--keywords", "own.toml", "--without", "head"]) == 0
+    assert "pitch" not in _head_in(recorded)
+
+
+def test_formats_with_shapes_of_their_own_follow_the_phones(
+    recorded: Path, capsys: pytest.CaptureFixture[str]
+) -> None:  # fmt: skip
+    words = ["mami.wav", "--performance", "ann.sqlite", "--format", "rhubarb-tsv", "--script", "mami.TextGrid"]
+    assert main(["export", *words]) == 0
+    said = capsys.readouterr()
+    assert "rhubarb-tsv: note: it has shapes of its own, which follow the phones" in said.err
+    assert said.out.startswith("0.00\t")
+
+
+TABLES = ["--performance", "ann.sqlite", "--performance", "ann.sqlite"]
+EXPORT = ["export", "mami.wav", "--format", "livelink-csv", "-o", "out.csv"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ([*EXPORT, *TABLES], "one table moves a face, and there are 'Ann', 'Ann'; name one of them with --use"),
+        ([*EXPORT, "--performance", "ann.sqlite", "--use", "Bob"], "one table moves a face, and there are 'Ann'"),
+        ([*EXPORT, "--performance", "mami.wav"], "mami.wav: this is no table of performances"),
+        ([*EXPORT, "--performance", "ann.sqlite"], "looked up by the phones that are said, which nobody knows"),
+        ([*EXPORT, "--use", "Ann"], "--use goes with --performance"),
+        ([*EXPORT, "--keywords", "own.toml"], "--keywords goes with --performance"),
+        ([*EXPORT, "--performance", "ann.sqlite", "--keywords", "mami.csv"], "mami.csv: this is no TOML file"),
+        ([*EXPORT, "--performance", "ann.sqlite", "--units", "mami.csv"], "mami.csv: the file that is there"),
+        (["speak", "hi", "--text-driver", "table"], "--text-driver table needs a table of recorded faces"),
+        (["speak", "你", "--performance", "ann.sqlite", "--plan", "-"], "--plan tells of the pinyin mouth"),
+    ],
+)
+def test_what_cannot_be_done_is_said_in_a_sentence(
+    recorded: Path, words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 1
+    err = capsys.readouterr().err
+    assert sentence in err
+    assert err.count("\n") == 1
