@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -39,6 +39,11 @@ class Animation:
     def times(self) -> Float64Array:
         """The time of each frame, seconds, shape (n_frames,)."""
         return np.arange(len(self.weights)) / self.rate
+
+    def of_movestates(self, movestates: tuple[str, ...]) -> "Animation":
+        """Return the animation of some of its movestates, in their order."""
+        columns = [self.movestates.index(name) for name in movestates]
+        return replace(self, movestates=movestates, weights=self.weights[:, columns])
 
 
 def animation_of(

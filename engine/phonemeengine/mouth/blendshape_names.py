@@ -25,6 +25,16 @@ NAMES: dict[str, tuple[str, ...]] = {"arkit": ARKIT, "oculus": OCULUS, "vrm": VR
 EYELIDS = ("eyeBlinkLeft", "eyeBlinkRight")
 """The movestates that a blink closes."""
 
+BROWS = ("browInnerUp", "browOuterUpLeft", "browOuterUpRight", "browDownLeft", "browDownRight")
+"""ARKit's raisers of the brows, inner and outer, and their lowerers."""
+SHOULDERS = ("shoulderShiftLeft", "shoulderShiftRight")
+"""How far the shoulders have moved to a side, 1 for as far as the avatar's go; ARKit has no names for them."""
+TONGUE = (
+    "tongueTipInterdental", "tongueTipAlveolar", "tongueFrontDorsalPalate", "tongueMidDorsalPalate",
+    "tongueBackDorsalVelar", "tongueRetreat",
+)  # fmt: skip
+"""Where the tongue is, beside ARKit's ``tongueOut``, as face tracking in OpenXR (XR_FB_face_tracking2) names it."""
+
 
 def both_sides(name: str) -> tuple[str, str]:
     """Return the two movestates for which a name without a side stands, such as ``mouthSmile``."""

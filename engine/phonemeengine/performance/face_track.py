@@ -7,7 +7,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
-from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS
 
 LONGEST_GAP = 0.1
 """Seconds without a frame that are bridged."""
@@ -15,7 +15,7 @@ LARGEST_WEIGHT = 10.0
 """Beyond this a blend shape's weight is none: captures reach a little beyond 1."""
 LONGEST = 3600.0
 """Seconds of a face's movement at most."""
-_ARKIT = {name.lower(): name for name in ARKIT}
+_SHAPES = {name.lower(): name for name in (*ARKIT, *SHOULDERS)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,9 +72,9 @@ def captured(times: Float64Array, channels: Sequence[str], weights: Float32Array
     return FaceTrack(times, tuple(channels), weights, notes)
 
 
-def arkit_name(name: str) -> str | None:
-    """Return a blend shape of ARKit as it spells it, whatever case it is written in; None for another name."""
-    return _ARKIT.get(name.lower())
+def shape_name(name: str) -> str | None:
+    """Return a blend shape of ARKit as it spells it, or a shift of the shoulders, in any case; None for others."""
+    return _SHAPES.get(name.lower())
 
 
 def check_weights(channels: Sequence[str], weights: Float32Array, file: str) -> None:
@@ -84,7 +84,7 @@ def check_weights(channels: Sequence[str], weights: Float32Array, file: str) -> 
     ------
     CorpusError : a number is not finite, or a blend shape's is far beyond 0..1.
     """
-    shapes = [k for k, name in enumerate(channels) if name in ARKIT]
+    shapes = [k for k, name in enumerate(channels) if name in _SHAPES.values()]
     fits = np.isfinite(weights).all(axis=1) & (np.abs(weights[:, shapes]) <= LARGEST_WEIGHT).all(axis=1)
     if not fits.all():
         raise CorpusError(

@@ -1,4 +1,4 @@
-"""Faces as animated glTF files: weights of morph targets that bear the names of ARKit's blend shapes.
+"""Faces as animated glTF files: weights of morph targets that bear the names of ARKit's blend shapes, or shoulders'.
 
 Of several animations the last one that moves weights counts; where an exporter thinned out the keys, there is nothing
 to bridge. See section 3.11 of the glTF 2.0 specification.
@@ -17,7 +17,7 @@ from phonemeengine.mouth.files.gltf_accessors import array_of
 from phonemeengine.mouth.files.gltf_document import Beside, Document, table_of, tables_of, text_of, whole_of
 from phonemeengine.mouth.files.gltf_scene import target_names
 from phonemeengine.mouth.files.io import LARGEST, files_beside
-from phonemeengine.performance.face_track import LONGEST, FaceTrack, arkit_name, check_weights
+from phonemeengine.performance.face_track import LONGEST, FaceTrack, check_weights, shape_name
 
 CUBIC, IN_BETWEEN = "CUBICSPLINE", 1
 """Of a cubic key's three values, the middle one is the weight; its tangents are left out."""
@@ -89,7 +89,7 @@ def _moved(document: Document, node: int, sampler: Table) -> Iterator[tuple[str,
             "again"
         )
     weights = values.reshape(len(times), n_each, len(names))[:, IN_BETWEEN if n_each > 1 else 0]
-    known = ((arkit_name(name), column) for name, column in zip(names, weights.T, strict=True))
+    known = ((shape_name(name), column) for name, column in zip(names, weights.T, strict=True))
     return ((name, times, column) for name, column in known if name is not None)
 
 

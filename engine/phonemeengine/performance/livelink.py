@@ -14,7 +14,7 @@ from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
 from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.mouth.exports.livelink import ANGLES, COLUMNS
-from phonemeengine.performance.face_track import FaceTrack, arkit_name, captured
+from phonemeengine.performance.face_track import FaceTrack, captured, shape_name
 
 LARGEST = 32 << 20
 """Bytes of a file at most: more than half an hour."""
@@ -68,7 +68,7 @@ def _columns_of(header: str, file: str) -> list[str]:
             f"{file}: this is no recording of Live Link Face, whose header begins with {','.join(COLUMNS[:2])}; "
             "choose another file"
         )
-    names = [arkit_name(cell) or _ANGLES.get(cell.lower(), cell) for cell in cells[2:]]
+    names = [shape_name(cell) or _ANGLES.get(cell.lower(), cell) for cell in cells[2:]]
     missing, others = (
         [name for name in CHANNELS if name not in names],
         [name for name in names if name not in CHANNELS],

@@ -16,6 +16,7 @@ from phonemeengine.errors import MouthError
 from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.labels.articulation import articulations_of, letters_of
 from phonemeengine.mouth.table import LARGEST_FILE, movestates_of, phone_named, shape_of
+from phonemeengine.performance.recording import SILENCE
 from phonemeengine.performance.sentence import Sentence
 from phonemeengine.strict_table import StrictTable, parse_toml, shown
 
@@ -68,7 +69,7 @@ class PoseTable:
 
     def pose_of(self, name: str) -> Pose | None:
         """Return the pose of a phone, that of the narrowest class that has one; None for none."""
-        letters = letters_of(name)[:1]
+        letters = letters_of(name)[:1] if name != SILENCE else ()
         names = (entry for letter in letters for entry in (letter, *articulations_of(letter)))
         return next((self.phones[entry] for entry in names if entry in self.phones), None)
 

@@ -21,7 +21,7 @@ import numpy as np
 
 from phonemeengine.errors import CorpusError
 from phonemeengine.files import printable_name, read_text_file
-from phonemeengine.performance.face_track import FaceTrack, arkit_name, captured
+from phonemeengine.performance.face_track import FaceTrack, captured, shape_name
 
 LARGEST = 64 << 20
 """Bytes of a file at most."""
@@ -54,7 +54,7 @@ def read_vmc(path: Path) -> FaceTrack:
 def parse_vmc(text: str, file: str) -> FaceTrack:
     """Read the text of a recording of VMC messages; `file` is what it is called in a refusal.
 
-    Blend shapes that are not sent anew stay as they are; those that are not ARKit's are passed over.
+    Blend shapes that are not sent anew stay as they are. ARKit's and the shoulders' count; others are passed over.
 
     Raises
     ------
@@ -113,7 +113,7 @@ def _weight_of(arguments: str, number: int, file: str) -> dict[str, float]:
         raise CorpusError(
             f'{file}, line {number}: a blend shape is like "jawOpen" 0.42, found {arguments[:30]!r}; record it again'
         )
-    name = arkit_name(found[1])
+    name = shape_name(found[1])
     return {} if name is None else {name: _number_of(found[2], number, file)}
 
 

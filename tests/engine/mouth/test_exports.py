@@ -15,7 +15,7 @@ from praatio import textgrid
 from phonemeengine.errors import ExportError
 from phonemeengine.labels.audacity import raw_labels_of
 from phonemeengine.mouth.animation import Animation
-from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS
+from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS, SHOULDERS
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.exports.livelink import timecode_of
@@ -412,6 +412,16 @@ def test_a_movement_that_is_known_takes_the_place_of_that_of_the_cues(name: str)
     if name == "livelink-csv":
         rows = list(csv.DictReader(b"".join(exporter.chunks_of(speech(), movement)).decode().splitlines()))
         assert [float(row["EyeBlinkLeft"]) for row in rows] == [0, 0.25, 0.5, 0.75]
+
+
+def test_shoulders_travel_in_curves_and_are_left_out_where_a_format_has_none() -> None:
+    movement = movement_at(60.0, (SHOULDERS[0], *ARKIT))
+    written = b"".join(Exporter("livelink-csv").chunks_of(speech(), movement)).decode()
+    rows = [row.split(",") for row in written.splitlines()]
+    assert {len(row) for row in rows} == {63}
+    assert {cell for row in rows[1:] for cell in row[2:54]} == {"0.00000"}
+    curves = json.loads(b"".join(Exporter("curves-json").chunks_of(speech(), movement)))["curves"]
+    assert curves == [{"name": "shoulderShiftLeft", "values": [0, 0.25, 0.5, 0.75]}]
 
 
 @pytest.mark.parametrize(

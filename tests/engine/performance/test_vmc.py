@@ -25,6 +25,13 @@ def test_what_is_not_sent_anew_stays_as_it_is() -> None:
     assert track.weights[:, 0] == pytest.approx([0, 0, 0.02])
 
 
+def test_shoulders_travel_as_blend_shapes_and_other_names_are_passed_over() -> None:
+    frames = recorded_vmc([1.0, 1.05], clock=True)
+    track = parse_vmc(frames.replace("JawOpen", "ShoulderShiftLeft") + recorded_vmc([1.1], clock=True), "a.osc")
+    assert track.channels == ("shoulderShiftLeft", "jawOpen")
+    assert track.weights[:, 0] == pytest.approx([0, 0.01, 0.01])
+
+
 def test_what_the_house_sends_can_be_recorded() -> None:
     receiver, times = Receiver(), count()
     performer = Performer(load_table("arkit"))

@@ -70,8 +70,7 @@ class Exporter:
 
     def export_of(self, speech: Transcript, movement: Animation | None = None) -> Export:
         """Clean the cues of speech, and put together what the format writes; see `chunks_of`."""
-        if movement is not None:
-            self._check_movement(movement)
+        movement = None if movement is None else self._held(movement)
         options, anticipation = self._options, self._options.anticipation
         cues = cues_of(
             speech.runs,
@@ -139,10 +138,12 @@ class Exporter:
             )
 
     def takes(self, movestates: tuple[str, ...]) -> bool:
-        """Return whether a file can hold a movement of these movestates."""
-        return self.format.moves_head and self.format.movestates in {(), movestates}
+        """Return whether a file can hold a movement of these movestates; it leaves out those that it has none for."""
+        return self.format.moves_head and {*self.format.movestates} <= {*movestates}
 
-    def _check_movement(self, movement: Animation) -> None:
+    def _held(self, movement: Animation) -> Animation:
+        """Return what the format holds of a movement."""
+        known = self.format.movestates or movement.movestates
         if not self.takes(movement.movestates):
             raise ExportError(
                 f"{self.name} is made of cues, or of movestates other than {movement.movestates[0]} ... "
@@ -152,6 +153,7 @@ class Exporter:
             raise ExportError(
                 f"{self.name} has {self.rate:g} frames per second, the movement {movement.rate:g}; make it with these"
             )
+        return movement if movement.movestates == known else movement.of_movestates(known)
 
     def _check_mesh(self) -> None:
         if self._mesh is not None and not self.format.moves_mesh:
