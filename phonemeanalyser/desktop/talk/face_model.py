@@ -93,7 +93,8 @@ class FaceModel(QObject):
 
     def moved_by(self, table: MouthTable) -> tuple[str, ...]:
         """Name the movestates of this face that a table moves."""
-        return tuple(mine for _, mine in self._pairs(table))
+        moved = {name for shape in table.shapes.values() for name, percent in shape.items() if percent}
+        return tuple(mine for k, mine in self._pairs(table) if table.movestates[k] in moved)
 
     def set_table(self, table: MouthTable) -> None:
         """Move with the weights of another table."""
@@ -124,16 +125,11 @@ class FaceModel(QObject):
         self._work.close(CLOSE_TIMEOUT)
 
     def _pairs(self, table: MouthTable) -> list[tuple[int, str]]:
-        """Return the places of the movestates that the table moves and the face has, under its own names for them."""
+        """Return the places of the table's movestates that the face has, and its own names for them."""
         if self.states is None:
             return []
-        moved = {name for shape in table.shapes.values() for name, percent in shape.items() if percent}
         mine = {_plain(name): name for name in self.states.names}
-        return [
-            (k, mine[_plain(name)])
-            for k, name in enumerate(table.movestates)
-            if name in moved and _plain(name) in mine
-        ]
+        return [(k, mine[_plain(name)]) for k, name in enumerate(table.movestates) if _plain(name) in mine]
 
     def _take(self, files: FaceFiles, morph_mesh: MorphMesh) -> None:
         self._shown = files

@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.talk.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.face_model import FaceModel
 from phonemeanalyser.desktop.talk.osc_model import OscModel
 from phonemeanalyser.desktop.talk.text_model import TextModel
@@ -76,6 +77,7 @@ class TalkModel(QObject):
         self._clock, self._began = clock, clock()
         self.face, self.osc = FaceModel(), OscModel(self._now)
         self.text = text or TextModel(session)
+        self.expression = ExpressionModel()
         self.watched = False
         self.revision = 0
         self.pose = HeadPose()
@@ -267,6 +269,7 @@ class TalkModel(QObject):
         self.text.known_changed.connect(self._take_text)
         self.text.known_grew.connect(self._take_text)
         self.face.changed.connect(self._take_face)
+        self.expression.changed.connect(self._take_expression)
         self.visemes_changed.connect(self._share_visemes)
         self.osc.changed.connect(self._share_visemes)
         for part in (self.face, self.osc, self.text):
@@ -322,6 +325,11 @@ class TalkModel(QObject):
         start = now - len(at) * FRAME_PERIOD
         frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(code), loud) for k, (code, loud) in enumerate(rows)]
         return frames if self._known is None else known_frames(frames, first, self._known)
+
+    def _take_expression(self) -> None:
+        self.idle = replace(self.idle, expression=self.expression.expression)
+        self.performer.configure(self.table, self.idle)
+        self.osc.express(self.idle.expression)
 
     def _take_face(self) -> None:
         if not self.face.moved_by(self._written) and self.face.tables:

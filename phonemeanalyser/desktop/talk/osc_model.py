@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.errors import EngineError
+from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.performer import MOUTH_ALONE, Performer
@@ -52,6 +53,7 @@ class OscModel(QObject):
         self._head_table = load_table(USUAL_TABLE)
         self._own_table: MouthTable | None = None
         self.performer = Performer(self._head_table, MOUTH_ALONE)
+        self._expression: Expression | None = None
         self._mouth: OscMouth | None = None
         self._wanted: OscAddress | None = None
         self._work = TaskQueue(self._fail)
@@ -99,7 +101,12 @@ class OscModel(QObject):
         """Move as a head does that is moved by this table, in this detail."""
         self._head_table = head
         table = replace(self._own_table or head, times=head.times, phone_times=head.phone_times, motion=head.motion)
-        self.performer.configure(table, replace(MOUTH_ALONE, detail=detail))
+        self.performer.configure(table, replace(MOUTH_ALONE, detail=detail, expression=self._expression))
+
+    def express(self, expression: Expression | None) -> None:
+        """Express this beside the speech, where the receiver has the blend shapes of ARKit."""
+        self._expression = expression
+        self.follow(self._head_table, self.performer.idle.detail)
 
     def close(self) -> None:
         """Close the mouth at the receiver, and stop."""

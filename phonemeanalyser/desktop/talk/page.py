@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.talk.choices_panel import ChoicesPanel
+from phonemeanalyser.desktop.talk.expression_panel import ExpressionPanel
 from phonemeanalyser.desktop.talk.head_view import HINT, LIGHT_STEP, HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.movestate_bars import MovestateBars
@@ -59,6 +60,7 @@ class TalkPage(QWidget):
         self.head = HeadView(talking, theme)
         self.choices = ChoicesPanel(talking, theme)
         self.visemes = VisemePanel(talking, theme)
+        self.expression = ExpressionPanel(talking, theme)
         self.bars = MovestateBars(talking, theme)
         self.osc = OscPanel(talking.osc, theme)
         self.text = TextPanel(talking, theme)
@@ -87,6 +89,7 @@ class TalkPage(QWidget):
         self._ticks += 1
         if self._ticks % BARS_EVERY == 0:
             self.bars.refresh()
+            self.expression.refresh()
             self.heard.refresh()
             self.osc.refresh()
 
@@ -164,7 +167,8 @@ class TalkPage(QWidget):
         column.setContentsMargins(10, 8, 10, 8)
         column.setSpacing(8)
         parts: tuple[tuple[QWidget, ...], ...] = (
-            (self.choices,), (self.visemes,), (heading("Movestates"), self.bars), (heading("Network"), self.osc),
+            (self.choices,), (self.visemes,), (self.expression,), (heading("Movestates"), self.bars),
+            (heading("Network"), self.osc),
         )  # fmt: skip
         for k, part in enumerate(parts):
             if k:
