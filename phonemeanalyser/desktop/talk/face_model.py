@@ -107,7 +107,8 @@ class FaceModel(QObject):
             values = (100 * np.clip(weights, -MOST_WEIGHT, MOST_WEIGHT)).tolist()
             self._spoken = {name: values[column] for column, name in self._columns}
             self.states.reset_all()
-            self.states.set_percentages(self._spoken)
+            lids = self._lids
+            self.states.set_percentages({name: value for name, value in self._spoken.items() if name not in lids})
 
     def blink(self, closure: float) -> None:
         """Close the lids as far as a blink has closed them, 0..1, where what is said does not close them farther."""
