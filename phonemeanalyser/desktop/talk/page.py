@@ -69,7 +69,7 @@ class TalkPage(QWidget):
         self.play = _button("Play", "Play or pause (Space)")
         self.stop = _button("Stop", "Stop (Escape)")
         self.preset = _button("Load Preset…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")
-        self.save = _button("Save", "Save words and phones, or the text as a voice says it")
+        self.save = _button("Save ▾", "Save words and phones, or the text as a voice says it")
         self.wireframe = QCheckBox("wireframe")
         self.wireframe.setToolTip("Draw the edges of the mesh alone (W)")
         self.home = _button("⌂", "Look at the whole head from the front (Home, or a double click)")
@@ -101,6 +101,7 @@ class TalkPage(QWidget):
         self.save_speech = menu.addAction("Spoken Text as Sound…", self.speech_asked.emit)
         self.save_speech.setToolTip("As WAV, with words and phones as a TextGrid beside it")
         self.save.setMenu(menu)
+        self.save.setStyleSheet("QToolButton::menu-indicator { image: none }")  # it would lie on the text
         self.save.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
 
     def _connect(self) -> None:

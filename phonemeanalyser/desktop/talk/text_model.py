@@ -149,7 +149,7 @@ class TextModel(QObject):
         n, n_bad = len(utterance.words), sum(map(fits_badly, utterance.words))
         said = f"{n} word{'s' * (n != 1)}"
         if not self.editable:
-            return f"{said}; the voice keeps these times, so they cannot be dragged"
+            return f"{said}; boundaries fixed by the voice"
         return f"{said}, {n_bad} fit{'s' * (n_bad == 1)} badly" if n_bad else said
 
     # -- what is chosen -----------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 """The text below the head: what is said in the sound in hand, or what a voice is to say."""
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QKeyEvent, QTextCursor
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.session.session import SoundSource
@@ -48,6 +48,12 @@ class TextField(QPlainTextEdit):
     def minimumSizeHint(self) -> QSize:
         """Ask for no width."""
         return QSize(0, self.sizeHint().height())
+
+    def replace_text(self, text: str) -> None:
+        """Write another text, so that Ctrl+Z brings the old one back."""
+        cursor = self.textCursor()
+        cursor.select(QTextCursor.SelectionType.Document)
+        cursor.insertText(text)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Take the keys that say or align the text."""
@@ -130,7 +136,7 @@ class TextPanel(QWidget):
         texts = self._texts
         if self.field.toPlainText() != texts.text:
             with QSignalBlocker(self.field):
-                self.field.setPlainText(texts.text)
+                self.field.replace_text(texts.text)
         self._show_languages()
         self._show_lexicon()
         self.align.setText("Cancel" if texts.busy else "Align")

@@ -26,12 +26,13 @@ EXAMPLE = f"my-voice --file {OUTPUT} {TEXT}"
 
 
 class VoicePanel(QFrame):
-    """Pops up below a button; Escape or a click elsewhere closes it."""
+    """Pops up beside the button that it belongs to; Escape or a click elsewhere closes it."""
 
-    def __init__(self, voice: VoiceModel, theme: Theme, parent: QWidget) -> None:
-        super().__init__(parent, Qt.WindowType.Popup)
-        self._voice = voice
-        self.setFrameShape(QFrame.Shape.StyledPanel)
+    def __init__(self, voice: VoiceModel, theme: Theme, button: QWidget) -> None:
+        super().__init__(button, Qt.WindowType.Popup)
+        self._voice, self._button = voice, button
+        self.setObjectName("voice")
+        self.setStyleSheet(f"#voice {{ background: {theme.window}; border: 1px solid {theme.line} }}")
         self.setAccessibleName("voice")
         self.name, self.driver = QComboBox(), QComboBox()
         self.rate, self.program = NumberField(), QLineEdit()
@@ -43,15 +44,9 @@ class VoicePanel(QFrame):
         self._connect()
         self.show_state()
 
-    def show_below(self, button: QWidget) -> None:
-        """Show it below a button, or above where the screen ends."""
-        self.adjustSize()
-        place = button.mapToGlobal(QPoint(0, button.height()))
-        screen = button.screen().availableGeometry()
-        if place.y() + self.height() > screen.bottom():
-            place.setY(button.mapToGlobal(QPoint(0, 0)).y() - self.height())
-        place.setX(max(screen.left(), min(place.x(), screen.right() - self.width())))
-        self.move(place)
+    def show_beside(self) -> None:
+        """Show it below what it belongs to, or above where the screen ends there."""
+        self._place()
         self.show()
         self.name.setFocus()
 
@@ -77,6 +72,18 @@ class VoicePanel(QFrame):
         for widget in (self.program, self._hint):
             self._rows.setRowVisible(widget, choice.by_program)
         del blockers
+        if self.isVisible():
+            self._place()
+
+    def _place(self) -> None:
+        self.adjustSize()
+        button = self._button
+        screen = button.screen().availableGeometry()
+        place = button.mapToGlobal(QPoint(0, button.height()))
+        if place.y() + self.height() > screen.bottom():
+            place.setY(button.mapToGlobal(QPoint(0, 0)).y() - self.height())
+        place.setX(max(screen.left(), min(place.x(), screen.right() - self.width())))
+        self.move(place)
 
     def _describe(self) -> None:
         self.name.setAccessibleName("voice")
@@ -101,7 +108,7 @@ class VoicePanel(QFrame):
         self._rows.setContentsMargins(10, 10, 10, 10)
         for words, widget in (
             ("Voice", self.name), ("Rate", self.rate), ("Command", self.program), ("", self._hint),
-            ("Mouth by", self.driver),
+            ("Mouth moves by", self.driver),
         ):  # fmt: skip
             self._rows.addRow(words, widget)
         self.setFixedWidth(WIDTH)
@@ -120,7 +127,6 @@ class VoicePanel(QFrame):
             self.program.setFocus()
         else:
             self._voice.choose(name=self.name.itemData(place), by_program=False)
-        self.adjustSize()
 
     def _list_voices(self) -> None:
         """List the voices, once they are known: those of men and women first."""
@@ -149,7 +155,7 @@ class VoiceButton(QToolButton):
         self.setText("Voice…")
         self.setAccessibleName("voice, rate and mouth of a spoken text")
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.clicked.connect(lambda _checked: self.panel.show_below(self))
+        self.clicked.connect(lambda _checked: self.panel.show_beside())
         voice.changed.connect(self._show_state)
         self._show_state()
 

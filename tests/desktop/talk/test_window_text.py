@@ -93,7 +93,7 @@ def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(win
     assert not panel(window).align.isEnabled()
     assert not window.talk.save_words.isEnabled()
     assert window.talk.save_speech.isEnabled()
-    assert "cannot be dragged" in panel(window).lanes.lanes.chapters[0].name
+    assert "fixed by the voice" in panel(window).lanes.lanes.chapters[0].name
 
 
 def test_escape_stops_the_voice_while_the_text_has_the_focus(window, desktop, qtbot):
@@ -244,6 +244,17 @@ def test_a_program_of_ones_own_has_a_command_and_a_rate_of_its_own(window, deskt
     QTest.keyClick(below.program, Qt.Key.Key_Return)
     choice = desktop.talking.text.voice.choice
     assert (choice.by_program, choice.program) == (True, "mine {output}")
+
+
+def test_a_text_whose_place_a_script_has_taken_comes_back_by_undo(window, qtbot, tmp_path):
+    write(window, "what I wrote")
+    other = wav(tmp_path, AN_A, "other.wav")
+    other.with_suffix(".txt").write_text("so oh", encoding="utf-8")
+    window.dialogs.open_sound(other)
+    qtbot.waitUntil(lambda: panel(window).field.toPlainText() == "so oh")
+    panel(window).field.setFocus()
+    press(window, Qt.Key.Key_Z, CONTROL)
+    assert panel(window).field.toPlainText() == "what I wrote"
 
 
 def test_labels_beside_the_sound_are_shown_at_once(window, desktop, qtbot, tmp_path):
