@@ -95,6 +95,7 @@ _PAGE = {
     "features.front_end": "FrameBlock",
     "recognition.segments": "Segment",
     "labels.utterance": "Phone Syllable Utterance Word",
+    "labels.utterance_files": "format_utterance read_utterance",
     "mouth.transcript": "Transcript transcript_of_utterance",
     "mouth.lip_sync": "cues export transcribe",
     "mouth.cues": "Cue",
@@ -116,7 +117,6 @@ _PAGE = {
     "speech.pinyin.driver": "PinyinMouth",
     "speech.pinyin.spring": "Spring",
     "speech.pinyin.plan": "Plan PlanKind PlanRow format_plan",
-    "speech.pinyin.labelled": "read_syllables",
     # A face that it moves
     "mouth.head": "load_head",
     "mouth.files.io": "load_morph_mesh load_morph_targets save_morph_targets",
@@ -149,6 +149,7 @@ _PAGE = {
     "text.syllables": "SpokenSyllable",
     # A text, as a voice says it
     "speech.voice": "SpokenSentence Voice speak",
+    "speech.program": "speak_by_program",
     "text.espeak": "Language languages voices",
     # Recorded faces
     "performance.recording": "PerformedPhone Performance phones_of",

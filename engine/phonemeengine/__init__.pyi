@@ -43,6 +43,7 @@ from phonemeengine.labels.label import Label
 from phonemeengine.labels.phone_sets import PhoneClass
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
@@ -106,11 +107,11 @@ from phonemeengine.settings import (
     WindowFunction,
 )
 from phonemeengine.speech.pinyin.driver import PinyinMouth
-from phonemeengine.speech.pinyin.labelled import read_syllables
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow, format_plan
 from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
+from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.voice import SpokenSentence, Voice, speak
 from phonemeengine.text.espeak import Language, languages, voices
 from phonemeengine.text.lexicon import Lexicon, load_lexicon
@@ -284,6 +285,7 @@ __all__ = [
     "face_table",
     "format_plan",
     "format_units",
+    "format_utterance",
     "high_pass_gains",
     "languages",
     "load_head",
@@ -308,12 +310,13 @@ __all__ = [
     "phrases_of",
     "pinyin_track",
     "read_recordings",
-    "read_syllables",
+    "read_utterance",
     "recognise_window",
     "save_morph_targets",
     "save_preset",
     "score",
     "speak",
+    "speak_by_program",
     "timed_frames",
     "transcribe",
     "transcript_of_utterance",

@@ -22,7 +22,7 @@ from phonemeengine import (
     load_pinyin_table,
     load_preset,
     pinyin_track,
-    read_syllables,
+    read_utterance,
     transcribe,
 )
 from phonemeengine.mouth.exports.exporter import Exporter
@@ -91,6 +91,8 @@ def _check(options: argparse.Namespace, performer: Performing | None) -> None:
         raise EngineError("--export and --format go together; name both")
     if options.out is not None or options.labels is not None:
         raise EngineError("without a voice there are no sound and labels to write; leave --silent or --recording out")
+    if options.lexicon is not None:
+        raise EngineError("a lexicon is for a voice, and without one it says nothing; leave --lexicon out")
 
 
 def _exporter_of(options: argparse.Namespace) -> Exporter:
@@ -108,7 +110,7 @@ def _said(options: argparse.Namespace, text: str) -> tuple[PinyinTrack, Transcri
         return track, track.silent_transcript(options.file.name if options.file else "text")
     with SoundReader(options.recording, options.channel) as reader:
         duration = reader.duration
-    said = read_syllables(options.recording.with_suffix(".TextGrid"), duration)
+    said = read_utterance(options.recording.with_suffix(".TextGrid"), duration)
     track = pinyin_track(said, table, seed=options.seed)
     heard = transcribe(options.recording, load_preset(options.preset), channel=options.channel, pitch=True)
     return track, replace(heard, runs=track.runs(heard.duration))

@@ -16,6 +16,7 @@ from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import Guard, write_whole, write_whole_bytes, write_whole_file
 from phonemeanalyser.cli.performing import Performing, add_performance, performing
 from phonemeanalyser.cli.pinyin import add_pinyin, pinyin_table_of, say_without_voice, write_plan
+from phonemeanalyser.cli.scripts import say_misfits
 from phonemeengine import (
     FORMATS,
     SAMPLE_RATE,
@@ -25,31 +26,35 @@ from phonemeengine import (
     EngineError,
     ExportOptions,
     IdleMotion,
+    Lexicon,
     PinyinTable,
     SpokenSentence,
     Transcript,
     Utterance,
     Voice,
     Word,
+    format_utterance,
+    load_lexicon,
     load_preset,
     pinyin_track,
+    speak_by_program,
 )
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import TextError
-from phonemeengine.files import read_text_file
+from phonemeengine.files import printable, read_text_file
 from phonemeengine.labels.utterance import shifted
-from phonemeengine.labels.utterance_tiers import format_spoken
 from phonemeengine.live.player import Player
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.transcript import transcript_of, transcript_of_utterance
 from phonemeengine.presets.files import DEFAULT_PRESET
-from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.spooled import SpooledSpeech
 from phonemeengine.text import mandarin
 from phonemeengine.text.cleaning import speakable
 
 LARGEST = 64 << 20
 """Bytes of a text."""
+SILENCE = "sil"
+"""The name of what lies between words, in labels."""
 LOOK = 0.05
 """Seconds between two looks at what is heard."""
 
@@ -67,9 +72,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--text-driver", choices=["auto", "pinyin", "table", "rules"], default="auto", help=driver)
     parser.add_argument("--language", metavar="L", help="of the text, such as en-us, de, fr, cmn")
     parser.add_argument("--voice", default="", metavar="V", help="another voice, such as f2, m3 or klatt")
+    lexicon = "how words are pronounced, .toml or .csv: the voice says those whose sounds it has"
+    parser.add_argument("--lexicon", type=Path, metavar="FILE", help=lexicon)
     add_pinyin(parser)
     add_performance(parser)
-    program = "another voice: a command that writes a WAV file {output} of {text}"
+    program = "another voice: a command that writes a WAV file {output} of {text}, and may write a TextGrid beside it"
     parser.add_argument("--program", metavar="COMMAND", help=program)
     parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="write the sound as WAV (default: play it)")
     parser.add_argument("--labels", type=Path, metavar="OUT", help="write words, syllables and phones as TextGrid")
@@ -119,9 +126,22 @@ def _language_of(options: argparse.Namespace, text: str) -> str:
 
 
 def _spoken(options: argparse.Namespace, text: str) -> Iterator[SpokenSentence]:
-    if options.program is None:
-        return Voice(_language_of(options, text), options.voice, options.rate).speak(text)
-    return iter([speak_by_program(options.program, speakable(text).text)])
+    language, lexicon = _language_of(options, text), load_lexicon(options.lexicon) if options.lexicon else Lexicon()
+    if options.program is not None:
+        return iter([speak_by_program(options.program, text, language=language, lexicon=lexicon)])
+    voice = Voice(language, options.voice, options.rate, lexicon, pinyin_table_of(options))
+    return _with_notes(voice.speak(text), language)
+
+
+def _with_notes(sentences: Iterator[SpokenSentence], language: str) -> Iterator[SpokenSentence]:
+    """Return sentences as they come, and say once of each word that it is not said as the lexicon has it."""
+    told: set[str] = set()
+    for sentence in sentences:
+        if words := [word for word in dict.fromkeys(sentence.unheeded) if word not in told]:
+            note = f"the voice of {language} reads as usual, for want of their sounds: {printable(' '.join(words))}"
+            say_note("the lexicon", note)
+            told.update(words)
+        yield sentence
 
 
 def _play(sentences: Iterator[SpokenSentence]) -> None:
@@ -168,7 +188,7 @@ class _Written:
             raise EngineError("--plan tells of the pinyin mouth; leave --text-driver rules and --performance out")
         idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed or 0)
         exporter = Exporter(options.kind, ExportOptions(rate=options.fps, idle=idle)) if options.kind else None
-        language = "" if options.program else _language_of(options, text)
+        language = _language_of(options, text)
         chinese = language in {*mandarin.TAGS, mandarin.PINYIN_TAG}
         auto = options.text_driver == "auto" and performer is None
         by_letters = options.text_driver == "pinyin" or (auto and chinese)
@@ -195,8 +215,11 @@ class _Written:
         else:
             write_whole_file(self.sound, lambda file: said.take(sentences, file), self._guard)
         utterance = said.utterance(self.language)
+        say_misfits("the sound of the program", utterance)
         if self.labels is not None:
-            write_whole(self.labels, lambda file: file.writelines([format_spoken(utterance)]), self._guard)
+            write_whole(
+                self.labels, lambda file: file.writelines([format_utterance(utterance, SILENCE)]), self._guard
+            )
         track = (
             None if self.letters is None else pinyin_track(utterance, self.letters, text=self.text, seed=self.seed)
         )
@@ -226,6 +249,7 @@ class _Said:
 
     loud: bool
     words: list[Word] = field(default_factory=list)
+    skipped: list[str] = field(default_factory=list)
     analyses: list[Analysis] = field(default_factory=list)
     n_samples: int = 0
 
@@ -239,6 +263,7 @@ class _Said:
             if analyser is not None:
                 self.analyses.append(analyser.push(sentence.samples))
             self.words += (shifted(word, self.n_samples / SAMPLE_RATE) for word in sentence.words)
+            self.skipped += sentence.skipped
             self.n_samples += len(sentence.samples)
         if analyser is not None:
             self.analyses.append(analyser.finish())
@@ -247,7 +272,7 @@ class _Said:
 
     def utterance(self, language: str) -> Utterance:
         """Return all that was said."""
-        return Utterance(tuple(self.words), self.n_samples / SAMPLE_RATE, language)
+        return Utterance(tuple(self.words), self.n_samples / SAMPLE_RATE, language, tuple(self.skipped))
 
     def transcript(self, utterance: Utterance, path: Path | None) -> Transcript:
         """Return it as a mouth needs it."""

@@ -109,11 +109,12 @@ class Dialogs(QObject):
         return Path(recent[0]) if recent and Path(recent[0]).is_file() else None
 
     def ask_save_phonemes(self) -> None:
-        """Let the user choose a file to save the phonemes of the opened sound to; its ending says in which format."""
-        sound = self._session.path
-        if sound is None or self._session.source is not SoundSource.FILE:
+        """Let the user choose a file to save the phonemes of a whole sound to; its ending says in which format."""
+        session = self._session
+        if session.source.live or not session.duration:
             self.rejected.emit("There is no sound file in hand; open the one whose phonemes are to be saved.")
             return
+        sound = (session.path if session.source is SoundSource.FILE else None) or Path.home() / session.name
         suggested = Path(self._folder("phonemes", sound.parent)) / f"{sound.stem}.TextGrid"
         filters = ";;".join(LABEL_FILTERS)
         name, chosen = QFileDialog.getSaveFileName(self._window, "Save the phonemes", str(suggested), filters)
@@ -137,6 +138,11 @@ class Dialogs(QObject):
     def offer_recording(self, path: str, seconds: float, gaps: str) -> None:
         """Offer to open a recording that is complete; `gaps` says what is missing in it, if anything is."""
         sentence = f"Recorded {seconds:.1f} s into {path}{', ' if gaps else ''}{gaps}"
+        self.action_offered.emit(sentence, "Open It", lambda: self.open_sound(Path(path)))
+
+    def offer_speech(self, path: str) -> None:
+        """Offer to open a sound file to which a text was spoken."""
+        sentence = f"Saved the spoken text as {path}, with words and phones beside it"
         self.action_offered.emit(sentence, "Open It", lambda: self.open_sound(Path(path)))
 
     def offer_unfinished(self) -> None:

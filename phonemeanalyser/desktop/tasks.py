@@ -11,6 +11,8 @@ from phonemeengine.errors import EngineError
 from phonemeengine.progress import Cancelled, Progress
 
 Result = TypeVar("Result")
+CLOSE_TIMEOUT = 1.0
+"""Seconds after which the end of the program waits no longer for work of which nothing stays."""
 STEPS = 100
 """In how many steps the progress of a task is told."""
 
@@ -96,10 +98,15 @@ class TaskQueue(QObject):
             if self._tasks and (thread := self._tasks.popleft().thread) is not None:
                 thread.join(timeout)
 
-    def close(self) -> None:
-        """End all work, and wait for what cannot be ended on its way."""
+    def close(self, timeout: float | None = None) -> None:
+        """End all work, and wait for what cannot be ended on its way.
+
+        Parameters
+        ----------
+        timeout : seconds after which that is left alone, for work of which nothing stays; None waits for ever.
+        """
         self.cancel()
-        self.finish()
+        self.finish(timeout)
 
     def _start_next(self) -> None:
         while self._tasks and self._tasks[0].thread is None:

@@ -157,6 +157,7 @@ class MainWindow(QMainWindow):
         page.choices.table_asked.connect(dialogs.ask_table)
         page.text.lexicon_asked.connect(dialogs.ask_lexicon)
         page.words_asked.connect(dialogs.ask_save_words)
+        page.speech_asked.connect(dialogs.ask_save_speech)
         page.text.lanes.menu.save_asked.connect(self.dialogs.ask_save_picture)
         self.installEventFilter(page.keys)
         return page
@@ -247,6 +248,8 @@ class MainWindow(QMainWindow):
         self.transport.open_asked.connect(dialogs.ask_sound)
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
         self._talking.text.info.connect(self.banner.show_info)
+        self._talking.text.speech_saved.connect(dialogs.offer_speech)
+        session.may_leave = self.talking_dialogs.may_leave_words
         session.microphone.recorded.connect(dialogs.offer_recording)
         session.microphone.info.connect(self.banner.show_info)
         session.writer.info.connect(self.banner.show_info)
@@ -372,7 +375,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, and keep the layout for the next start."""
-        if not self._retired and not self.dialogs.may_go_on():
+        if not self._retired and not (self.talking_dialogs.may_leave_words() and self.dialogs.may_go_on()):
             event.ignore()
             return
         self.save_state()

@@ -1,3 +1,6 @@
+import json
+import shlex
+import sys
 from itertools import pairwise
 from pathlib import Path
 
@@ -6,6 +9,11 @@ import pytest
 from phonemeanalyser.cli.main import main
 from phonemeengine import SoundReader
 from phonemeengine.labels.textgrid import tiers_of
+from phonemeengine.labels.utterance_files import read_utterance
+from tests.conftest import CORPUS
+
+SAID = CORPUS / "espeak_de" / "de" / "de_01.flac"
+TEXT = "Es regnet, aber der See ist eben und leer."
 
 HELLO = ["speak", "Hello there. How are you?", "--language", "en-us"]
 
@@ -20,7 +28,7 @@ def test_a_text_becomes_a_sound_labels_and_a_mouth(tmp_path: Path) -> None:
         assert reader.file_rate == 44100
         duration = reader.duration
     tiers = {tier.name: tier.raw_labels for tier in tiers_of(labels.read_text("utf-8"), "h")}
-    assert list(tiers) == ["words", "syllables", "phones"]
+    assert list(tiers) == ["words", "syllables", "phones", "phonemes"]
     assert [raw.name for raw in tiers["words"] if raw.name != "sil"] == ["Hello", "there", "How", "are", "you"]
     for raw_labels in tiers.values():
         assert raw_labels[0].start == 0
@@ -64,6 +72,39 @@ def test_what_cannot_be_spoken_is_refused_in_a_sentence_and_nothing_is_written(
     assert sentence in said
     assert len(said.splitlines()) == 1
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_words_of_a_program_are_found_by_its_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    player = tmp_path / "player.py"
+    player.write_text(f"import shutil, sys\nshutil.copy({str(SAID)!r}, sys.argv[1])\n", encoding="utf-8")
+    program = ["--program", shlex.join([Path(sys.executable).as_posix(), player.as_posix(), "{output}"])]
+    labels, mouth = tmp_path / "o.TextGrid", tmp_path / "o.json"
+    written = ["--labels", str(labels), "--export", str(mouth), "--format", "rhubarb-json", "--overwrite"]
+    assert main(["speak", TEXT, *program, *written]) == 1
+    assert "the language of a text is not guessed; name it with --language" in capsys.readouterr().err
+    assert not labels.exists()
+    assert main(["speak", TEXT, *program, *written, "--language", "de"]) == 0
+    words = [word.text for word in read_utterance(labels, 3.0).words]
+    assert words == TEXT.replace(",", "").replace(".", "").split()
+    assert len({cue["value"] for cue in json.loads(mouth.read_text("utf-8"))["mouthCues"]}) > 4
+    assert capsys.readouterr().err == ""
+    assert main(["speak", TEXT + " Und Schnee.", *program, *written, "--language", "de"]) == 0
+    assert "note: nobody says: Und Schnee" in capsys.readouterr().err
+
+
+def test_a_lexicon_tells_the_voice_and_what_it_cannot_say_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lexicon, labels = tmp_path / "l.csv", tmp_path / "o.TextGrid"
+    lexicon.write_text("word,ipa\nZug,ˈθɪŋ\nTor,ˈnæ.sə\n", encoding="utf-8")
+    text = ["Das Tor, der Zug, das Tor. Ein Tor.", "--language", "de", "--lexicon", str(lexicon)]
+    assert main(["speak", *text, "--labels", str(labels)]) == 0
+    said = {word.text: [phone.ipa for phone in word.phones] for word in read_utterance(labels, 10.0).words}
+    assert said["Zug"] == ["θ", "ɪ", "ŋ"]
+    assert said["Tor"] != ["n", "æ", "s", "ə"]
+    assert capsys.readouterr().err == (
+        "phonemeanalyser: the lexicon: note: the voice of de reads as usual, for want of their sounds: Tor\n"
+    )
 
 
 def test_a_file_that_is_there_is_left_alone_unless_it_is_given_up(tmp_path: Path) -> None:

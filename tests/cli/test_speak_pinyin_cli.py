@@ -101,6 +101,7 @@ def test_what_is_not_said_is_told(capsys: pytest.CaptureFixture[str]) -> None:
             ["你好", "--silent", "--plan", "-", "-o", "a.wav"],
             "without a voice there are no sound and labels to write",
         ),
+        (["你好", "--silent", "--plan", "-", "--lexicon", "l.csv"], "a lexicon is for a voice, and without one it"),
         (["你好", "--silent", "--export", "a.csv"], "--export and --format go together; name both"),
         (["你好", "--silent", "--plan", "-", "--rate", "11"], "the rate must lie in 0.5..10 syllables per second"),
         (["你好", "--silent", "--plan", "-", "--spring", "1,2"], "a spring is MASS,STIFFNESS,DAMPING, such as"),

@@ -1,6 +1,7 @@
 """A program that listens to OSC on the loopback address, with python-osc's own server."""
 
 import threading
+from typing import Any
 
 from pythonosc.dispatcher import Dispatcher
 from pythonosc.osc_server import BlockingOSCUDPServer
@@ -8,15 +9,26 @@ from pythonosc.osc_server import BlockingOSCUDPServer
 from phonemeengine.mouth.osc import OscAddress
 
 Message = tuple[str, tuple[object, ...]]
+SAME_TIME = 1e-4
+"""Seconds: times come as floats of 32 bits."""
 
 
 class Receiver:
-    """A VTuber program: takes every message, with python-osc's own server."""
+    """A VTuber program: takes every message, with python-osc's own server.
+
+    Attributes
+    ----------
+    messages : as they came.
+    pictures : each mouth that came, from its time to its ``Apply``: seconds of the sender, and the weights.
+    """
 
     def __init__(self) -> None:
         self.messages: list[Message] = []
+        self.pictures: list[tuple[float, dict[str, float]]] = []
+        self._coming: dict[str, float] = {}
+        self._sent_at = 0.0
         dispatcher = Dispatcher()
-        dispatcher.set_default_handler(lambda address, *arguments: self.messages.append((address, arguments)))
+        dispatcher.set_default_handler(self._take)
         self._server = BlockingOSCUDPServer(("127.0.0.1", 0), dispatcher)
         self.address = OscAddress("127.0.0.1", self._server.server_address[1])
         self._thread = threading.Thread(
@@ -30,6 +42,21 @@ class Receiver:
     def weights(self) -> dict[str, float]:
         """Give the newest weight of each movestate."""
         return {str(name): float(value) for name, value in self.of("/VMC/Ext/Blend/Val")}  # type: ignore[arg-type]
+
+    def weights_at(self, seconds: float) -> dict[str, float] | None:
+        """Give the newest mouth, if it was sent at this time of the sender and nothing of it is missing."""
+        sent_at, weights = self.pictures[-1] if self.pictures else (-1.0, {})
+        whole = len(weights) == max((len(known) for _, known in self.pictures), default=0)
+        return weights if whole and abs(sent_at - seconds) < SAME_TIME else None
+
+    def _take(self, address: str, *arguments: Any) -> None:
+        self.messages.append((address, arguments))
+        if address == "/VMC/Ext/T":
+            self._sent_at, self._coming = arguments[0], {}
+        elif address == "/VMC/Ext/Blend/Val":
+            self._coming[arguments[0]] = arguments[1]
+        elif address == "/VMC/Ext/Blend/Apply":
+            self.pictures.append((self._sent_at, self._coming))
 
     def close(self) -> None:
         self._server.shutdown()

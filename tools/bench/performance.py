@@ -19,6 +19,7 @@ import numpy as np
 from phonemeengine import (
     Animation,
     ExampleChoice,
+    Movestate,
     PerformanceOptions,
     PerformancePart,
     PerformanceTable,
@@ -155,7 +156,8 @@ def _rules_of(performances: Sequence[Performance]) -> Say:
         k = np.clip(np.searchsorted(middles, times, "right") - 1, 0, len(middles) - 2)
         progress = np.clip((times - middles[k]) / (middles[k + 1] - middles[k]), 0, 1)
         share = (0.5 - 0.5 * np.cos(np.pi * progress))[:, None]
-        return rows[k] + share * (rows[k + 1] - rows[k])
+        found: Float32Array = rows[k] + share * (rows[k + 1] - rows[k])
+        return found
 
     return say
 
@@ -214,10 +216,8 @@ class _Lips:
     def of_head(cls) -> "_Lips":
         """Find them in the head that ships: where the jaw takes a vertex from a neighbour that stays."""
         head = load_head()
-        places, moves = (
-            head.mesh.positions,
-            {state.name: _dense(state.numbers, state.offsets, len(head.mesh)) for state in head.states},
-        )
+        places, n = head.mesh.positions, len(head.mesh)
+        moves = {state.name: _dense(state, n) for state in head.states}
         down = -moves["jawOpen"][:, 1]
         near = (np.abs(places[:, 0]) < 0.12) & (places[:, 2] > 0.9)
         lower = np.flatnonzero(near & (down > 0.25 * down.max()))
@@ -233,9 +233,9 @@ class _Lips:
         return np.median(self.rest + animation.weights @ self.parted, axis=1)
 
 
-def _dense(numbers: np.ndarray, offsets: np.ndarray, n: int) -> Float64Array:
+def _dense(state: Movestate, n: int) -> Float64Array:
     dense = np.zeros((n, 3))
-    dense[numbers] = offsets
+    dense[state.numbers] = state.offsets
     return dense
 
 

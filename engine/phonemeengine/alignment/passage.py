@@ -26,11 +26,12 @@ LEAST_STRANGE = 3
 
 @dataclass(frozen=True)
 class _SpeltSound:
-    """A sound of a pronunciation, and which of its syllables it is in."""
+    """A sound of a pronunciation, which of its syllables it is in, and that one's stress and spelling."""
 
     ipa: str
     syllable: int
     stress: int
+    written: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +49,11 @@ class Passage:
     def _spellings(self) -> list[list[list[_SpeltSound]]]:
         return [
             [
-                [_SpeltSound(ipa, k, part.stress) for k, part in enumerate(p.syllables) for ipa in part.phones]
+                [
+                    _SpeltSound(ipa, k, part.stress, part.text)
+                    for k, part in enumerate(p.syllables)
+                    for ipa in part.phones
+                ]
                 for p in word.pronunciations
             ]
             for word in self.words
@@ -118,7 +123,8 @@ class Passage:
         for _, steps in groupby(said, lambda step: self._sounds[step.sound].syllable):
             part = list(steps)
             phones = tuple(self._phone(step, shortfalls, first) for step in part)
-            syllables.append(Syllable(phones, self._sounds[part[0].sound].stress))
+            sound = self._sounds[part[0].sound]
+            syllables.append(Syllable(phones, sound.stress, sound.written))
         return Word(self.words[number].text, tuple(syllables))
 
     def _phone(self, step: WayStep, shortfalls: Float64Array, first: int) -> Phone:

@@ -117,6 +117,7 @@ SAMPA: tuple[Row, ...] = (
     (X, CORE, "n n= N J l l= L r R R\\ r\\ 4 j w h x X C G t d k g f v T D ?"),
 )
 
+_TIES = str.maketrans("", "", "‿‍|-\u0361\u035c\u032f ")
 _IPA_MARKS = str.maketrans("", "", "ˈˌː:ˑʰʼ‿‍|-\u0361\u035c\u032f ")
 _STRESS = re.compile(r"(?<=[A-Z])[012]$")
 _SAMPA_MARKS = re.compile(r"^[\"%']+|:|_h|_>")
@@ -155,6 +156,12 @@ def own_phone_class(name: str) -> PhoneClass | None:
     return _OWN.get(small) or _SILENCES.get(small)
 
 
+def marks_silence(name: str) -> bool:
+    """Return whether a name stands for silence in every alphabet, unlike the word *silence*, which is one of ours."""
+    known = _SILENCES.get(name.lower())
+    return known is not None and known.phoneme is Phoneme.SILENCE
+
+
 def phone_classes_in(name: str) -> tuple[PhoneClass | None, PhoneClass | None, PhoneClass | None]:
     """Return what a name means in ARPAbet, IPA and SAMPA, without marks of stress and length; None for others."""
     spelt = name.upper() if name.islower() and name.isascii() else name
@@ -173,6 +180,11 @@ def ipa_class(symbol: str) -> PhoneClass | None:
 def ipa_phoneme(symbol: str) -> Phoneme:
     """Return the class of a symbol of `split_ipa`; one that nobody knows is unidentified."""
     return _IPA[symbol].phoneme if symbol in _IPA else X
+
+
+def normal_ipa(name: str) -> str:
+    """Return IPA as `split_ipa` takes it apart, with its marks of stress and length: letters that mean one thing."""
+    return unicodedata.normalize("NFC", name.translate(_TIES)).translate(_SPELT_OTHERWISE).replace(":", "ː")
 
 
 def split_ipa(name: str) -> tuple[str, ...]:

@@ -26,7 +26,7 @@ Interval = tuple[float, float, str]
 """Start and end, seconds, and the text."""
 
 owns = begins_like(
-    b"%sxmin = 0 \nxmax = [0-9.]+ \ntiers\\? <exists> \nsize = [123] \nitem \\[\\]: \n    item \\[1\\]: \n"
+    b"%sxmin = 0 \nxmax = [0-9.]+ \ntiers\\? <exists> \nsize = [1-4] \nitem \\[\\]: \n    item \\[1\\]: \n"
     b'        class = "IntervalTier" \n        name = "(?:phonemes|words)" \n' % _HEADER.encode()
 )
 """Whether the content of a file is a long TextGrid as it was written here: what Praat saves has no space after the

@@ -1,39 +1,60 @@
-"""Utterances as TextGrid files: tiers of words, phones and phonemes, as forced aligners write them."""
+"""Utterances as TextGrid files: tiers of words, syllables, phones and phonemes, as forced aligners write them."""
 
-from collections.abc import Iterator, Sequence
+import os
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import groupby
 from pathlib import Path
+from typing import NamedTuple
 
-from phonemeengine.errors import CorpusError
+from phonemeengine.errors import CorpusError, TextError
 from phonemeengine.files import printable_name
 from phonemeengine.labels.files import TIER_NAMES, names_in
-from phonemeengine.labels.label import ROUNDING, Label, RawLabel, in_order
+from phonemeengine.labels.label import ROUNDING, RawLabel, in_order
+from phonemeengine.labels.phone_sets import marks_silence
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
+from phonemeengine.labels.pinyin import sound_of, timed_syllable
 from phonemeengine.labels.text_io import read_text
-from phonemeengine.labels.textgrid import Tier, format_tiers, tiers_of
+from phonemeengine.labels.textgrid import Interval, Tier, format_tiers, tiers_of
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
-from phonemeengine.labels.utterance_tiers import stress_in
 from phonemeengine.phonemes import Phoneme
 
 WORDS, SYLLABLES, PHONES, PHONEMES = "words", "syllables", "phones", "phonemes"
-"""The names of tiers; syllables are only read."""
+"""The names of the tiers that are written; of those that are read, four letters count."""
+STRESS_MARKS = ("", "ˈ", "ˌ")
+"""What stands before a syllable in the IPA, by its stress."""
+_LETTERS = 4
+_HALF = 0.5
+"""The share of a syllable that its onset has where only the syllable is labelled."""
 
 
-def format_utterance(utterance: Utterance) -> str:
-    """Write an utterance as the text of a TextGrid: its words, its phones in IPA, and our phonemes."""
+def format_utterance(utterance: Utterance, silence: str = "") -> str:
+    """Write an utterance as the text of a TextGrid: its words, syllables, phones in IPA, and our phonemes.
+
+    Parameters
+    ----------
+    utterance : what is said.
+    silence : the name of the stretches between.
+    """
     phones = list(utterance.phones)
+    syllables = [syllable for word in utterance.words for syllable in word.syllables]
     tiers = {
         WORDS: [(word.start, word.end, word.text) for word in utterance.words],
+        SYLLABLES: [(syllable.start, syllable.end, syllable.text or _spelt(syllable)) for syllable in syllables],
         PHONES: [(phone.start, phone.end, phone.ipa or phone.phoneme.label) for phone in phones],
         PHONEMES: [(phone.start, phone.end, phone.phoneme.label) for phone in phones],
     }
-    return format_tiers(tiers, utterance.duration)
+    named = {name: list(_with_silence(stretches, utterance.duration, silence)) for name, stretches in tiers.items()}
+    return format_tiers(named, utterance.duration)
 
 
-def read_utterance(path: Path, duration: float, mapping: PhonemeMap | None = None) -> Utterance:
-    """Read what is said in a sound from a TextGrid with a tier of sounds, and one of words where there is one.
+def read_utterance(path: str | os.PathLike[str], duration: float, mapping: PhonemeMap | None = None) -> Utterance:
+    """Read what is said in a sound from a TextGrid with a tier of sounds, or of syllables of pinyin.
 
-    Without a tier of words, what is said between two silences is one, without a text. A tier of syllables parts
-    words, and its marks of stress count; without one, a word is a single syllable.
+    Where there is a tier of words, these are known, and of syllables, these. Without words, what is said between two
+    silences is one, without a text; or each syllable where there are no sounds, or some that nobody knows. A
+    syllable's mark of stress counts.
 
     Parameters
     ----------
@@ -44,17 +65,29 @@ def read_utterance(path: Path, duration: float, mapping: PhonemeMap | None = Non
     Raises
     ------
     UnknownPhonemeError : names of sounds stand for no phoneme.
-    CorpusError : it cannot be read, has no tier of sounds, or says something impossible.
+    CorpusError : it cannot be read, has neither tier, or says something impossible.
     """
-    name, mapping = printable_name(path), mapping or PhonemeMap()
+    path, mapping = Path(path), mapping or PhonemeMap()
+    name = printable_name(path)
     tiers = tiers_of(read_text(path), name)
-    sounds = next((tier for tier in tiers if tier.name.lower().startswith(TIER_NAMES) and tier.raw_labels), None)
-    if sounds is None:
-        raise CorpusError(f"{name}: there is no tier named {PHONES!r} with a label; align it by its words instead")
-    raw = in_order(sounds.raw_labels, name, duration)
-    phones = [_phone_of(label) for label in labels_named(raw, mapping.phone_classes_of(names_in(raw), name))]
-    words, syllables = (in_order(_labels_in(tiers, kind), name, duration) for kind in (WORDS, SYLLABLES))
-    return Utterance(tuple(_words_of(phones, words, syllables)), duration)
+    begins = (TIER_NAMES, (WORDS[:_LETTERS],), (SYLLABLES[:_LETTERS],))
+    of_sounds, of_words, of_syllables = (_labels_in(tiers, names) for names in begins)
+    if of_sounds is None and of_syllables is None:
+        raise CorpusError(
+            f"{name}: there is no tier named {PHONES!r} with a label, or {SYLLABLES!r} of pinyin; add one in Praat, "
+            "or align it by its words"
+        )
+    sounds, words, syllables = (in_order(raw or (), name, duration) for raw in (of_sounds, of_words, of_syllables))
+    pinyin = _as_pinyin(syllables)
+    if sounds and (not pinyin or all(map(mapping.knows, names_in(sounds)))):
+        known = labels_named(sounds, mapping.phone_classes_of(names_in(sounds), name))
+        phones = [Phone(label.start, label.end, label.phone, label.phoneme) for label in known]
+    else:
+        _check_pinyin(syllables, name)
+        phones = [phone for raw in pinyin for phone in _phones_of(raw)]
+        words = words or syllables
+    said = tuple(_words_of(phones, _Stretches(words), _Stretches(pinyin or syllables)))
+    return Utterance(said, max([duration, *(word.end for word in said)]))
 
 
 def script_in(path: Path) -> str | None:
@@ -64,41 +97,90 @@ def script_in(path: Path) -> str | None:
     ------
     CorpusError : it cannot be read.
     """
-    words = _labels_in(tiers_of(read_text(path), printable_name(path)), WORDS)
-    return " ".join(raw.name for raw in words) or None
+    words = _labels_in(tiers_of(read_text(path), printable_name(path)), (WORDS[:_LETTERS],))
+    return " ".join(raw.name for raw in words or ()) or None
 
 
-def _labels_in(tiers: Sequence[Tier], name: str) -> Sequence[RawLabel]:
-    return next((tier.raw_labels for tier in tiers if tier.name.lower().startswith(name[:4])), ())
+class _Stretches:
+    """Labels in order of time, to be found by a time."""
+
+    def __init__(self, labels: Sequence[RawLabel]) -> None:
+        self._labels = labels
+        self._starts = [label.start - ROUNDING for label in labels]
+
+    def at(self, time: float) -> RawLabel | None:
+        """Return the label at a time, seconds."""
+        k = bisect_right(self._starts, time) - 1
+        return self._labels[k] if k >= 0 and time < self._labels[k].end else None
 
 
-def _phone_of(label: Label) -> Phone:
-    return Phone(label.start, label.end, label.phone, label.phoneme)
+class _Owned(NamedTuple):
+    """A phone, and the labels of its word and its syllable."""
+
+    phone: Phone
+    word: RawLabel | None
+    syllable: RawLabel | None
 
 
-def _words_of(phones: Sequence[Phone], words: Sequence[RawLabel], syllables: Sequence[RawLabel]) -> Iterator[Word]:
+def _labels_in(tiers: Sequence[Tier], begins: tuple[str, ...]) -> tuple[RawLabel, ...] | None:
+    """Return what the first tier of a name that has labels says besides silence; None where there is no such tier."""
+    for tier in tiers:
+        if tier.name.lower().startswith(begins) and tier.raw_labels:
+            return tuple(raw for raw in tier.raw_labels if not marks_silence(raw.name))
+    return None
+
+
+def _as_pinyin(syllables: Sequence[RawLabel]) -> tuple[RawLabel, ...]:
+    """Return syllables with their tones as digits; nothing unless all of them are pinyin."""
+    try:
+        return tuple(replace(raw, name=sound_of(raw.name)) for raw in syllables)
+    except TextError:
+        return ()
+
+
+def _check_pinyin(syllables: Sequence[RawLabel], file: str) -> None:
+    for raw in syllables:
+        try:
+            sound_of(raw.name)
+        except TextError as error:
+            raise CorpusError(f"{file}, {raw.place}: {error}") from error
+
+
+def _phones_of(raw: RawLabel) -> tuple[Phone, ...]:
+    return timed_syllable(raw.name, raw.start, raw.start + _HALF * (raw.end - raw.start), raw.end).phones
+
+
+def _words_of(phones: Sequence[Phone], words: _Stretches, syllables: _Stretches) -> Iterator[Word]:
     """Return words with the phones that lie in them; those that lie in none are words of their own."""
-    for owner, part in _runs_in(phones, words):
-        yield Word(owner.name if owner else "", tuple(_syllables_of(part, syllables)))
+    middles = ((phone.start + phone.end) / 2 for phone in phones)
+    owned = [_Owned(phone, words.at(at), syllables.at(at)) for phone, at in zip(phones, middles, strict=True)]
+    for (silent, word), said in groupby(owned, lambda one: (one.phone.phoneme is Phoneme.SILENCE, one.word)):
+        if not silent:
+            yield Word(word.name if word else "", tuple(_syllables_of(said)))
 
 
-def _syllables_of(phones: Sequence[Phone], syllables: Sequence[RawLabel]) -> Iterator[Syllable]:
-    for owner, part in _runs_in(phones, syllables):
-        yield Syllable(tuple(part), stress_in(owner.name) if owner else 0)
+def _syllables_of(said: Iterable[_Owned]) -> Iterator[Syllable]:
+    for raw, part in groupby(said, lambda one: one.syllable):
+        syllable = Syllable(tuple(one.phone for one in part), _stress_in(raw.name) if raw else 0)
+        written = raw is not None and raw.name != _spelt(syllable)
+        yield replace(syllable, text=raw.name) if written else syllable
 
 
-def _runs_in(phones: Sequence[Phone], stretches: Sequence[RawLabel]) -> Iterator[tuple[RawLabel | None, list[Phone]]]:
-    """Return phones that follow each other in the same stretch, with that stretch; silence ends a run."""
-    part: list[Phone] = []
-    owner: RawLabel | None = None
-    for phone in phones:
-        middle = (phone.start + phone.end) / 2
-        within = next((label for label in stretches if label.start - ROUNDING <= middle < label.end), None)
-        if part and (within is not owner or phone.phoneme is Phoneme.SILENCE):
-            yield owner, part
-            part = []
-        if phone.phoneme is not Phoneme.SILENCE:
-            part.append(phone)
-        owner = within
-    if part:
-        yield owner, part
+def _spelt(syllable: Syllable) -> str:
+    """Return a syllable in the IPA, with its stress."""
+    return STRESS_MARKS[syllable.stress] + "".join(phone.ipa or phone.phoneme.label for phone in syllable.phones)
+
+
+def _stress_in(name: str) -> int:
+    return next((stress for stress, mark in enumerate(STRESS_MARKS) if mark and name.startswith(mark)), 0)
+
+
+def _with_silence(stretches: Iterable[Interval], duration: float, silence: str) -> Iterator[Interval]:
+    at = 0.0
+    for start, end, text in stretches:
+        if start > at + ROUNDING:
+            yield at, start, silence
+        yield start, end, text
+        at = end
+    if duration > at + ROUNDING:
+        yield at, duration, silence

@@ -134,7 +134,8 @@ def _places(numbers: Sequence[int]) -> Float64Array:
 
 def _mouth_at(name: str) -> tuple[float, ...]:
     """Return how far the lips of a phone are shut, rounded, open and spread."""
-    classes = {c for letter in letters_of(name)[:1] for c in articulations_of(letter)}
+    letters = letters_of(name)[:1] if name != SILENCE else ()
+    classes = {c for letter in letters for c in articulations_of(letter)}
     height = next((h for c, h in (("open vowel", 1.0), ("mid vowel", 0.6), ("vowel", 0.3)) if c in classes), 0.2)
     shut = bool(classes & {"bilabial", "labiodental"})
     rounded = bool(classes & {"rounded vowel", "labiovelar", "postalveolar", "rhotic"})

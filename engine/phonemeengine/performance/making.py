@@ -13,10 +13,10 @@ from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import EngineError, PerformanceError
 from phonemeengine.files import atomic_write, printable_name, reason_of
 from phonemeengine.labels.utterance import Utterance, shifted
-from phonemeengine.labels.utterance_tiers import format_spoken
+from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.exports.livelink import lines_of
 from phonemeengine.performance.corpus import ABOUT, FORMAT
-from phonemeengine.performance.recording import phones_of
+from phonemeengine.performance.recording import SILENCE, phones_of
 from phonemeengine.performance.synthetic import perform
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.settings import SAMPLE_RATE
@@ -92,6 +92,6 @@ def _write_recording(path: Path, samples: Float32Array, utterance: Utterance, se
         encoder.write(samples[:, None])
         encoder.close()
     face = perform(phones_of(utterance), seed)
-    for suffix, content in ((".TextGrid", format_spoken(utterance)), (".csv", "".join(lines_of(face)))):
+    for suffix, content in ((".TextGrid", format_utterance(utterance, SILENCE)), (".csv", "".join(lines_of(face)))):
         with atomic_write(path.with_suffix(suffix)) as file:
             file.write(content.encode())

@@ -1,4 +1,4 @@
-"""A text-to-speech program of one's own: a command that writes a sound file."""
+"""A text-to-speech program of one's own: a command that writes a sound file, in which its text is found."""
 
 import os
 import shlex
@@ -6,11 +6,16 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from phonemeengine.alignment.align import align
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import VoiceError
 from phonemeengine.files import printable
 from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.speech.voice import SpokenSentence
+from phonemeengine.text.cleaning import speakable
+from phonemeengine.text.espeak import language_of
+from phonemeengine.text.lexicon import Lexicon
 
 TEXT, OUTPUT = "{text}", "{output}"
 TIMEOUT = 600.0
@@ -51,25 +56,42 @@ def run_speech_program(template: str, text: str, output: Path) -> None:
         raise VoiceError(f"{name}: it wrote no sound file; put {OUTPUT} where its name belongs in the command")
 
 
-def speak_by_program(template: str, text: str) -> SpokenSentence:
+def speak_by_program(
+    template: str, text: str, *, language: str = "", lexicon: Lexicon | None = None
+) -> SpokenSentence:
     """Return what a program spoke, whole; see `run_speech_program`.
 
-    Its words are those of a TextGrid that it wrote beside the sound, of the same name; none where there is none.
+    Its words are those of a TextGrid that it wrote beside the sound, of the same name; where there is none, the sound
+    is aligned with the text.
+
+    Parameters
+    ----------
+    template : the command.
+    text : what nobody can speak is left out, see `speakable`.
+    language : of the text, such as ``en-us``; only a program that writes a TextGrid does without.
+    lexicon : how words are pronounced that a voice reads otherwise.
 
     Raises
     ------
     VoiceError : the command cannot be run, fails, or leaves no file.
     AudioError : what it wrote is no sound.
     CorpusError : what it wrote beside it is no TextGrid with the sound's phones.
+    TextError : there is nothing to speak, or no such language.
     """
+    cleaned = speakable(text).text
+    if language:
+        language_of(language)  # rather than after a program that takes minutes
     with tempfile.TemporaryDirectory() as folder:
         output = Path(folder) / "speech.wav"
-        run_speech_program(template, text, output)
+        run_speech_program(template, cleaned, output)
         with SoundReader(output) as reader:
             samples, duration = reader.read_mono(), reader.duration
         labels = output.with_suffix(".TextGrid")
-        words = read_utterance(labels, duration).words if labels.is_file() else ()
-    return SpokenSentence(samples, words, text)
+        if labels.is_file():
+            said = read_utterance(labels, duration)
+        else:
+            said = align(output, cleaned, load_preset(DEFAULT_PRESET), language=language, lexicon=lexicon)
+    return SpokenSentence(samples, said.words, cleaned, said.skipped)
 
 
 def _words_of(template: str) -> list[str]:

@@ -6,7 +6,8 @@ sentence by sentence, a Chinese one clause by clause, so that a long one needs n
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from itertools import takewhile
 
 import numpy as np
 
@@ -14,9 +15,11 @@ from phonemeengine.arrays import Float32Array, Int16Array
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import TextError, VoiceError
 from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.labels.pinyin import onset_and_rime, timed_syllable
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word, shifted
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.closures import STOPS, closure_before
+from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.text import mandarin
 from phonemeengine.text.clauses import clauses_of, sentences_of, tokens_of
 from phonemeengine.text.cleaning import speakable
@@ -31,7 +34,9 @@ from phonemeengine.text.espeak import (
     symbols_of,
     synthesise,
 )
+from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import MARKS, check_script, separator_of
+from phonemeengine.text.respelling import PHONEMES, respelt
 from phonemeengine.text.syllables import is_vowel, syllables_of
 
 USUAL_RATE = 4.0
@@ -40,8 +45,6 @@ RATES = ((1.6, 80), (2.4, 120), (3.35, 160), (3.7, 175), (4.9, 220), (7.3, 300),
 """Syllables a second, measured, and the words a minute that are asked of the synthesizer for them."""
 SENTENCE_PAUSE = 1.2
 """Silence after a sentence, in syllables: 0.3 s at the usual rate."""
-CHINESE_PAUSES = {"。？！.?!…": 2.4, "；：;:": 1.8, "，,": 1.2, "、": 0.6}
-"""Silence after the marks of Chinese clauses, in syllables."""
 LEAST_CLOSURE = 0.2
 """Share of an affricate that its closure has at least where it was found in the sound; else it has half."""
 _ASCII_MARKS = str.maketrans("。？！；：，、", ".?!;:,,")
@@ -56,11 +59,15 @@ class SpokenSentence:
     samples : float32, shape (n,), mono at 44.1 kHz, ±1.
     words : what is said, in seconds from the sentence's beginning; may be none.
     text : as it is written.
+    skipped : words of the text that were not said, as far as somebody listened.
+    unheeded : words that the voice cannot say as the lexicon has them, and said as it reads them.
     """
 
     samples: Float32Array
     words: tuple[Word, ...]
     text: str
+    skipped: tuple[str, ...] = ()
+    unheeded: tuple[str, ...] = ()
 
     @property
     def duration(self) -> float:
@@ -77,6 +84,9 @@ class Voice:
     language : such as ``en-us``, ``de``, ``cmn``; see `languages`.
     name : another voice than the language's own, such as ``f3`` or ``klatt``; see `voices`.
     rate : syllables a second, 1.6..9.5.
+    lexicon : how words are pronounced that the voice reads otherwise. It says those whose sounds it has; Chinese
+        characters it cannot, as IPA tells no tones.
+    pinyin_table : how long the pauses after Chinese clauses are; the one that ships, where it is None.
 
     Raises
     ------
@@ -86,6 +96,8 @@ class Voice:
     language: str
     name: str = ""
     rate: float = USUAL_RATE
+    lexicon: Lexicon = field(default_factory=Lexicon)
+    pinyin_table: PinyinTable | None = None
 
     def __post_init__(self) -> None:
         if not RATES[0][0] <= self.rate <= RATES[-1][0]:
@@ -108,7 +120,8 @@ class Voice:
         check_voice(self.name)
         cleaned = speakable(text).text
         if language.tag in {*mandarin.TAGS, mandarin.PINYIN_TAG}:
-            return (self._said_in_chinese(clause, language) for clause in clauses_of(cleaned))
+            table = self.pinyin_table or load_pinyin_table()
+            return (self._said_in_chinese(clause, language, table) for clause in clauses_of(cleaned))
         check_script(cleaned, language)
         return (self._said(sentence, language) for sentence in sentences_of(cleaned))
 
@@ -117,17 +130,19 @@ class Voice:
         call = self._call(tokens, language)
         return _ended([call], sentence, SENTENCE_PAUSE / self.rate)
 
-    def _said_in_chinese(self, clause: str, language: Language) -> SpokenSentence:
+    def _said_in_chinese(self, clause: str, language: Language, table: PinyinTable) -> SpokenSentence:
         read = mandarin.read_pinyin if language.tag == mandarin.PINYIN_TAG else mandarin.read
         calls = [self._call(tokens, of) for tokens, of in _runs_of(read(clause))]
-        return _ended(calls, clause, _pause_of(clause) / self.rate)
+        return _ended(calls, clause, _weight_of(clause, table) * table.pause / self.rate)
 
     def _call(self, tokens: Sequence["_Token"], language: Language) -> "_Call":
         """Have the synthesizer speak words in one call."""
+        tokens = [self._as_lexicon_has(token, language) for token in tokens]
         text, starts = "", []
         for token in tokens:
             starts.append(len(text))
-            text += f"{separator_of(language)}{token.spelt} "
+            separator = "" if token.spelt.startswith(PHONEMES) else separator_of(language)
+            text += f"{separator}{token.spelt} "
         blocks: list[Int16Array] = []
         events: list[Event] = []
 
@@ -136,10 +151,19 @@ class Voice:
             events.extend(begun)
             return True
 
-        chinese = any(token.pinyin for token in tokens)
-        synthesise(text.rstrip(), language, hear, voice=self.name, rate=self._words_a_minute, phonemes=chinese)
+        phonemes = PHONEMES in text
+        synthesise(text.rstrip(), language, hear, voice=self.name, rate=self._words_a_minute, phonemes=phonemes)
         samples = np.concatenate(blocks) if blocks else np.zeros(0, np.int16)
-        return _Call(samples, tuple(_words_of(tokens, _timed(events, samples, starts, len(tokens)))))
+        words = tuple(_words_of(tokens, _timed(events, samples, starts, len(tokens))))
+        return _Call(samples, words, tuple(token.text for token in tokens if token.unheeded))
+
+    def _as_lexicon_has(self, token: "_Token", language: Language) -> "_Token":
+        """Return a word spelt as the lexicon has it, where it is there and the voice has such sounds."""
+        spellings = self.lexicon.spellings.get(token.text.casefold(), ())
+        respellings = () if token.pinyin else (respelt(ipa, language) for ipa in spellings)
+        if found := next(filter(None, respellings), ""):
+            return replace(token, spelt=found + token.spelt.partition(token.text)[2])
+        return replace(token, unheeded=bool(spellings))
 
     @property
     def _words_a_minute(self) -> int:
@@ -173,20 +197,31 @@ def speak(text: str, voice: Voice) -> tuple[Float32Array, Utterance]:
 
 @dataclass(frozen=True)
 class _Token:
-    """What the synthesizer takes for a word: the text of the word it belongs to, how it is spelt, and its pinyin."""
+    """What the synthesizer takes for a word.
+
+    Attributes
+    ----------
+    text : of the word it belongs to.
+    spelt : for the synthesizer, with the marks around it.
+    pinyin : of a Chinese syllable.
+    continues : whether it belongs to the word of the token before it.
+    unheeded : whether the lexicon has it otherwise than it can be said.
+    """
 
     text: str
     spelt: str
     pinyin: str = ""
     continues: bool = False
+    unheeded: bool = False
 
 
 @dataclass(frozen=True, eq=False)
 class _Call:
-    """What one call gave: samples at `VOICE_RATE`, and words in seconds."""
+    """What one call gave: samples at `VOICE_RATE`, words in seconds, and those that the lexicon has otherwise."""
 
     samples: Int16Array
     words: tuple[Word, ...]
+    unheeded: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -209,16 +244,16 @@ def _ended(calls: Sequence[_Call], text: str, pause: float) -> SpokenSentence:
     whole = np.concatenate([np.zeros(0, np.int16), *(call.samples for call in calls)])
     block = (whole.astype(np.float32) / np.float32(32768))[:, np.newaxis]
     spoken = Resampler(VOICE_RATE, 1).resample(block, last=True)[:, 0]
+    samples = np.concatenate([spoken, np.zeros(round(pause * SAMPLE_RATE), np.float32)])
     return SpokenSentence(
-        np.concatenate([spoken, np.zeros(round(pause * SAMPLE_RATE), np.float32)]), tuple(words), text
+        samples, tuple(words), text, unheeded=tuple(word for call in calls for word in call.unheeded)
     )
 
 
-def _pause_of(clause: str) -> float:
-    """Return the silence after a Chinese clause, syllables: that of the heaviest of its last marks."""
-    spoken = clause.rstrip("”’」』）》\"')]")
-    last = spoken[len(spoken.rstrip("".join(CHINESE_PAUSES))) :]
-    return max((pause for marks, pause in CHINESE_PAUSES.items() for mark in last if mark in marks), default=0.0)
+def _weight_of(clause: str, table: PinyinTable) -> float:
+    """Return the weight of the pause after a Chinese clause: that of the heaviest of its last marks."""
+    last = takewhile(lambda character: not character.isalnum(), reversed(clause))
+    return max(map(table.pause_at, last), default=0.0)
 
 
 def _runs_of(parts: Iterator["mandarin.PinyinWord | str"]) -> Iterator[tuple[list[_Token], Language]]:
@@ -285,32 +320,26 @@ def _words_of(tokens: Sequence[_Token], timed: Sequence[list[_Timed]]) -> Iterat
 
 def _syllables(token: _Token, phones: Sequence[_Timed]) -> Iterator[Syllable]:
     if token.pinyin:
-        spoken = mandarin.syllable_of(token.pinyin)
-        timed = iter(_fitted(spoken.phones, phones))
-        syllables: tuple[tuple[tuple[str, ...], int, str], ...] = ((spoken.phones, 0, token.pinyin),)
-    else:
-        timed = iter(phones)
-        found = syllables_of([phone.ipa for phone in phones], [phone.stress for phone in phones])
-        syllables = tuple((syllable.phones, syllable.stress, "") for syllable in found)
-    for names, stress, text in syllables:
-        own = [next(timed) for _ in names]
-        yield Syllable(tuple(Phone(x.start, x.end, x.ipa, ipa_phoneme(x.ipa)) for x in own), stress, text)
+        yield _chinese_syllable(token.pinyin, phones)
+        return
+    rest = iter(phones)
+    for syllable in syllables_of([phone.ipa for phone in phones], [phone.stress for phone in phones]):
+        own = (next(rest) for _ in syllable.phones)
+        yield Syllable(tuple(Phone(x.start, x.end, x.ipa, ipa_phoneme(x.ipa)) for x in own), syllable.stress)
 
 
-def _fitted(names: Sequence[str], phones: Sequence[_Timed]) -> list[_Timed]:
-    """Return the phones of a syllable of pinyin with the times of what the voice made of it.
+def _chinese_syllable(sound: str, phones: Sequence[_Timed]) -> Syllable:
+    """Return a syllable of pinyin with the times of what the voice made of it.
 
-    The voice has names of its own, so only where consonants end and vowels begin is taken from it.
+    The voice has names of its own, so only where consonants end and vowels begin is taken from it, unless it has as
+    many phones.
     """
-    start, end = phones[0].start, phones[-1].end
-    n_onset = next((k for k, name in enumerate(names) if is_vowel(name)), 0)
+    names = mandarin.syllable_of(sound).phones
     if len(names) == len(phones):
-        return [replace(phone, ipa=name) for name, phone in zip(names, phones, strict=True)]
-    turn = next((phone.start for phone in phones if is_vowel(phone.ipa)), start) if n_onset else start
-    turn = turn if start < turn < end or not n_onset else start + (end - start) * n_onset / len(names)
-    return [*_shared_equally(names[:n_onset], start, turn), *_shared_equally(names[n_onset:], turn, end)]
-
-
-def _shared_equally(names: Sequence[str], start: float, end: float) -> Iterator[_Timed]:
-    for k, name in enumerate(names):
-        yield _Timed(name, start + (end - start) * k / len(names), start + (end - start) * (k + 1) / len(names))
+        pairs = zip(names, phones, strict=True)
+        return Syllable(tuple(Phone(x.start, x.end, ipa, ipa_phoneme(ipa)) for ipa, x in pairs), text=sound)
+    start, end = phones[0].start, phones[-1].end
+    turn = next((phone.start for phone in phones if is_vowel(phone.ipa)), start)
+    if turn == start:
+        turn += (end - start) * len(onset_and_rime(sound[:-1])[0]) / len(names)
+    return timed_syllable(sound, start, turn, end)

@@ -6,10 +6,16 @@ from collections.abc import Iterator
 LONGEST = 400
 """Characters of a clause at most; a longer one is cut between words, or where there are none, anywhere."""
 
-_WIDE = "。！？；：，、"
+_WIDE = "。！？；：，、…—"
+_ASCII = ".,;:!?"
+_HAN = "\u3400-\u9fff"
 _CLOSING = "»«”“’‘」』）》\"')\\]"
 _WIDE_CLOSING = "”’」』）》\"')\\]"
-_PIECE = re.compile(rf"\n|[^\s{_WIDE}]{{1,{LONGEST}}}[{_WIDE}]*[{_WIDE_CLOSING}]*|[{_WIDE}]+[{_WIDE_CLOSING}]*")
+_MARKS_BEHIND_HAN = rf"(?:(?<=[{_HAN}])[{_ASCII}]+)?"
+_PIECE = re.compile(
+    rf"\n|(?:[^\s{_WIDE}](?<![{_HAN}](?=[{_ASCII}]))){{0,{LONGEST - 1}}}[^\s{_WIDE}]"
+    rf"{_MARKS_BEHIND_HAN}[{_WIDE}]*[{_WIDE_CLOSING}]*|[{_WIDE}]+[{_WIDE_CLOSING}]*"
+)
 _SENTENCE_END = re.compile(rf"[.!?…。！？][{_CLOSING}]*$")
 _CLAUSE_END = re.compile(rf"[.!?…。！？,;:；：，、—–][{_CLOSING}]*$")
 _ABBREVIATION = re.compile(r"\W*(?:[^\W_]|\d+|mrs?|ms|dr|prof|st|hr|fr|nr|vs|\w+\.\w+)\.", re.IGNORECASE)

@@ -223,7 +223,21 @@ def phone_names(text: str, language: Language) -> str:
     library = _library()
     with library.lock:
         library.choose(language.identifier)
-        return " ".join(library.translated(text))
+        return " ".join(library.translated(text, phonemes=False))
+
+
+def names_sounded(names: str, language: Language) -> str:
+    """Return how the library's own names of phonemes are pronounced as a word, like `phone_names`.
+
+    Parameters
+    ----------
+    names : the library's, such as ``S'2:n``.
+    language : whose names they are.
+    """
+    library = _library()
+    with library.lock:
+        library.choose(language.identifier)
+        return " ".join(library.translated(f"[[{names}]]", phonemes=True))
 
 
 def symbols_of(name: str) -> tuple[str, ...]:
@@ -314,6 +328,7 @@ class _Library:
         self._library.espeak_ListVoices.restype = ctypes.POINTER(ctypes.POINTER(_VoiceEntry))
         self._chosen = ""
         self._names: dict[int, str] = {}
+        self._reads_phonemes = False
         self.languages = self._languages()
         self.variants = tuple(sorted(v.identifier.decode()[3:] for v in self._voices("variant")))
 
@@ -328,8 +343,10 @@ class _Library:
         tag = identifier.partition("+")[0].rpartition("/")[2]
         self._names = _MISNAMED.get(tag.partition("-")[0], {})
 
-    def translated(self, text: str) -> Iterator[str]:
+    def translated(self, text: str, *, phonemes: bool) -> Iterator[str]:
         """Return the names of the phones of a text, clause by clause."""
+        if phonemes is not self._reads_phonemes:  # which is told only with something to speak
+            self.speak("", lambda _samples, _events: True, NORMAL_RATE, phonemes=phonemes)
         content = ctypes.create_string_buffer(text.encode())
         rest = ctypes.c_void_p(ctypes.addressof(content))
         mode = _IN_IPA | ord(SEPARATOR) << 8
@@ -349,6 +366,7 @@ class _Library:
                 return 1
 
         callback, content = _Callback(take), text.encode()
+        self._reads_phonemes = phonemes
         self._library.espeak_SetParameter(_RATE_PARAMETER, min(max(rate, SLOWEST), FASTEST), 0)
         self._library.espeak_SetSynthCallback(callback)
         flags = _UTF8 | (_PHONEME_INPUT if phonemes else 0)

@@ -8,9 +8,10 @@ stress stand before a syllable or its vowel, and a full stop may stand between s
 import os
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TypeVar
 
 from phonemeengine.errors import CorpusError, TextError
 from phonemeengine.files import printable_name, read_text_file
@@ -25,6 +26,7 @@ LARGEST = 64 << 20
 STRESSES = {"ˈ": 1, "ˌ": 2}
 
 Syllables = tuple[SpokenSyllable, ...]
+V = TypeVar("V")
 
 
 @dataclass(frozen=True)
@@ -34,9 +36,11 @@ class Lexicon:
     Attributes
     ----------
     pronunciations : by word, case-folded: each a variant, the likeliest first.
+    spellings : the same as they are written: IPA with its marks of stress and length.
     """
 
     pronunciations: Mapping[str, tuple[Syllables, ...]] = field(default_factory=dict)
+    spellings: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def load_lexicon(path: str | os.PathLike[str]) -> Lexicon:
@@ -50,13 +54,20 @@ def load_lexicon(path: str | os.PathLike[str]) -> Lexicon:
     text, file = read_text_file(path, LARGEST, "a lexicon", TextError), printable_name(path)
     entries = _rows_of_csv(text, file) if path.suffix.lower() == ".csv" else _lines_of_toml(text, file)
     variants: dict[str, list[Syllables]] = defaultdict(list)
+    spellings: dict[str, list[str]] = defaultdict(list)
     for place, word, ipa in entries:
         if not word.strip() or len(word.split()) > 1:
             raise TextError(f"{file}, {place}: a lexicon has single words, found {word!r:.40}; correct it")
-        variants[word.strip().casefold()].append(_syllables_of(ipa, word, f"{file}, {place}"))
+        key = word.strip().casefold()
+        variants[key].append(_syllables_of(ipa, word, f"{file}, {place}"))
+        spellings[key].append(ipa)
     if not variants:
         raise TextError(f"{file}: there is no word in it; write some, or leave the lexicon out")
-    return Lexicon({word: tuple(dict.fromkeys(found)) for word, found in variants.items()})
+    return Lexicon(_distinct(variants), _distinct(spellings))
+
+
+def _distinct(variants: Mapping[str, Sequence[V]]) -> dict[str, tuple[V, ...]]:
+    return {word: tuple(dict.fromkeys(found)) for word, found in variants.items()}
 
 
 def _rows_of_csv(text: str, file: str) -> Iterator[tuple[str, str, str]]:

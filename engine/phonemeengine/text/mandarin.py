@@ -1,7 +1,6 @@
-"""Chinese characters as pinyin, and how pinyin sounds: the only door to pypinyin.
+"""Chinese characters as pinyin, and how a voice is asked for it: the only door to pypinyin.
 
-pypinyin knows phrases, so that characters with several readings come right. What pinyin sounds like follows
-Lee and Zee, "Standard Chinese (Beijing)", Journal of the International Phonetic Association 33 (2003).
+pypinyin knows phrases, so that characters with several readings come right.
 """
 
 import re
@@ -10,7 +9,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from types import ModuleType
 
-from phonemeengine.errors import VoiceError
+from phonemeengine.errors import TextError, VoiceError
+from phonemeengine.labels.pinyin import onset_and_rime, sound_of
 from phonemeengine.text.chinese_numbers import NUMBER, read_number, to_ascii_digits
 from phonemeengine.text.syllables import SpokenSyllable
 
@@ -26,24 +26,6 @@ _MARKS = "。！？；：，、"
 _PART = re.compile(
     rf"(?P<chinese>[{_CHARACTERS}]+)|(?P<number>{NUMBER.pattern})|[^\W\d{_CHARACTERS}][^\s{_CHARACTERS}{_MARKS}]*|\S"
 )
-
-_INITIALS = {
-    "zh": "ʈ ʂ", "ch": "ʈ ʂ", "sh": "ʂ", "b": "p", "p": "p", "m": "m", "f": "f", "d": "t", "t": "t", "n": "n",
-    "l": "l", "g": "k", "k": "k", "h": "x", "j": "t ɕ", "q": "t ɕ", "x": "ɕ", "r": "ʐ", "z": "t s", "c": "t s",
-    "s": "s", "": "",
-}  # fmt: skip
-"""The longest come first."""
-_FINALS = {
-    "a": "a", "o": "o", "e": "ɤ", "ê": "ɛ", "ai": "aɪ", "ei": "eɪ", "ao": "aʊ", "ou": "oʊ", "an": "a n", "en": "ə n",
-    "ang": "a ŋ", "eng": "ə ŋ", "er": "ɚ", "i": "i", "ia": "j a", "iai": "j aɪ", "io": "j o", "ie": "j ɛ",
-    "iao": "j aʊ", "iu": "j oʊ", "ian": "j ɛ n", "in": "i n", "iang": "j a ŋ", "ing": "i ŋ", "iong": "j ʊ ŋ",
-    "u": "u", "ua": "w a", "uo": "w o", "uai": "w aɪ", "ui": "w eɪ", "uan": "w a n", "un": "w ə n", "uang": "w a ŋ",
-    "ueng": "w ə ŋ", "ong": "ʊ ŋ", "ü": "y", "üe": "ɥ ɛ", "üan": "ɥ ɛ n", "ün": "y n",
-}  # fmt: skip
-_WHOLE = {"m": "m̩", "n": "n̩", "ng": "ŋ̩", "hm": "x m̩", "hng": "x ŋ̩"}
-_SPELT_OTHERWISE = {"you": "iu", "wei": "ui", "wen": "un"}
-_MAKING_U_ROUND = frozenset("jqx")
-_APICAL = re.compile("(?:zh|ch|sh|r|z|c|s)i")
 
 _TONES = {"1": "55", "2": "35", "3": "214", "4": "51", "5": "11"}
 _RESPELT = {
@@ -85,21 +67,18 @@ def read(text: str) -> Iterator[PinyinWord | str]:
 
 
 def read_pinyin(text: str) -> Iterator[PinyinWord | str]:
-    """Return what a text in pinyin is made of, syllables apart and their tones as digits or as marks.
-
-    Raises
-    ------
-    VoiceError : pypinyin is not installed.
-    """
+    """Return what a text in pinyin is made of, syllables apart and their tones as digits or as marks."""
     for word in re.findall(r"[^\W\d_]+[1-5]?|\S", unicodedata.normalize("NFC", text)):
-        syllable = _with_digit(word)
-        yield PinyinWord(word, (syllable,)) if _is_syllable(syllable) else word
+        try:
+            yield PinyinWord(word, (sound_of(word),))
+        except TextError:
+            yield word
 
 
 def syllable_of(pinyin: str) -> SpokenSyllable:
     """Return how a syllable of pinyin sounds, such as ``hao3``; one that does not exist is a murmured vowel."""
-    plain = pinyin.rstrip("12345")
-    return SpokenSyllable(tuple(_phones_of(plain) or ("ə",)), 0, pinyin)
+    onset, rime = onset_and_rime(pinyin.rstrip("12345"))
+    return SpokenSyllable((*onset, *rime), 0, pinyin)
 
 
 def spelt_for_voice(pinyin: str) -> str:
@@ -108,30 +87,6 @@ def spelt_for_voice(pinyin: str) -> str:
     if plain in _RESPELT:
         return f"[[{_RESPELT[plain].format(_TONES.get(tone, _TONES['5']))}]]"
     return pinyin.replace("ü", "v")
-
-
-def _phones_of(plain: str) -> list[str]:
-    if plain in _WHOLE:
-        return _WHOLE[plain].split()
-    if _APICAL.fullmatch(plain):
-        return [*_INITIALS[plain[:-1]].split(), "ɨ"]
-    initial = next(initial for initial in _INITIALS if plain.startswith(initial))
-    final = _FINALS.get(_full_final(initial, plain.removeprefix(initial)))
-    return [] if final is None else f"{_INITIALS[initial]} {final}".split()
-
-
-def _full_final(initial: str, final: str) -> str:
-    """Return what a final is called behind other initials: y and w stand for i, ü and u; u for ü after j, q, x."""
-    if final.startswith("yu") or (initial in _MAKING_U_ROUND and final.startswith("u")):
-        return "ü" + final.removeprefix("y")[1:]
-    if final.startswith(("y", "w")) and final not in _SPELT_OTHERWISE:
-        vowel = {"y": "i", "w": "u"}[final[0]]
-        return final[1:] if final[1:].startswith(vowel) else vowel + final[1:]
-    return _SPELT_OTHERWISE.get(final, final)
-
-
-def _is_syllable(pinyin: str) -> bool:
-    return bool(_phones_of(pinyin.rstrip("12345")))
 
 
 def pinyin_of(hanzi: str) -> list[str]:
@@ -157,15 +112,6 @@ def pinyin_of(hanzi: str) -> list[str]:
 def _pinyin_of(hanzi: str) -> list[str]:
     """Return a syllable for each character; one that nobody can read is a murmur."""
     return [syllable if syllable[-1] in "12345" else "e5" for syllable in pinyin_of(hanzi)]
-
-
-def _with_digit(word: str) -> str:
-    if word[-1] in "12345":
-        return word.lower().replace("v", "ü")
-    _pypinyin()
-    from pypinyin.contrib.tone_convert import to_tone3  # noqa: PLC0415 - as below
-
-    return str(to_tone3(word.lower(), neutral_tone_with_five=True, v_to_u=True))
 
 
 def _pypinyin() -> ModuleType:

@@ -1,22 +1,28 @@
-"""The phonemes of a whole sound file, written as labels while the window goes on."""
+"""The phonemes of a whole sound, written as labels while the window goes on."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import closing
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.tasks import TaskQueue
-from phonemeengine.analyser import Analysis, analyse_file
-from phonemeengine.audio.files import SoundReader
+from phonemeengine.analyser import BLOCK, analyse_blocks
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.files import mono_of
+from phonemeengine.audio.source import Reader
 from phonemeengine.labels.files import write_labels
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, report_progress
-from phonemeengine.recognition.segments import labels_of_segments, segments_of
-from phonemeengine.settings import Channel
+from phonemeengine.recognition.segments import SegmentBuilder, labels_of_segments
+from phonemeengine.settings import HOP
+
+AT_ONCE = BLOCK * HOP
+"""Samples that are read at a time."""
 
 
 class PhonemeWriter(QObject):
-    """Analyses files in the background and writes what was found.
+    """Analyses sounds in the background and writes what was found.
 
     Signals
     -------
@@ -33,20 +39,22 @@ class PhonemeWriter(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether there is a file that is not written yet."""
+        """Whether there are phonemes that are not written yet."""
         return self._work.busy
 
-    def write(self, sound: Path, channel: Channel, preset: Preset, target: Path) -> None:
-        """Write the phonemes that a preset recognises in a sound file.
+    def write(self, name: str, open_sound: Callable[[], Reader], preset: Preset, target: Path) -> None:
+        """Write the phonemes that a preset recognises in a sound.
 
         Parameters
         ----------
+        name : of the sound, for people.
+        open_sound : gives it from its beginning.
         target : its ending says in which format: .TextGrid, .txt (Audacity) or .csv (the corpus format).
         """
-        self.info.emit(f"The phonemes of {sound.name} are looked for, and then saved in {target.name} …")
+        self.info.emit(f"The phonemes of {name} are looked for, and then saved in {target.name} …")
         self._work.submit(
-            lambda progress: _write(sound, channel, preset, target, progress),
-            lambda _none: self.info.emit(f"The phonemes of {sound.name} are saved in {target}."),
+            lambda progress: _write(open_sound, preset, target, progress),
+            lambda _none: self.info.emit(f"The phonemes of {name} are saved in {target}."),
         )
 
     def close(self) -> None:
@@ -54,14 +62,19 @@ class PhonemeWriter(QObject):
         self._work.finish()
 
 
-def _write(sound: Path, channel: Channel, preset: Preset, target: Path, progress: Progress) -> None:
-    with SoundReader(sound, channel) as reader:
-        found = ((a.phonemes, a.intensities) for a in _analyses(reader, preset, progress))
-        labels = labels_of_segments(segments_of(found, reader.duration))
-        write_labels(labels, target, duration=reader.duration)
+def _write(open_sound: Callable[[], Reader], preset: Preset, target: Path, progress: Progress) -> None:
+    with closing(open_sound()) as reader:
+        joiner, segments = SegmentBuilder(), []
+        for analysis in analyse_blocks(_blocks(reader, progress), preset):
+            segments += joiner.extend(analysis.phonemes, analysis.intensities)
+        segments += joiner.finish(reader.duration)
+        write_labels(labels_of_segments(segments), target, duration=reader.duration)
 
 
-def _analyses(reader: SoundReader, preset: Preset, progress: Progress) -> Iterator[Analysis]:
-    for analysis in analyse_file(reader, preset):
-        report_progress(progress, reader.position / reader.n_samples)
-        yield analysis
+def _blocks(reader: Reader, progress: Progress) -> Iterator[Float32Array]:
+    """Return what is heard of a sound, whose length is known at its end at the latest."""
+    n = 0
+    while len(block := reader.read(AT_ONCE)):
+        n += len(block)
+        report_progress(progress, n / reader.n_samples)
+        yield mono_of(block, reader.channel)

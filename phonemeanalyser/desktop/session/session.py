@@ -53,6 +53,10 @@ class Session(QObject):
     sought : the file, or the spoken text, stands elsewhere.
     speech_asked : a text is to be spoken, and `speak` to be called.
     error : a sentence for the user.
+
+    Attributes
+    ----------
+    may_leave : asked before another file takes the place of the one in hand; what it refuses is not opened.
     """
 
     opened = Signal()
@@ -79,11 +83,13 @@ class Session(QObject):
         self.loop = False
         self.volume = 0.0
         self.wanted_channel = Channel.MIX
+        self.may_leave: Callable[[], bool] = lambda: True
         self._open_device = open_device
         self._file: SoundReader | None = None
         self._left_at = 0.0
         self._player: Player | None = None
         self._tone_reader: ToneReader | None = None
+        self._speak_again: Callable[[], Reader] | None = None
         preset.changed.connect(self._use_preset)
         self.microphone.error.connect(self.error)
         self.writer.error.connect(self.error)
@@ -183,7 +189,7 @@ class Session(QObject):
     def open(self, path: Path) -> bool:
         """Open a file and stand at its beginning; a file that cannot be read leaves everything as it was.
 
-        Of a file without the channel that is wanted, the mix is analysed.
+        So does one that `may_leave` refuses. Of a file without the channel that is wanted, the mix is analysed.
         """
         return self._open(path, None)
 
@@ -194,6 +200,9 @@ class Session(QObject):
                 file.choose(self.wanted_channel)
         except EngineError as error:
             self.error.emit(str(error))
+            return False
+        if path != self.path and not self.may_leave():
+            file.close()
             return False
         self._detach()
         self.source = SoundSource.FILE
@@ -224,12 +233,18 @@ class Session(QObject):
             self.play()
         self.opened.emit()
 
-    def speak(self, speech: Reader) -> None:
-        """Play a spoken text, which may be spoken while it is played; it is closed when another sound is in hand."""
+    def speak(self, speech: Reader, again: Callable[[], Reader]) -> None:
+        """Play a spoken text, which may be spoken while it is played; it is closed when another sound is in hand.
+
+        Parameters
+        ----------
+        again : has the same text spoken once more, from its beginning.
+        """
         if self.source is SoundSource.FILE:
             self._left_at = self.position
         self._detach()
         self.source = SoundSource.TEXT
+        self._speak_again = again
         self._attach(Player(speech, self.preset.in_force, self._open_device))
         self.play()
 
@@ -365,9 +380,12 @@ class Session(QObject):
         self.writer.close()
 
     def write_phonemes(self, target: Path) -> None:
-        """Write the phonemes of the whole file in hand, if there is one, with the preset in force; does not wait."""
-        if self.path is not None:
-            self.writer.write(self.path, self.channel, self.preset.in_force, target)
+        """Write the phonemes of the whole file in hand, or text, with the preset in force; does not wait."""
+        path, channel, again = self.path, self.channel, self._speak_again
+        if self.source is SoundSource.TEXT and again is not None:
+            self.writer.write(self.name, again, self.preset.in_force, target)
+        elif path is not None:
+            self.writer.write(path.name, lambda: SoundReader(path, channel), self.preset.in_force, target)
 
     # -- what is found ------------------------------------------------------------------------------------
 

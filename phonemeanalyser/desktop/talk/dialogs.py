@@ -1,14 +1,16 @@
 """What the user is asked on the page of the head, and what of it is kept for the next start."""
 
+import math
+from contextlib import suppress
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.voice_model import TextDriver
 from phonemeengine.files import free_path
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 from phonemeengine.mouth.morpher import Detail
@@ -18,6 +20,7 @@ MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*MESH_SUFFIX
 TABLES = "Mouth tables (*.toml)"
 LEXICONS = "Lexicons (*.toml *.csv)"
 WORDS = "Praat TextGrid (*.TextGrid)"
+SPEECH = "WAV (*.wav)"
 MOST_KEPT = 10_000
 """Characters of a text that is kept for the next start."""
 
@@ -71,15 +74,40 @@ class TalkDialogs(QObject):
             self._settings.setValue("folder/lexicon", str(Path(name).parent))
             self._talking.text.set_lexicon(Path(name))
 
-    def ask_save_words(self) -> None:
+    def ask_save_words(self) -> bool:
         """Let the user choose a TextGrid to save the words to; beside the sound it is found again."""
-        sound = self._talking.session.path
-        of_file = sound is not None and self._talking.session.source is SoundSource.FILE
-        suggested = sound.with_suffix(".TextGrid") if sound is not None and of_file else Path.home() / "text.TextGrid"
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save the words", str(suggested), WORDS)
-        if name:
-            path = Path(name)
-            self._talking.text.save(path if path.suffix else free_path(path.with_name(f"{path.name}.TextGrid")))
+        sound = self._talking.text.words.sound
+        suggested = Path.home() / "text.TextGrid" if sound is None else sound.with_suffix(".TextGrid")
+        path = self._ask_target("Save the words", suggested, WORDS)
+        return path is not None and self._talking.text.save_words(path)
+
+    def ask_save_speech(self) -> None:
+        """Let the user choose a WAV file to have the text spoken to."""
+        folder = Path(str(self._settings.value("folder/speech", str(Path.home()))))
+        path = self._ask_target("Save the spoken text", folder / "text.wav", SPEECH)
+        if path is not None:
+            self._settings.setValue("folder/speech", str(path.parent))
+            self._talking.text.save_speech(path)
+
+    def _ask_target(self, title: str, suggested: Path, filters: str) -> Path | None:
+        """Let the user choose what to write; a name without an ending gets the suggested one."""
+        name, _ = QFileDialog.getSaveFileName(self._window, title, str(suggested), filters)
+        path = Path(name)
+        if not name or path.suffix:
+            return path if name else None
+        return free_path(path.with_name(path.name + suggested.suffix))
+
+    def may_leave_words(self) -> bool:
+        """Ask what is to become of boundaries that were moved and not saved; says whether to go on."""
+        words = self._talking.text.words
+        if not words.has_unsaved_changes or words.sound is None:
+            return True
+        buttons = QMessageBox.StandardButton
+        answer = QMessageBox.question(
+            self._window, "Unsaved words", f"Save the words of {words.sound.name}, whose boundaries you moved?",
+            buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
+        )  # fmt: skip
+        return self.ask_save_words() if answer == buttons.Save else answer == buttons.Discard
 
     def save(self) -> None:
         """Keep what was chosen for the next start."""
@@ -97,6 +125,7 @@ class TalkDialogs(QObject):
         keep("talk/text", talking.text.text if len(talking.text.text) <= MOST_KEPT else "")
         keep("talk/language", talking.text.language)
         keep("talk/lexicon", str(talking.text.lexicon_path or ""))
+        self._keep_voice()
         keep("talk/osc_address", osc.address)
         keep("talk/osc_table", osc.table)
         keep("talk/osc", int(osc.on))
@@ -121,9 +150,33 @@ class TalkDialogs(QObject):
         lexicon = Path(self._kept("talk/lexicon", ""))
         if lexicon.is_file():
             talking.text.set_lexicon(lexicon)
+        self._restore_voice()
         talking.osc.set_address(self._kept("talk/osc_address", talking.osc.address))
         talking.osc.set_table(self._kept("talk/osc_table", talking.osc.table))
         talking.osc.set_on(self._kept("talk/osc", "0") == "1")
+
+    def _keep_voice(self) -> None:
+        choice, keep = self._talking.text.voice.choice, self._settings.setValue
+        keep("talk/voice", choice.name)
+        keep("talk/voice_rate", f"{choice.rate:g}")
+        keep("talk/voice_program", choice.program)
+        keep("talk/voice_by_program", int(choice.by_program))
+        keep("talk/text_driver", choice.driver.value)
+
+    def _restore_voice(self) -> None:
+        voice = self._talking.text.voice
+        usual = voice.choice
+        driver = self._kept("talk/text_driver", usual.driver.value)
+        rate = usual.rate
+        with suppress(ValueError):  # somebody may edit the file
+            rate = float(self._kept("talk/voice_rate", f"{rate:g}"))
+        voice.choose(
+            name=self._kept("talk/voice", usual.name),
+            rate=rate if math.isfinite(rate) else usual.rate,
+            program=self._kept("talk/voice_program", usual.program),
+            by_program=self._kept("talk/voice_by_program", "0") == "1",
+            driver=next((known for known in TextDriver if known.value == driver), usual.driver),
+        )
 
     def _percent(self, name: str) -> int:
         kept = self._kept(f"talk/{name}_percent", "100")

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QScrollArea,
     QSizePolicy,
     QSplitter,
@@ -38,7 +39,7 @@ class TalkPage(QWidget):
     Signals
     -------
     sound_asked, preset_asked : the user wants the head to say another sound, or to load phoneme data.
-    words_asked : the user wants to save what is said.
+    words_asked, speech_asked : the user wants to save what is said, or to have the text said into a file.
 
     Attributes
     ----------
@@ -48,6 +49,7 @@ class TalkPage(QWidget):
     sound_asked = Signal()
     preset_asked = Signal()
     words_asked = Signal()
+    speech_asked = Signal()
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
@@ -65,7 +67,7 @@ class TalkPage(QWidget):
         self.play = _button("Play", "Play or pause (Space)")
         self.stop = _button("Stop", "Stop (Escape)")
         self.preset = _button("Load Preset…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")
-        self.save = _button("Save Words…", "Save words and phones as a TextGrid, which exports take")
+        self.save = _button("Save", "Save words and phones, or the text as a voice says it")
         self.wireframe = QCheckBox("wireframe")
         self.wireframe.setToolTip("Draw the edges of the mesh alone (W)")
         self.home = _button("⌂", "Look at the whole head from the front (Home, or a double click)")
@@ -73,6 +75,7 @@ class TalkPage(QWidget):
         self.light_right = _button("▸", "Move the light to the right (.)")
         self.said = ElidedLabel()
         self.heard = PhonemeChip(talking, theme)
+        self._fill_save_menu()
         self._lay_out()
         self._connect()
         self._show_state()
@@ -87,13 +90,22 @@ class TalkPage(QWidget):
             self.heard.refresh()
             self.osc.refresh()
 
+    def _fill_save_menu(self) -> None:
+        menu = QMenu(self)
+        menu.setToolTipsVisible(True)
+        self.save_words = menu.addAction("Words and Phones…", self.words_asked.emit)
+        self.save_words.setToolTip("Of the sound file in hand, as a TextGrid, which exports take")
+        self.save_speech = menu.addAction("Spoken Text as Sound…", self.speech_asked.emit)
+        self.save_speech.setToolTip("As WAV, with words and phones as a TextGrid beside it")
+        self.save.setMenu(menu)
+        self.save.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+
     def _connect(self) -> None:
         session = self._talking.session
         self.open.clicked.connect(lambda _checked: self.sound_asked.emit())
         self.preset.clicked.connect(lambda _checked: self.preset_asked.emit())
         self.play.clicked.connect(lambda _checked: session.toggle())
         self.stop.clicked.connect(lambda _checked: session.stop())
-        self.save.clicked.connect(lambda _checked: self.words_asked.emit())
         self._talking.text.changed.connect(self._show_state)
         self.home.clicked.connect(lambda _checked: self.head.go_home())
         self.wireframe.toggled.connect(lambda on: self.head.look(wireframe=on))
@@ -106,7 +118,9 @@ class TalkPage(QWidget):
     def _show_state(self) -> None:
         session = self._talking.session
         self.play.setText("Pause" if session.playing else "Play")
-        self.save.setEnabled(self._talking.text.utterance is not None)
+        texts = self._talking.text
+        self.save_words.setEnabled(texts.editable and texts.utterance is not None)
+        self.save_speech.setEnabled(bool(texts.text.strip()))
         self.said.setText(session.name)
         self.said.setToolTip(f"{session.name}: {session.description}")
 

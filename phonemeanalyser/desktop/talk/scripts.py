@@ -1,24 +1,31 @@
 """What is said in a sound, as the engine finds it: in files beside it, by its script, or as a voice speaks it."""
 
-from collections.abc import Iterator
-from contextlib import suppress
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
+from phonemeanalyser.desktop.talk.voice_model import VoiceChoice
 from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.errors import CorpusError, TextError
-from phonemeengine.labels.utterance import Utterance
-from phonemeengine.labels.utterance_files import read_utterance, script_in
+from phonemeengine.audio.wav import WavEncoder
+from phonemeengine.errors import AudioError, CorpusError, EngineError
+from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.labels.text_io import write_text
+from phonemeengine.labels.utterance import Utterance, Word, shifted
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance, script_in
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, report_progress
-from phonemeengine.settings import FRAME_PERIOD, Channel
-from phonemeengine.speech.pinyin.labelled import read_syllables
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
+from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.voice import SpokenSentence, Voice
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import words_of
 from phonemeengine.text.script import script_beside
+
+LABELS = ".TextGrid"
 
 
 @dataclass(frozen=True)
@@ -76,14 +83,44 @@ def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
         return align_analyses(heard(), words, reader.duration, script.language)
 
 
-def spoken(text: str, language: str) -> Iterator[SpokenSentence]:
-    """Return a text as a voice of espeak-ng speaks it, sentence by sentence.
+def spoken(text: str, language: str, voice: VoiceChoice) -> Iterator[SpokenSentence]:
+    """Return a text as a voice of espeak-ng speaks it, sentence by sentence, or whole as a program does.
 
     Raises
     ------
     EngineError : it cannot be spoken; before anything is.
     """
-    return Voice(language).speak(text)
+    if voice.by_program:
+        return iter([speak_by_program(voice.program, text, language=language)])
+    return Voice(language, voice.name, voice.rate).speak(text)
+
+
+def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path) -> None:
+    """Write what is spoken as WAV, and what is said in it as a TextGrid beside it; the first, or both, or nothing.
+
+    Raises
+    ------
+    EngineError : it cannot be spoken, or not be written.
+    """
+    try:
+        with atomic_write(path) as file:
+            said = _written(sentences, language, WavEncoder(file, SAMPLE_RATE, 1))
+    except EngineError:
+        raise
+    except (OSError, ValueError) as error:
+        raise AudioError(
+            f"{printable_name(path)}: cannot be written ({reason_of(error)}); choose another folder"
+        ) from error
+    write_text(format_utterance(said), path.with_suffix(LABELS))
+
+
+def _written(sentences: Iterable[SpokenSentence], language: str, sound: WavEncoder) -> Utterance:
+    words: list[Word] = []
+    for sentence in sentences:
+        words += (shifted(word, sound.n_samples / SAMPLE_RATE) for word in sentence.words)
+        sound.write(sentence.samples[:, np.newaxis])
+    sound.close()
+    return Utterance(tuple(words), sound.n_samples / SAMPLE_RATE, language)
 
 
 def words_beside(sound: Path, duration: float) -> FoundWords:
@@ -95,12 +132,10 @@ def words_beside(sound: Path, duration: float) -> FoundWords:
     ------
     EngineError : a file there cannot be read, or its labels are of no use.
     """
-    script, labels = script_beside(sound), sound.with_suffix(".TextGrid")
+    script, labels = script_beside(sound), sound.with_suffix(LABELS)
     text = script.text if script is not None else ""
     if not labels.is_file():
         return FoundWords(None, text)
-    with suppress(CorpusError, TextError):
-        return FoundWords(read_syllables(labels, duration), text)
     try:
         return FoundWords(read_utterance(labels, duration), text)
     except CorpusError:

@@ -1,17 +1,25 @@
 """The words of the sound in hand: from labels beside it, from a script that is aligned with it, or from a voice."""
 
 import re
-from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand
 
 from phonemeanalyser.desktop.session.session import Session, SoundSource
-from phonemeanalyser.desktop.talk.scripts import FoundWords, ScriptedSound, aligned, spoken, words_beside
-from phonemeanalyser.desktop.tasks import TaskQueue
+from phonemeanalyser.desktop.talk.scripts import (
+    FoundWords,
+    ScriptedSound,
+    aligned,
+    spoken,
+    words_beside,
+    write_speech,
+)
+from phonemeanalyser.desktop.talk.sound_words import KnownWords, SoundWords
+from phonemeanalyser.desktop.talk.spoken_text import SpokenText
+from phonemeanalyser.desktop.talk.voice_model import TextDriver, VoiceChoice, VoiceModel
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text
 from phonemeengine.errors import CorpusError, TextError
 from phonemeengine.files import printable
@@ -21,19 +29,15 @@ from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
 from phonemeengine.progress import Progress
-from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
-from phonemeengine.speech.spooled import KEPT, SentenceTrack, SpooledSpeech
+from phonemeengine.speech.spooled import SpooledSpeech
 from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.text import mandarin
-from phonemeengine.text.espeak import Language, languages
 from phonemeengine.text.lexicon import Lexicon, load_lexicon
 
 POOR = 1.2
 """A word whose score is above it fits badly: of those that are said as they are written, one in ten."""
 SHOWN_WORDS = 8
-ROUNDING = 1e-6
-"""Seconds by which the end of a sentence and the start of the next one may differ."""
 
 
 def fits_badly(word: Word) -> bool:
@@ -49,40 +53,10 @@ class TextTools:
     ----------
     align : finds the words of a text in a sound.
     speak : has a voice speak a text of a language.
-    languages : tells of all languages.
     """
 
     align: Callable[[ScriptedSound, Progress], Utterance] = aligned
-    speak: Callable[[str, str], Iterator[SpokenSentence]] = spoken
-    languages: Callable[[], tuple[Language, ...]] = languages
-
-
-class UtteranceEdit(QUndoCommand):
-    """Other words, or times, of a sound; of no use once another sound is in hand.
-
-    Parameters
-    ----------
-    what : the change in words, for the Edit menu.
-    """
-
-    def __init__(
-        self, texts: "TextModel", sound: Path, before: Utterance | None, after: Utterance, what: str
-    ) -> None:
-        super().__init__(what)
-        self._texts, self._sound = texts, sound
-        self._before, self._after = before, after
-
-    def redo(self) -> None:
-        """Do it."""
-        self._put(self._after)
-
-    def undo(self) -> None:
-        """Take it back."""
-        self._put(self._before)
-
-    def _put(self, utterance: Utterance | None) -> None:
-        if not self._texts.put_back(self._sound, utterance):
-            self.setObsolete(True)
+    speak: Callable[[str, str, VoiceChoice], Iterator[SpokenSentence]] = spoken
 
 
 class TextModel(QObject):
@@ -90,48 +64,49 @@ class TextModel(QObject):
 
     Signals
     -------
-    changed : the words, the text, the language, the lexicon, or what is going on.
+    changed : the words, the text, the language, the lexicon, the voice, or what is going on.
     known_changed : what is said in the sound in hand, as a `Transcript`, or None where that is not known.
     known_grew : the same, where there is more of it than before.
+    speech_saved : the path of a sound file to which a text was spoken.
     error, info : a sentence for the user; an empty error takes the one before away.
 
     Attributes
     ----------
     tools : what does the work.
+    voice : who speaks.
+    words : of the sound file in hand.
     text : the script of the sound in hand, or what is to be spoken.
     language : of the text; empty where none is chosen.
     lexicon_path : goes before the language's voice; None for none.
-    languages : all that there are, once they are known.
-    no_voice : why there are none, as a sentence; empty where there are.
     letters : how the mouth says Chinese; None for other languages.
     """
 
     changed = Signal()
     known_changed = Signal(object)
     known_grew = Signal(object)
+    speech_saved = Signal(str)
     error = Signal(str)
     info = Signal(str)
 
-    def __init__(self, session: Session, tools: TextTools | None = None) -> None:
+    def __init__(self, session: Session, tools: TextTools | None = None, voice: VoiceModel | None = None) -> None:
         super().__init__()
         self._session = session
         self.tools = tools or TextTools()
+        self.voice = voice or VoiceModel()
+        self.words = SoundWords(session.preset.undo_stack)
         self.text = self.language = ""
         self.lexicon_path: Path | None = None
-        self.languages: tuple[Language, ...] = ()
-        self.no_voice = ""
         self.letters: PinyinTrack | None = None
         self._lexicon: Lexicon | None = None
-        self._sound: Path | None = None
-        self._of_sound: Utterance | None = None
-        self._speech: SpooledSpeech | None = None
-        self._tracks: deque[SentenceTrack] = deque()
-        self._of_speech: Utterance | None = None
+        self._speech: SpokenText | None = None
         self._until: float | None = None
-        self._awake = False
+        self._driver = self.voice.choice.driver
         self._work, self._looking = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
-        self._saving, self._waking = TaskQueue(self.error.emit), TaskQueue(self._lack_voice)
-        self._work.changed.connect(self.changed)
+        self._saving = TaskQueue(self.error.emit)
+        for part in (self._work, self._saving):
+            part.changed.connect(self.changed)
+        self.voice.changed.connect(self._take_voice)
+        self.words.changed.connect(self._take_words)
         session.speech_asked.connect(self.say)
 
     # -- what is known ------------------------------------------------------------------------------------
@@ -140,23 +115,30 @@ class TextModel(QObject):
     def utterance(self) -> Utterance | None:
         """What is said in the sound in hand; None where nothing is known of it."""
         if self._session.source is SoundSource.FILE:
-            return self._of_sound
-        return self._of_speech if self._session.source is SoundSource.TEXT else None
+            return self.words.utterance
+        spoken_now = self._speech if self._session.source is SoundSource.TEXT else None
+        return None if spoken_now is None else spoken_now.utterance
 
     @property
     def editable(self) -> bool:
-        """Whether boundaries can be moved: a voice knows when it says what."""
+        """Whether boundaries can be moved.
+
+        Those of a voice cannot: sound and times come from one call, so that moving one could only put the mouth out
+        of step.
+        """
         return self._session.source is SoundSource.FILE
 
     @property
     def busy(self) -> bool:
-        """Whether a text is being aligned."""
+        """Whether a text is being aligned, or a voice is being asked."""
         return self._work.busy
 
     @property
     def progress(self) -> str:
         """How far the work is, in words; nothing where there is none."""
-        return f"{self._work.progress:.0%}" if self.busy else ""
+        if self.busy:
+            return f"{self._work.progress:.0%}"
+        return "saving the spoken text …" if self._saving.busy else ""
 
     @property
     def summary(self) -> str:
@@ -166,15 +148,11 @@ class TextModel(QObject):
             return ""
         n, n_bad = len(utterance.words), sum(map(fits_badly, utterance.words))
         said = f"{n} word{'s' * (n != 1)}"
+        if not self.editable:
+            return f"{said}; the voice keeps these times, so they cannot be dragged"
         return f"{said}, {n_bad} fit{'s' * (n_bad == 1)} badly" if n_bad else said
 
     # -- what is chosen -----------------------------------------------------------------------------------
-
-    def wake(self) -> None:
-        """Learn the languages, in the background."""
-        if not self._awake:
-            self._awake = True
-            self._waking.submit(lambda _progress: self.tools.languages(), self._take_languages)
 
     def set_text(self, text: str) -> None:
         """Take another text."""
@@ -197,25 +175,6 @@ class TextModel(QObject):
                 lambda _progress: load_lexicon(path), lambda lexicon: self._take_lexicon(path, lexicon)
             )
 
-    def set_utterance(self, utterance: Utterance, what: str = "") -> None:
-        """Say this of the sound in hand, until another one is opened; a change that has a name can be undone."""
-        session = self._session
-        if session.source is SoundSource.FILE and self._sound is not None:
-            if what:
-                edit = UtteranceEdit(self, self._sound, self._of_sound, utterance, what)
-                session.preset.undo_stack.push(edit)
-            else:
-                self.put_back(self._sound, utterance)
-
-    def put_back(self, sound: Path, utterance: Utterance | None) -> bool:
-        """Say this of a sound; says whether it is the one in hand."""
-        if sound != self._sound:
-            return False
-        self._of_sound = utterance
-        if self._session.source is SoundSource.FILE:
-            self._tell()
-        return True
-
     # -- what is done -------------------------------------------------------------------------------------
 
     def align(self) -> None:
@@ -234,10 +193,36 @@ class TextModel(QObject):
             )
 
     def say(self) -> None:
-        """Have a voice speak the text, as soon as it can."""
-        if self._may_read():
-            text, language = self.text, self._language_of_text
-            self._work.replace(lambda _progress: self.tools.speak(text, language), self._take_speech)
+        """Have the voice speak the text, as soon as it can."""
+        if self._may_read(by_voice=True):
+            text, language, voice = self.text, self._language_of_text, self.voice.choice
+            self._work.replace(
+                lambda _progress: self.tools.speak(text, language, voice),
+                lambda sentences: self._take_speech(SpokenText(sentences, language), text, voice),
+            )
+
+    def save_speech(self, path: Path) -> None:
+        """Have the voice speak the text into a WAV file, with words and phones beside it; does not wait."""
+        if self._may_read(by_voice=True):
+            text, language, voice = self.text, self._language_of_text, self.voice.choice
+            self._saving.submit(
+                lambda _progress: write_speech(self.tools.speak(text, language, voice), language, path),
+                lambda _: self.speech_saved.emit(str(path)),
+            )
+
+    def save_words(self, path: Path) -> bool:
+        """Write the words of the sound file in hand as a TextGrid; says whether that went well."""
+        if self.words.utterance is None:
+            self.error.emit("There are no words to save; open a sound and align its text.")
+            return False
+        try:
+            write_text(format_utterance(self.words.utterance), path)
+        except CorpusError as error:
+            self.error.emit(str(error))
+            return False
+        self.words.note_saved()
+        self.info.emit(f"Saved words and phones as {path}.")
+        return True
 
     def move_boundary(self, unit: LabelUnit, boundary: int, seconds: float) -> None:
         """Move a boundary; see `with_boundary`."""
@@ -249,7 +234,7 @@ class TextModel(QObject):
             self.error.emit(str(error))
             self.changed.emit()  # whoever shows the boundary elsewhere shows it where it is
         else:
-            self.set_utterance(moved, f"boundary of a {unit}")
+            self.words.edit(moved, f"boundary of a {unit}", by_hand=True)
 
     def play(self, start: float, end: float) -> None:
         """Play a stretch of the sound in hand, in seconds."""
@@ -259,28 +244,15 @@ class TextModel(QObject):
         session.play()
         self._until = end
 
-    def save(self, path: Path) -> None:
-        """Write the words as a TextGrid, which exports take; does not wait."""
-        utterance = self.utterance
-        if utterance is None:
-            self.error.emit("There are no words to save; align a text, or have it said.")
-            return
-        self._saving.submit(
-            lambda _progress: write_text(format_utterance(utterance), path),
-            lambda _: self.info.emit(f"Saved words, phones and phonemes as {path}."),
-        )
-
     def follow_sound(self) -> None:
         """Look what is known of the sound in hand, since another one is in hand now."""
         session = self._session
         self._until = None
-        self._tracks.clear()
-        self._of_speech = None
         if session.source is not SoundSource.TEXT:
             self._speech = None
-        if session.source is SoundSource.FILE and not self._still_fits():
-            another = session.path != self._sound
-            self._sound, self._of_sound = session.path, None
+        if session.source is SoundSource.FILE and not self.words.is_of(session.path, session.duration):
+            another = session.path != self.words.sound
+            self.words.follow(session.path)
             self._work.cancel()
             self._look_beside(with_script=another)
         self._tell()
@@ -298,8 +270,9 @@ class TextModel(QObject):
     def close(self) -> None:
         """Save what is to be saved, and end all other work."""
         self._saving.finish()
-        for work in (self._work, self._looking, self._waking):
-            work.close()
+        self.voice.close()
+        for work in (self._work, self._looking):
+            work.close(CLOSE_TIMEOUT)
 
     # -- inside -------------------------------------------------------------------------------------------
 
@@ -308,23 +281,16 @@ class TextModel(QObject):
         """The language that is chosen; Chinese characters tell theirs."""
         return self.language or ("cmn" if re.search(mandarin.HANZI, self.text) else "")
 
-    def _may_read(self) -> bool:
+    def _may_read(self, *, by_voice: bool = False) -> bool:
         """Return whether there is a text and its language; say so if not."""
         if not self.text.strip():
             self.error.emit("There is no text; write what is said into the field below the head.")
-        elif not self._language_of_text:
+        elif not self._language_of_text and not (by_voice and self.voice.choice.by_program):
             self.error.emit("The language of a text is not guessed; choose it below the text.")
         else:
             self.error.emit("")  # what was wrong before is right now
             return True
         return False
-
-    def _still_fits(self) -> bool:
-        """Return whether the file in hand is the one whose words are known, in another channel perhaps."""
-        session, known = self._session, self._of_sound
-        if session.path != self._sound or known is None:
-            return False
-        return abs(known.duration - session.duration) < 1 / SAMPLE_RATE
 
     def _look_beside(self, *, with_script: bool) -> None:
         sound, duration = self._session.path, self._session.duration
@@ -335,15 +301,15 @@ class TextModel(QObject):
             )
 
     def _take_found(self, sound: Path, found: FoundWords) -> None:
-        if sound != self._sound:
+        if sound != self.words.sound:
             return
         if found.text:
             self.set_text(found.text)
-        if found.utterance is not None and self._of_sound is None:
-            self.put_back(sound, found.utterance)
+        if found.utterance is not None and self.words.utterance is None:
+            self.words.put(KnownWords(found.utterance))
 
     def _take_aligned(self, script: ScriptedSound, found: Utterance) -> None:
-        if script.sound != self._sound:
+        if script.sound != self.words.sound:
             return
         if is_other_text(found):
             self.error.emit("Another text is said in this sound; check the text and its language.")
@@ -352,35 +318,30 @@ class TextModel(QObject):
             words = " ".join(printable(word) for word in found.skipped[:SHOWN_WORDS])
             more = len(found.skipped) - SHOWN_WORDS
             self.info.emit(f"Nobody says: {words}{f' and {more} more words' if more > 0 else ''}.")
-        self.set_utterance(found, "alignment")
+        self.words.edit(found, "alignment", by_hand=False)
 
-    def _take_speech(self, sentences: Iterator[SpokenSentence]) -> None:
-        self._speech = SpooledSpeech(sentences)
-        self._session.speak(self._speech)
+    def _take_speech(self, speech: SpokenText, text: str, voice: VoiceChoice) -> None:
+        self._speech = speech
+        self._session.speak(speech.speech, lambda: SpooledSpeech(self.tools.speak(text, speech.language, voice)))
 
     def _follow_speech(self) -> None:
-        """Take what is newly spoken, and forget what was heard long ago."""
-        if self._speech is None or self._session.source is not SoundSource.TEXT:
-            return
-        n = len(self._tracks)
-        while track := self._speech.track_at(self._tracks[-1].end + ROUNDING if self._tracks else 0.0):
-            self._tracks.append(track)
-        if len(self._tracks) == n:
-            return
-        while self._tracks[0].end < self._session.position - KEPT / SAMPLE_RATE:
-            self._tracks.popleft()
-        words = tuple(word for track in self._tracks for word in track.words)
-        self._of_speech = Utterance(words, self._tracks[-1].end, self._language_of_text)
-        self._tell(grown=n > 0)
+        """Take what is newly spoken."""
+        speech = self._speech
+        if speech is not None and self._session.source is SoundSource.TEXT:
+            before = speech.utterance
+            if speech.follow(self._session.position):
+                self._tell(grown=before is not None)
 
-    def _take_languages(self, known: tuple[Language, ...]) -> None:
-        by_voice = {language.identifier: language for language in reversed(known)}  # of several tags, the first one
-        self.languages = tuple(by_voice.values())
-        self.changed.emit()
+    def _take_words(self) -> None:
+        if self._session.source is SoundSource.FILE:
+            self._tell()
 
-    def _lack_voice(self, sentence: str) -> None:
-        self.no_voice = sentence
-        self.changed.emit()
+    def _take_voice(self) -> None:
+        if self.voice.choice.driver is not self._driver:
+            self._driver = self.voice.choice.driver
+            self._tell()
+        else:
+            self.changed.emit()
 
     def _take_lexicon(self, path: Path | None, lexicon: Lexicon | None) -> None:
         self.lexicon_path, self._lexicon = path, lexicon
@@ -393,15 +354,18 @@ class TextModel(QObject):
         self.changed.emit()
 
     def _letters_of(self, utterance: Utterance) -> PinyinTrack | None:
-        """Return how the mouth says Chinese; None for other languages."""
-        if not any(syllable.text for word in utterance.words for syllable in word.syllables):
+        """Return how the mouth says Chinese; None for other languages, and where it does not go by letters."""
+        in_pinyin = any(syllable.text for word in utterance.words for syllable in word.syllables)
+        if self._driver is TextDriver.RULES or not (in_pinyin or self._driver is TextDriver.PINYIN):
             return None
-        text = "".join(track.text for track in self._tracks) or self.text
+        text = self.text if self._speech is None else self._speech.text
         try:
             return pinyin_track(utterance, text=text)
-        except TextError:
+        except TextError as error:
+            if self._driver is TextDriver.PINYIN:
+                self.error.emit(str(error))
             return None
 
     def _transcript_of(self, utterance: Utterance) -> Transcript:
-        path = self._sound if self._session.source is SoundSource.FILE else None
+        path = self.words.sound if self._session.source is SoundSource.FILE else None
         return transcript_of_utterance(utterance, NOTHING, NOTHING, self._session.name, path)

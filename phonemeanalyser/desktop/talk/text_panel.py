@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPlainTextEdit, QToolButto
 
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.voice_panel import VoiceButton
 from phonemeanalyser.desktop.talk.words_view import WordsTimeline
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
@@ -13,6 +14,12 @@ from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 N_LINES = 2
 NO_LANGUAGE = "language?"
 INVITATION = "What is said, or is to be said: Ctrl+Return says it, Ctrl+Shift+Return aligns it with the sound"
+
+EDITABLE = "Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms"
+FIXED = (
+    "Click a word to hear it; the wheel scrolls, with Ctrl it zooms. The times are the voice’s own: to drag "
+    "boundaries, save the spoken text and open that"
+)
 
 
 class TextField(QPlainTextEdit):
@@ -68,6 +75,7 @@ class TextPanel(QWidget):
         self._talking, self._texts = talking, talking.text
         self.field = TextField()
         self.language = QComboBox()
+        self.voice = VoiceButton(self._texts.voice, theme)
         self.lexicon = _button("Lexicon…", "A file that says how words are pronounced; without one, the voice knows")
         self.align = _button("Align", "Find the words of the text in the sound (Ctrl+Shift+Return)")
         self.say = _button("Say", "Have a voice say the text (Ctrl+Return); Escape stops it")
@@ -76,7 +84,7 @@ class TextPanel(QWidget):
         self._lay_out()
         self._connect()
         self._show_state()
-        self._texts.wake()
+        self._texts.voice.wake()
 
     def refresh(self) -> None:
         """Show where the sound is."""
@@ -85,11 +93,10 @@ class TextPanel(QWidget):
     def _lay_out(self) -> None:
         self.language.setToolTip("The language of the text, which is not guessed")
         self.language.setAccessibleName("language of the text")
-        self.lanes.setToolTip("Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms")
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         row = QHBoxLayout()
         row.setSpacing(6)
-        for widget in (self.language, self.lexicon, self.align, self.say):
+        for widget in (self.language, self.voice, self.lexicon, self.align, self.say):
             row.addWidget(widget)
         row.addWidget(self.state, 1)
         column = QVBoxLayout(self)
@@ -109,6 +116,7 @@ class TextPanel(QWidget):
         self.align.clicked.connect(lambda _checked: texts.align())
         self.say.clicked.connect(lambda _checked: texts.say())
         texts.changed.connect(self._show_state)
+        texts.voice.changed.connect(self._show_state)
         session.transport_changed.connect(self._show_state)
 
     def _choose_lexicon(self) -> None:
@@ -127,15 +135,18 @@ class TextPanel(QWidget):
         self._show_lexicon()
         self.align.setText("Cancel" if texts.busy else "Align")
         self.align.setEnabled(self._talking.session.source is SoundSource.FILE)
-        self.state.setText(texts.progress or texts.no_voice)
-        self.state.setToolTip(texts.progress or texts.no_voice)
+        lack = "" if texts.voice.choice.by_program else texts.voice.lack
+        self.state.setText(texts.progress or lack)
+        self.state.setToolTip(texts.progress or lack)
         self.lanes.setVisible(texts.utterance is not None)
+        self.lanes.setToolTip(EDITABLE if texts.editable else FIXED)
 
     def _show_languages(self) -> None:
-        if self.language.count() != 1 + len(self._texts.languages):  # which are learnt once
+        languages = self._texts.voice.installed.languages
+        if self.language.count() != 1 + len(languages):  # which are learnt once
             self.language.clear()
             self.language.addItem(NO_LANGUAGE, "")
-            for language in sorted(self._texts.languages, key=lambda language: language.name):
+            for language in sorted(languages, key=lambda language: language.name):
                 self.language.addItem(_short(language.name), language.tag)
         self.language.setCurrentIndex(max(0, self.language.findData(self._texts.language)))
 

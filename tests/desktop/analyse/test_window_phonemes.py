@@ -159,13 +159,13 @@ def test_a_sound_that_was_cut_off_meanwhile_leaves_the_old_labels(window, qtbot,
 def held(monkeypatch):
     """Holds the analysis until the test lets it go on."""
     go_on = threading.Event()
-    analyse_file = phoneme_writer.analyse_file
+    analyse_blocks = phoneme_writer.analyse_blocks
 
     def slowly(*arguments):
         assert go_on.wait(60)
-        yield from analyse_file(*arguments)
+        yield from analyse_blocks(*arguments)
 
-    monkeypatch.setattr(phoneme_writer, "analyse_file", slowly)
+    monkeypatch.setattr(phoneme_writer, "analyse_blocks", slowly)
     yield go_on
     go_on.set()
 

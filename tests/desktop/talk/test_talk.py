@@ -535,10 +535,10 @@ def test_film_window_and_network_move_alike(stage: Stage, receiver: Receiver, qt
 
     def look() -> None:
         if session.playing:
-            n = len(receiver.of("/VMC/Ext/Blend/Apply"))
-            qtbot.waitUntil(lambda: len(receiver.of("/VMC/Ext/Blend/Apply")) >= n + 2)
-            weights = receiver.weights()
-            shown.append(talking.performer.at(stage.now - START).weights)
+            now = stage.now - START
+            qtbot.waitUntil(lambda: receiver.weights_at(now) is not None)  # older mouths may still be on their way
+            weights = receiver.weights_at(now) or {}
+            shown.append(talking.performer.at(now).weights)
             sent.append([weights.get(name, 0.0) for name in film.movestates])
 
     stage.play(3.0, look)

@@ -1,26 +1,40 @@
 """The words of a sound: from files beside it, an aligner or a voice, all as one utterance that the head says."""
 
+import shlex
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
+import soundfile
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.talk.scripts import words_beside
+from phonemeanalyser.desktop.talk.sound_words import KnownWords
 from phonemeanalyser.desktop.talk.text_model import POOR, TextModel, TextTools, fits_badly
+from phonemeanalyser.desktop.talk.voice_model import FASTEST, TextDriver, VoiceModel
 from phonemeengine.errors import VoiceError
 from phonemeengine.labels.boundaries import LabelUnit, spans_of
-from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
+from phonemeengine.labels.files import read_labels
+from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.phonemes import Phoneme
 from tests.desktop.sessions import settled
 from tests.desktop.stage import AN_A, Stage
-from tests.desktop.talk.voices import LANGUAGES, SENTENCE, FakeAligner, FakeVoice, word
+from tests.desktop.talk.voices import INSTALLED, SENTENCE, FakeAligner, FakeVoice, word
 from tests.fakes.outputs import Outputs
 
 DURATION = len(AN_A) / 44100
 SAID = Utterance((word("so", 0.6, 0.9, 0.1), word("oh", 0.9, 1.1, 3.0)), DURATION, "en-us")
+
+
+def syllable(text: str, pinyin: str, start: float, end: float) -> Word:
+    """A Chinese character: one syllable of an h and an a."""
+    turn = (start + end) / 2
+    phones = (Phone(start, turn, "x", Phoneme.UNIDENTIFIED), Phone(turn, end, "aʊ", Phoneme.A))
+    return Word(text, (Syllable(phones, 0, pinyin),))
 
 
 class Desk:
@@ -28,7 +42,8 @@ class Desk:
 
     def __init__(self, session: Session, outputs: Outputs, qtbot: QtBot) -> None:
         self.voice, self.aligner = FakeVoice(), FakeAligner(SAID)
-        self.texts = TextModel(session, TextTools(self.aligner.align, self.voice.speak, lambda: LANGUAGES))
+        known = VoiceModel(lambda: INSTALLED, lambda: None)
+        self.texts = TextModel(session, TextTools(self.aligner.align, self.voice.speak), known)
         self.stage = Stage(session, outputs, qtbot, self.texts)
         self.session, self.qtbot = session, qtbot
         self.told: list[str] = []
@@ -48,7 +63,7 @@ class Desk:
         """Wait until all work is done."""
         texts = self.texts
         self.qtbot.waitUntil(
-            lambda: not (texts.busy or texts._looking.busy or texts._saving.busy or texts._waking.busy)
+            lambda: not (texts.busy or texts._looking.busy or texts._saving.busy or texts.voice.busy)
         )
 
     def align(self, text: str = "so oh", language: str = "en-us") -> None:
@@ -208,7 +223,7 @@ def test_the_head_says_the_words_rather_than_what_is_recognised(desk, tmp_path):
     shut = word("so", 0.6, 1.1)
     phones = tuple(part.__class__(part.start, part.end, "p", Phoneme.P) for part in shut.phones)
     shut = shut.__class__("p", (shut.syllables[0].__class__(phones),))
-    desk.texts.set_utterance(Utterance((shut,), DURATION))
+    desk.texts.words.edit(Utterance((shut,), DURATION), "shut", by_hand=False)
     jaws: list[float] = []
     desk.stage.play(10, lambda: jaws.append(desk.stage.jaw))
     assert desk.stage.said_an_a
@@ -271,11 +286,67 @@ def test_what_was_dragged_is_what_is_saved(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
     desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
-    desk.texts.save(tmp_path / "said.TextGrid")
-    desk.wait()
+    assert desk.texts.save_words(tmp_path / "said.TextGrid")
     written = read_utterance(tmp_path / "said.TextGrid", DURATION)
     assert np.allclose(spans_of(written, LabelUnit.WORD), spans_of(desk.texts.utterance, LabelUnit.WORD), atol=1e-6)
     assert "said.TextGrid" in desk.told[-1]
+
+
+def test_what_was_moved_by_hand_is_unsaved_until_it_is_saved_or_taken_back(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    assert not desk.texts.words.has_unsaved_changes  # the program finds it again
+    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
+    assert desk.texts.words.has_unsaved_changes
+    desk.session.preset.undo_stack.undo()
+    assert not desk.texts.words.has_unsaved_changes
+    desk.session.preset.undo_stack.redo()
+    assert desk.texts.save_words(tmp_path / "said.TextGrid")
+    assert not desk.texts.words.has_unsaved_changes
+    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.7)
+    assert desk.texts.words.has_unsaved_changes
+
+
+def test_words_that_cannot_be_saved_stay_unsaved(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
+    assert not desk.texts.save_words(tmp_path / "gone" / "said.TextGrid")
+    assert "said.TextGrid" in desk.failed[0]
+    assert desk.texts.words.has_unsaved_changes
+
+
+def test_a_text_that_is_spoken_meanwhile_leaves_moved_boundaries_as_they_are(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
+    moved = desk.texts.utterance
+    desk.say("Hello.")
+    desk.say("You there.")
+    assert desk.texts.words.has_unsaved_changes
+    desk.session.set_source(SoundSource.FILE)
+    assert desk.texts.utterance is moved
+
+
+def test_a_sound_that_may_not_be_left_stays_in_hand(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    (tmp_path / "other").mkdir()
+    other = tmp_path / "other" / "said.wav"
+    other.write_bytes((tmp_path / "said.wav").read_bytes())
+    desk.session.may_leave = lambda: False
+    assert not desk.session.open(other)
+    assert desk.session.path == tmp_path / "said.wav"
+    assert desk.words() == ["so", "oh"]
+
+
+def test_syllables_of_pinyin_are_saved_with_their_pinyin(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.texts.words.edit(Utterance((syllable("好", "hao3", 0.6, 1.1),), DURATION, "cmn"), "pinyin", by_hand=True)
+    desk.texts.save_words(tmp_path / "said.TextGrid")
+    again = words_beside(tmp_path / "said.wav", DURATION).utterance
+    assert again is not None
+    assert [said.text for spoken in again.words for said in spoken.syllables] == ["hao3"]
 
 
 def test_a_word_that_is_played_ends_where_it_ends(desk, tmp_path):
@@ -361,25 +432,133 @@ def test_chinese_characters_tell_their_language(desk):
     assert desk.voice.asked == [("你好。", "cmn")]
 
 
+def test_the_voice_that_is_chosen_speaks_at_the_rate_that_is_chosen(desk):
+    desk.texts.voice.choose(name="f2", rate=6.0)
+    desk.say("Hello.")
+    desk.texts.voice.choose(rate=100.0)
+    desk.say("Hello.")
+    assert [(choice.name, choice.rate) for choice in desk.voice.choices] == [("f2", 6.0), ("f2", FASTEST)]
+
+
+def test_chinese_moves_the_mouth_by_letters_unless_sounds_are_chosen(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.texts.words.put(KnownWords(Utterance((syllable("好", "hao3", 0.6, 1.1),), DURATION, "cmn")))
+    drivers = (TextDriver.AUTO, TextDriver.RULES, TextDriver.PINYIN)
+    by_letters = []
+    for driver in drivers:
+        desk.texts.voice.choose(driver=driver)
+        by_letters.append(desk.texts.letters is not None)
+    assert by_letters == [True, False, True]
+    assert desk.failed == []
+
+
+def test_letters_of_pinyin_for_another_language_are_refused_and_its_sounds_move_the_mouth(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    desk.texts.voice.choose(driver=TextDriver.PINYIN)
+    assert desk.texts.letters is None
+    assert "pinyin" in desk.failed[0].lower()
+
+
+def test_a_spoken_text_is_saved_as_a_sound_with_its_words_and_opened_again(desk, tmp_path):
+    saved: list[str] = []
+    desk.texts.speech_saved.connect(saved.append)
+    desk.texts.set_text("Hello. You there.")
+    desk.texts.set_language("en-us")
+    desk.texts.save_speech(tmp_path / "spoken.wav")
+    desk.wait()
+    assert saved == [str(tmp_path / "spoken.wav")]
+    assert desk.session.open(tmp_path / "spoken.wav")
+    desk.wait()
+    assert desk.session.duration == pytest.approx(2 * SENTENCE)
+    assert desk.words() == ["Hello", "You there"]
+    assert spans_of(desk.texts.utterance, LabelUnit.WORD)[1] == pytest.approx((0.6, 0.9), abs=1e-6)
+    assert desk.texts.editable
+
+
+@pytest.mark.parametrize(("language", "place"), [("xx", "spoken.wav"), ("en-us", "gone/spoken.wav")])
+def test_a_text_that_cannot_be_saved_leaves_nothing_behind(desk, tmp_path, language, place):
+    desk.texts.set_text("Hello.")
+    desk.texts.set_language(language)
+    desk.texts.save_speech(tmp_path / place)
+    desk.wait()
+    assert len(desk.failed) == 1
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
+
+
+def test_phonemes_of_a_spoken_text_are_saved_as_those_of_a_file_are(desk, tmp_path):
+    desk.say("Hello. You there.")
+    desk.session.write_phonemes(tmp_path / "spoken.csv")
+    desk.qtbot.waitUntil(lambda: not desk.session.writer.busy)
+    labels = read_labels(tmp_path / "spoken.csv")
+    assert labels[-1].end == pytest.approx(2 * SENTENCE)
+    assert Phoneme.A in {label.phoneme for label in labels}
+
+
+# -- a program of one's own ---------------------------------------------------------------------------
+
+
+def own_program(folder: Path, body: str) -> str:
+    """Write a text-to-speech program; gives the command that runs it."""
+    (folder / "program.py").write_text(f"import sys\nout, text = sys.argv[1:]\n{body}\n", encoding="utf-8")
+    python, program = (shlex.quote(str(path)) for path in (sys.executable, folder / "program.py"))
+    return f"{python} {program} {{output}} {{text}}"
+
+
+def test_a_program_of_ones_own_speaks_with_the_words_that_it_writes(desk, tmp_path):
+    soundfile.write(tmp_path / "voice.wav", AN_A, 44100)
+    (tmp_path / "voice.TextGrid").write_text(format_utterance(SAID), encoding="utf-8")
+    body = (
+        f"import shutil\nshutil.copy({str(tmp_path / 'voice.wav')!r}, out)\n"
+        f"shutil.copy({str(tmp_path / 'voice.TextGrid')!r}, out[:-4] + '.TextGrid')"
+    )
+    desk.texts.tools = TextTools(desk.aligner.align)
+    desk.texts.voice.choose(program=own_program(tmp_path, body), by_program=True)
+    desk.say("so oh")
+    desk.stage.play(10)
+    assert desk.failed == []
+    assert desk.words() == ["so", "oh"]
+    assert desk.stage.said_an_a
+
+
+@pytest.mark.parametrize(
+    ("body", "reason"), [("sys.exit('no licence')", "no licence"), ("pass", "wrote no sound file")]
+)
+def test_a_program_that_fails_is_told_in_a_sentence_and_the_sound_in_hand_stays(desk, tmp_path, body, reason):
+    desk.open(tmp_path)
+    desk.texts.tools = TextTools(desk.aligner.align)
+    desk.texts.voice.choose(program=own_program(tmp_path, body), by_program=True)
+    desk.say("so oh")
+    assert reason in desk.failed[0]
+    assert desk.session.source is SoundSource.FILE
+
+
+def test_a_command_without_a_place_for_the_sound_is_refused(desk):
+    desk.texts.tools = TextTools(desk.aligner.align)
+    desk.texts.voice.choose(program="my-voice", by_program=True)
+    desk.say("so oh")
+    assert "{output}" in desk.failed[0]
+
+
 # -- what there is to choose --------------------------------------------------------------------------
 
 
 def test_the_languages_are_learnt_once_and_of_several_tags_one_is_shown(desk):
-    desk.texts.wake()
-    desk.texts.wake()
+    desk.texts.voice.wake()
+    desk.texts.voice.wake()
     desk.wait()
-    assert {language.tag for language in desk.texts.languages} == {"de", "en-gb", "en-us"}
+    assert {language.tag for language in desk.texts.voice.installed.languages} == {"de", "en-gb", "en-us"}
 
 
-def test_without_a_voice_a_sentence_says_what_is_missing(session, qtbot):
+def test_without_a_voice_a_sentence_says_what_is_missing(qtbot):
     def missing() -> tuple[()]:
         raise VoiceError("there is no voice; install it")
 
-    texts = TextModel(session, TextTools(languages=missing))
-    texts.wake()
-    qtbot.waitUntil(lambda: bool(texts.no_voice))
-    assert texts.no_voice == "there is no voice; install it"
-    texts.close()
+    voice = VoiceModel(missing)
+    voice.wake()
+    qtbot.waitUntil(lambda: bool(voice.lack))
+    assert voice.lack == "there is no voice; install it"
+    voice.close()
 
 
 def test_a_lexicon_goes_before_the_voice_until_it_is_given_up(desk, tmp_path):

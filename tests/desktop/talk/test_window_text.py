@@ -5,21 +5,23 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QPoint, QSettings, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QFileDialog, QLabel
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.talk.text_model import TextTools
 from phonemeanalyser.desktop.talk.text_panel import NO_LANGUAGE, TextPanel
+from phonemeanalyser.desktop.talk.voice_model import TextDriver, VoiceChoice
+from phonemeanalyser.desktop.talk.voice_panel import OWN_PROGRAM, OWN_VOICE, VoicePanel
 from phonemeanalyser.desktop.widgets.timeline import HEADING
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.labels.utterance_files import format_utterance
-from tests.desktop.hands import LEFT, edits, press, shown, wav
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from tests.desktop.hands import LEFT, answer, edits, press, shown, type_number, wav
 from tests.desktop.stage import AN_A
-from tests.desktop.talk.voices import LANGUAGES, FakeAligner, FakeVoice, word
+from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoice, word
 from tests.desktop.test_window_sizes import SMALLEST, fits
 
 DURATION = len(AN_A) / 44100
@@ -41,7 +43,9 @@ def aligner() -> FakeAligner:
 @pytest.fixture
 def window(desktop: Desktop, qtbot: QtBot, tmp_path: Path, voice: FakeVoice, aligner: FakeAligner) -> MainWindow:
     """The page of the head, on a sound without labels."""
-    desktop.talking.text.tools = TextTools(aligner.align, voice.speak, lambda: LANGUAGES)
+    texts = desktop.talking.text
+    texts.tools = TextTools(aligner.align, voice.speak)
+    texts.voice.look, texts.voice.warm_up = lambda: INSTALLED, lambda: None
     window = shown(desktop, qtbot, wav(tmp_path, AN_A, "said.wav"))
     window.show_page(2)
     qtbot.waitUntil(lambda: window.talk.text.language.count() == len(LANGUAGES) + 1)
@@ -87,6 +91,9 @@ def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(win
     assert voice.asked == [("hello", "de")]
     qtbot.waitUntil(panel(window).lanes.isVisible)
     assert not panel(window).align.isEnabled()
+    assert not window.talk.save_words.isEnabled()
+    assert window.talk.save_speech.isEnabled()
+    assert "cannot be dragged" in panel(window).lanes.lanes.chapters[0].name
 
 
 def test_escape_stops_the_voice_while_the_text_has_the_focus(window, desktop, qtbot):
@@ -130,18 +137,113 @@ def test_a_click_on_a_word_plays_it(window, desktop, qtbot):
     assert desktop.session.position >= 1.1
 
 
-def test_a_boundary_is_dragged_and_undone_by_the_menu(window, desktop, qtbot):
-    aligned(window, qtbot)
+def drag_boundary(window: MainWindow) -> None:
+    """Drag the end of the first word from 0.6 s to 0.7 s."""
     lanes = panel(window).lanes
     QTest.mousePress(lanes, LEFT, pos=place(window, 0, 0.6))
     for seconds in (0.65, 0.7):
         QTest.mouseMove(lanes, place(window, 0, seconds))
     QTest.mouseRelease(lanes, LEFT, pos=place(window, 0, 0.7))
+
+
+def test_a_boundary_is_dragged_and_undone_by_the_menu(window, desktop, qtbot):
+    aligned(window, qtbot)
+    drag_boundary(window)
     assert spans_of(desktop.talking.text.utterance, LabelUnit.WORD)[1] == pytest.approx((0.7, 1.1), abs=0.01)
     assert "Undo boundary of a word" in edits(window)
     window.talk.head.setFocus()
     press(window, Qt.Key.Key_Z, CONTROL)
     assert desktop.talking.text.utterance is SAID
+
+
+@pytest.mark.parametrize(("button", "gone"), [("Cancel", False), ("Discard", True)])
+def test_who_moved_a_boundary_is_asked_before_another_sound_is_opened(window, desktop, qtbot, tmp_path, button, gone):
+    aligned(window, qtbot)
+    drag_boundary(window)
+    told = answer(button)
+    assert window.dialogs.open_sound(wav(tmp_path, AN_A, "other.wav")) is gone
+    assert told == ["Save the words of said.wav, whose boundaries you moved?"]
+    assert (desktop.talking.text.utterance is None) is gone
+
+
+def test_who_moved_a_boundary_can_save_it_when_he_quits(window, desktop, qtbot, tmp_path, monkeypatch):
+    aligned(window, qtbot)
+    drag_boundary(window)
+    answer("Cancel")
+    assert not window.close()
+    target = tmp_path / "said.TextGrid"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), ""))
+    answer("Save")
+    assert window.close()
+    assert spans_of(read_utterance(target, DURATION), LabelUnit.WORD)[0][1] == pytest.approx(0.7, abs=0.01)
+
+
+def test_who_moved_nothing_quits_without_a_question(window, qtbot):
+    aligned(window, qtbot)
+    assert window.close()
+
+
+def test_a_spoken_text_is_saved_by_the_menu_and_opened_from_the_banner(window, desktop, qtbot, tmp_path, monkeypatch):
+    write(window, "hello")
+    choose(window, "German")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "spoken"), ""))
+    window.talk.save_speech.trigger()
+    qtbot.waitUntil(lambda: "spoken.wav" in window.banner.label.text())
+    window.banner.action.click()
+    assert desktop.session.path == tmp_path / "spoken.wav"
+    qtbot.waitUntil(panel(window).lanes.isVisible)
+
+
+# -- the voice ----------------------------------------------------------------------------------------
+
+
+popping_up = pytest.mark.qt_log_ignore("does not support", extend=True)
+"""Without a display nothing can be raised above the rest, nor take the keyboard from it."""
+
+
+def opened(window: MainWindow, qtbot: QtBot) -> VoicePanel:
+    """Open the panel of the voice by the keyboard."""
+    panel(window).voice.setFocus()
+    press(window, Qt.Key.Key_Space)
+    below = panel(window).voice.panel
+    qtbot.waitUntil(below.isVisible)
+    return below
+
+
+@popping_up
+def test_voice_rate_and_mouth_are_chosen_by_the_keyboard(window, desktop, qtbot):
+    below = opened(window, qtbot)
+    QTest.keyClicks(below.name, "f2")
+    QTest.keyClick(below.name, Qt.Key.Key_Return)
+    type_number(below.rate, "5.5")
+    below.driver.setFocus()
+    QTest.keyClick(below.driver, Qt.Key.Key_End)
+    choice = desktop.talking.text.voice.choice
+    assert (choice.name, choice.rate, choice.driver) == ("f2", 5.5, TextDriver.RULES)
+    assert "f2, 5.5 syllables a second" in panel(window).voice.toolTip()
+    QTest.keyClick(below, Qt.Key.Key_Escape)
+    assert not below.isVisible()
+
+
+@popping_up
+def test_voices_of_women_and_men_come_first_and_a_program_last(window, qtbot):
+    below = opened(window, qtbot)
+    assert [below.name.itemText(k) for k in range(below.name.count())] == [
+        OWN_VOICE, "f1 (woman)", "f2 (woman)", "m1 (man)", "croak", "klatt", "Reed", OWN_PROGRAM,
+    ]  # fmt: skip
+
+
+@popping_up
+def test_a_program_of_ones_own_has_a_command_and_a_rate_of_its_own(window, desktop, qtbot):
+    below = opened(window, qtbot)
+    assert not below.program.isVisible()
+    QTest.keyClick(below.name, Qt.Key.Key_End)
+    assert below.program.isVisible()
+    assert not below.rate.isEnabled()
+    QTest.keyClicks(below.program, "mine {output}")
+    QTest.keyClick(below.program, Qt.Key.Key_Return)
+    choice = desktop.talking.text.voice.choice
+    assert (choice.by_program, choice.program) == (True, "mine {output}")
 
 
 def test_labels_beside_the_sound_are_shown_at_once(window, desktop, qtbot, tmp_path):
@@ -150,7 +252,7 @@ def test_labels_beside_the_sound_are_shown_at_once(window, desktop, qtbot, tmp_p
     assert not panel(window).lanes.isVisible()
     window.dialogs.open_sound(other)
     qtbot.waitUntil(panel(window).lanes.isVisible)
-    assert window.talk.save.isEnabled()
+    assert window.talk.save_words.isEnabled()
 
 
 def test_the_page_fits_on_a_small_screen_with_lanes_and_a_sentence(window, qtbot):
@@ -165,12 +267,14 @@ def test_the_page_fits_on_a_small_screen_with_lanes_and_a_sentence(window, qtbot
         assert window.rect().contains(part.mapTo(window, part.rect().bottomRight()))
 
 
-def test_text_language_and_lexicon_are_there_again_at_the_next_start(
+def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     window, desktop, qapp, settings: QSettings, no_microphone, tmp_path, qtbot
 ):
     (tmp_path / "mine.csv").write_text("word,ipa\nso,soʊ\n", encoding="utf-8")
     write(window, "so oh")
     choose(window, "German")
+    chosen = VoiceChoice("f2", 5.5, "mine {output} {text}", True, TextDriver.RULES)
+    desktop.talking.text.voice.choose(**vars(chosen))
     desktop.talking.text.set_lexicon(tmp_path / "mine.csv")
     qtbot.waitUntil(lambda: desktop.talking.text.lexicon_path is not None)
     desktop.save()
@@ -178,4 +282,5 @@ def test_text_language_and_lexicon_are_there_again_at_the_next_start(
     texts = again.talking.text
     qtbot.waitUntil(lambda: texts.lexicon_path == tmp_path / "mine.csv")
     assert (texts.text, texts.language) == ("so oh", "de")
+    assert texts.voice.choice == chosen
     again.close()

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from phonemeanalyser.desktop.talk.scripts import ScriptedSound
+from phonemeanalyser.desktop.talk.voice_model import Installed, VoiceChoice
 from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
@@ -20,6 +21,8 @@ LANGUAGES = (
     Language("en-us", "English (America)", "gmw/en-US"),
 )  # fmt: skip
 
+INSTALLED = Installed(LANGUAGES, ("Reed", "croak", "f1", "f2", "klatt", "m1"))
+
 
 def word(text: str, start: float, end: float, score: float | None = None) -> Word:
     """A word of one syllable: an s, and an o twice as long."""
@@ -34,14 +37,17 @@ class FakeVoice:
     Attributes
     ----------
     asked : texts and languages.
+    choices : the voices that were asked for.
     """
 
     def __init__(self) -> None:
         self.asked: list[tuple[str, str]] = []
+        self.choices: list[VoiceChoice] = []
 
-    def speak(self, text: str, language: str) -> Iterator[SpokenSentence]:
+    def speak(self, text: str, language: str, voice: VoiceChoice) -> Iterator[SpokenSentence]:
         """Say a text."""
         self.asked.append((text, language))
+        self.choices.append(voice)
         if language not in {known.tag for known in LANGUAGES}:
             raise TextError(f"there is no language {language!r}; choose another")
         samples = vowel((700, 1200, 2500), SENTENCE)

@@ -6,8 +6,7 @@ import pytest
 
 from phonemeengine.labels.phone_sets import ipa_of, stress_of_arpabet
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word, shifted
-from phonemeengine.labels.utterance_files import read_utterance
-from phonemeengine.labels.utterance_tiers import format_spoken
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.phonemes import Phoneme
 
 
@@ -22,13 +21,13 @@ def _spoken() -> Utterance:
 
 def test_words_syllables_and_stress_survive_a_textgrid(tmp_path: Path) -> None:
     path = tmp_path / "a.TextGrid"
-    path.write_text(format_spoken(_spoken()), encoding="utf-8")
+    path.write_text(format_utterance(_spoken(), "sil"), encoding="utf-8")
     assert read_utterance(path, 1.2) == _spoken()
 
 
 def test_without_a_tier_of_syllables_a_word_is_a_single_one(tmp_path: Path) -> None:
     path = tmp_path / "a.TextGrid"
-    path.write_text(format_spoken(_spoken()).replace('"syllables"', '"notes"'), encoding="utf-8")
+    path.write_text(format_utterance(_spoken(), "sil").replace('"syllables"', '"notes"'), encoding="utf-8")
     assert [len(word.syllables) for word in read_utterance(path, 1.2).words] == [1, 1]
 
 

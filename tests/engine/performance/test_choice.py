@@ -86,3 +86,4 @@ def test_the_traits_of_a_half_tell_of_its_length_its_voice_and_its_neighbours() 
     assert (p_left["energy"], u_left["energy"]) == (-1.0, 1.0)
     assert (p_right["rounding beside"], u_left["lips beside"], p_left["lips beside"]) == (1.0, 1.0, 0.0)
     assert (p_left["syllable"], u_left["syllable"]) == (0.0, 1.0)
+    assert {p_left[f"{what} beside"] for what in ("lips", "rounding", "opening", "spreading")} == {0.0}  # silence

@@ -1,9 +1,24 @@
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 
-from phonemeengine import SAMPLE_RATE, TextError, Utterance, Voice, VoiceError, Word, speak
+from phonemeengine import (
+    SAMPLE_RATE,
+    Lexicon,
+    TextError,
+    Utterance,
+    Voice,
+    VoiceError,
+    Word,
+    load_lexicon,
+    load_pinyin_table,
+    pinyin_track,
+    speak,
+)
 from phonemeengine.arrays import Float32Array
-from phonemeengine.speech.voice import CHINESE_PAUSES, SENTENCE_PAUSE, USUAL_RATE
+from phonemeengine.speech.voice import SENTENCE_PAUSE, USUAL_RATE
 from phonemeengine.text.pronunciation import words_of
 
 ENGLISH = Voice("en-us")
@@ -92,11 +107,55 @@ def test_a_chinese_character_is_a_syllable_with_its_pinyin() -> None:
     assert _phones(utterance.words[2]) == "t ɕ j ʊ ŋ"
 
 
-@pytest.mark.parametrize(("mark", "weight"), [("，", 1.2), ("、", 0.6), ("；", 1.8), ("。", 2.4)])
-def test_a_chinese_clause_is_followed_by_the_pause_of_its_mark(mark: str, weight: float) -> None:
-    assert weight in CHINESE_PAUSES.values()
+@pytest.mark.parametrize(
+    ("mark", "syllables"),
+    [("，", 1.2), (",", 1.2), ("、", 0.6), ("；", 1.8), ("。", 2.4), ("？！”", 2.4), ("……", 1.8)],
+)
+def test_a_chinese_clause_is_followed_by_the_pause_of_its_mark(mark: str, syllables: float) -> None:
     before, after = speak(f"你好{mark}世界", Voice("cmn"))[1].words[1:3]
-    assert after.start - before.end == pytest.approx(weight / USUAL_RATE, abs=0.1)
+    assert after.start - before.end == pytest.approx(syllables / USUAL_RATE, abs=0.1)
+
+
+def test_a_voice_and_a_silent_mouth_pause_alike_by_a_table_of_ones_own() -> None:
+    table = replace(load_pinyin_table(), pause=6.0)
+    before, after = speak("你好，世界", Voice("cmn", pinyin_table=table))[1].words[1:3]
+    assert after.start - before.end == pytest.approx(3.0 / USUAL_RATE, abs=0.1)
+    rows = pinyin_track("你好，世界", table, rate=USUAL_RATE).plan.rows
+    assert rows[2].end - rows[2].start == pytest.approx(3.0 / USUAL_RATE)
+
+
+def _lexicon(folder: Path, *rows: str) -> Lexicon:
+    (folder / "l.csv").write_text("\n".join(["word,ipa", *rows]), encoding="utf-8")
+    return load_lexicon(folder / "l.csv")
+
+
+@pytest.mark.parametrize(
+    ("language", "text"),
+    [("de", "Der „Zug“, ein (Zug). Zug!"), ("en-gb", "The zug of the zug, “zug”."), ("cmn", "你好zug。")],
+)
+def test_a_voice_says_words_as_a_lexicon_has_them(tmp_path: Path, language: str, text: str) -> None:
+    voice = Voice(language, lexicon=_lexicon(tmp_path, "zug,ˈkɔn.tɑk"))
+    words = speak(text, voice)[1].words
+    assert [word.text for word in words] == [word.text for word in words_of(text, language)]
+    said = [word for word in words if word.text.lower() == "zug"]
+    assert len(said) == text.lower().count("zug")
+    for word in said:
+        assert _phones(word) == "k ɔ n t ɑ k"
+        assert [syllable.stress for syllable in word.syllables] == [1, 0]
+
+
+def test_the_next_pronunciation_of_a_lexicon_serves_where_the_voice_lacks_sounds(tmp_path: Path) -> None:
+    voice = Voice("de", lexicon=_lexicon(tmp_path, "Zug,næ", "Zug,tsɛɡ"))
+    assert _phones(speak("Zug", voice)[1].words[0]) == "t s ɛ ɡ"
+
+
+def test_what_a_voice_cannot_say_as_a_lexicon_has_it_is_said_as_usual_and_told(tmp_path: Path) -> None:
+    lexicon = _lexicon(tmp_path, "Zug,næ", "银,a")
+    (sentence,) = Voice("de", lexicon=lexicon).speak("Der Zug.")
+    assert sentence.unheeded == ("Zug",)
+    assert _phones(sentence.words[1]) == "t s u k"
+    (sentence,) = Voice("cmn", lexicon=lexicon).speak("银行。")
+    assert sentence.unheeded == ("银",)
 
 
 def test_pinyin_is_spoken_too() -> None:

@@ -26,6 +26,12 @@ def test_chinese_clauses_need_no_spaces() -> None:
     assert list(clauses_of("你好，世界。“再见！”他说")) == ["你好，", "世界。", "“再见！”", "他说"]
 
 
+def test_marks_of_either_width_end_a_chinese_clause() -> None:
+    assert list(clauses_of("他说:“好,走吧!”……然后3.5元—走了.")) == [
+        "他说:", "“好,", "走吧!”", "……", "然后3.5元—", "走了.",
+    ]  # fmt: skip
+
+
 def test_a_text_without_a_mark_is_cut_between_words() -> None:
     parts = list(sentences_of("word " * 1000))
     assert all(len(part) <= LONGEST for part in parts)
@@ -38,7 +44,7 @@ def test_a_word_without_end_is_cut_anywhere() -> None:
     assert max(map(len, parts)) <= LONGEST
 
 
-@given(st.text(alphabet="ab1.,!? \n。，“”"))
+@given(st.text(alphabet="ab好1.,!? \n。，“”…—"))
 def test_nothing_is_lost_by_cutting(text: str) -> None:
     assert "".join("".join(sentences_of(text)).split()) == "".join(text.split())
     assert "".join("".join(clauses_of(text)).split()) == "".join(text.split())

@@ -5,13 +5,10 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from phonemeengine.speech.pinyin.letters import is_sound
-from phonemeengine.speech.pinyin.table import PinyinTable
+from phonemeengine.labels.pinyin import is_sound
+from phonemeengine.speech.pinyin.table import FULL_FORMS, PinyinTable
 from phonemeengine.text.chinese_numbers import numbers_spelt
 from phonemeengine.text.mandarin import HANZI, pinyin_of
-
-FULL_FORMS = {".": "。", "?": "？", "!": "！", ";": "；", ":": "：", ",": "，", "\n": "。", "⋯": "…", "–": "—"}
-"""The mark that another stands for; the end of a line ends a sentence."""
 
 _FOREIGN = rf"(?:(?!{HANZI})[^\W_])+"
 _PART = re.compile(rf"(?P<hanzi>{HANZI}+)|(?P<foreign>{_FOREIGN}(?:['’.?!;:,/@-]{_FOREIGN})*)|(?P<mark>.)", re.DOTALL)
@@ -79,9 +76,8 @@ def _syllables_of(hanzi: str, skipped: list[str]) -> Iterator[WrittenSyllable]:
 
 
 def _mark_of(character: str, table: PinyinTable) -> WrittenMark | None:
-    full = FULL_FORMS.get(character, character)
-    weight = table.marks.get(full, 0.0)
-    return WrittenMark(full, weight) if weight else None
+    weight = table.pause_at(character)
+    return WrittenMark(FULL_FORMS.get(character, character), weight) if weight else None
 
 
 def _add_mark(written: list[Written], mark: WrittenMark) -> None:

@@ -13,6 +13,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
 from phonemeengine.files import printable_name, read_text_file
+from phonemeengine.labels.pinyin import FINALS, INITIALS, initial_and_final, sound_of
 from phonemeengine.mouth.motion_settings import TransitionTimes
 from phonemeengine.mouth.table import (
     LARGEST_FILE,
@@ -23,7 +24,6 @@ from phonemeengine.mouth.table import (
     shape_of,
     shapes_of_phonemes,
 )
-from phonemeengine.speech.pinyin.letters import FINALS, INITIALS, initial_and_final, sound_of
 from phonemeengine.speech.pinyin.spring import LARGEST, Spring
 from phonemeengine.strict_table import StrictTable, parse_toml, shown
 
@@ -35,6 +35,9 @@ LEAST_SHARE, MOST_SHARE = 0.1, 0.45
 """Of a syllable, for its onset."""
 MOST_SYLLABLES = 20.0
 """Syllables that a pause of weight 1 may last."""
+
+FULL_FORMS = {".": "。", "?": "？", "!": "！", ";": "；", ":": "：", ",": "，", "\n": "。", "⋯": "…", "–": "—"}
+"""The mark that another stands for; the end of a line ends a sentence."""
 
 _REQUIRED = ("movestates", "onsets", "rimes", "phonemes", "weights", "marks", "transition", "shapes")
 _OPTIONAL = ("name", "notes", "syllables", "variants", "doubtful")
@@ -73,6 +76,10 @@ class PinyinTable:
     reach: float
     spring: Spring | None
     doubts: Mapping[str, str]
+
+    def pause_at(self, mark: str) -> float:
+        """Return the weight of the pause at a mark, of full width or not; 0 where there is none."""
+        return self.marks.get(FULL_FORMS.get(mark, mark), 0.0)
 
     def letters_of(self, syllable: str) -> str:
         """Return the two letters of a syllable without tone: its onset's and its rime's."""
@@ -125,7 +132,8 @@ def pinyin_table_of(text: str) -> PinyinTable:
     mouth = _mouth_of(top)
     onsets = _letters_by_part(top.table("onsets"), INITIALS, mouth.shapes)
     rimes = _letters_by_part(top.table("rimes"), FINALS, mouth.shapes)
-    weights, marks = top.table("weights"), top.table("marks")
+    weights, marks, transition = top.table("weights"), top.table("marks"), top.table("transition")
+    transition.check_keys(("reach",), ("spring", *_SPRING))
     return PinyinTable(
         mouth=mouth,
         onsets=onsets,
@@ -136,8 +144,8 @@ def pinyin_table_of(text: str) -> PinyinTable:
         variation=weights.limited("variation", 0, 1, "a share in 0..1") if "variation" in weights else 0.0,
         marks=_marks_of(marks),
         pause=marks.limited("syllables", 0, MOST_SYLLABLES, f"a number of syllables in 0..{MOST_SYLLABLES:g}"),
-        reach=top.table("transition").limited("reach", 0.05, 1, "a share in 0.05..1"),
-        spring=_spring_of(top.table("transition")),
+        reach=transition.limited("reach", 0.05, 1, "a share in 0.05..1"),
+        spring=_spring_of(transition),
         doubts=_doubts_of(top.table("doubtful")),
     )
 
@@ -228,7 +236,6 @@ def _marks_of(table: StrictTable) -> dict[str, float]:
 
 
 def _spring_of(table: StrictTable) -> Spring | None:
-    table.check_keys(("reach",), ("spring", *_SPRING))
     numbers = {key: table.limited(key, 0, LARGEST, f"a number in 0..{LARGEST:g}") for key in _SPRING if key in table}
     spring = Spring(**numbers)
     return spring if "spring" in table and table.value("spring", bool) else None

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Sequence
 
 from phonemeengine.errors import TextError
 from phonemeengine.labels.label import ROUNDING
+from phonemeengine.labels.pinyin import is_sound
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance
-from phonemeengine.speech.pinyin.letters import is_sound
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow
 from phonemeengine.speech.pinyin.script import Written, WrittenMark, WrittenSyllable
 from phonemeengine.speech.pinyin.table import LEAST_SHARE, MOST_SHARE, REST, PinyinTable

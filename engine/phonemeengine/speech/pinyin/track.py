@@ -1,11 +1,12 @@
 """Chinese text, or what somebody says, as the track of a mouth: one call for whoever shows, plays or writes it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from phonemeengine.labels.utterance import Utterance
+from phonemeengine.labels.pinyin import timed_syllable
+from phonemeengine.labels.utterance import Utterance, Word
 from phonemeengine.mouth.animation import Animation, animation_by
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.transcript import Transcript
@@ -13,8 +14,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
-from phonemeengine.speech.pinyin.phones import utterance_of
-from phonemeengine.speech.pinyin.plan import Plan
+from phonemeengine.speech.pinyin.plan import Plan, PlanKind
 from phonemeengine.speech.pinyin.script import script_of
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.timing import USUAL_RATE, plan_at_rate, plan_of
@@ -102,7 +102,14 @@ def pinyin_track(
         return PinyinTrack(said, plan_of(said, table, script_of(text, table).written, seed), table)
     script = script_of(said, table)
     plan = plan_at_rate(script.written, table, rate, seed)
-    return PinyinTrack(replace(utterance_of(plan), language="cmn", skipped=script.skipped), plan, table)
+    return PinyinTrack(Utterance(tuple(_words_of(plan)), plan.duration, "cmn", script.skipped), plan, table)
+
+
+def _words_of(plan: Plan) -> Iterator[Word]:
+    """Return what a plan says of a text that nobody speaks: each syllable is a word."""
+    for row in plan.rows:
+        if row.kind is PlanKind.SYLLABLE:
+            yield Word(row.text, (timed_syllable(row.sound, row.start, row.turn, row.end),))
 
 
 def _runs_of(utterance: Utterance, duration: float) -> Iterator[Segment]:

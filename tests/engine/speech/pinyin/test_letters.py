@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.errors import TextError
-from phonemeengine.speech.pinyin.letters import initial_and_final, is_sound, sound_of
+from phonemeengine.labels.pinyin import initial_and_final, is_sound, sound_of
 from phonemeengine.speech.pinyin.table import load_pinyin_table
 
 TABLE = load_pinyin_table()

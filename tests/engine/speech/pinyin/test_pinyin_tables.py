@@ -100,6 +100,7 @@ def test_an_animator_sets_the_onset_of_one_letter_and_a_spring() -> None:
         ('"，" = 0.5', '"，" = 2', r"\[marks\] ， must be a weight in 0..1, found 2"),
         ('"，" = 0.5', '"，，" = 0.5', r"\[marks\] names '，，', which is no punctuation mark"),
         ("syllables = 2.4", "", r"\[marks\] lacks syllables; add it"),
+        ("reach = 0.5", "", r"\[transition\] lacks reach; add it"),
         ("reach = 0.5", "reach = 0", r"\[transition\] reach must be a share in 0.05..1, found 0"),
         ("spring = false", "spring = 1", r"\[transition\] spring must be true or false, found 1"),
         ("damping = 60.0", "damping = 900.0", "swings ever farther; choose a larger mass"),

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.errors import TextError
-from phonemeengine.speech.pinyin.letters import is_sound
+from phonemeengine.labels.pinyin import is_sound
 from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable, script_of
 from phonemeengine.speech.pinyin.track import pinyin_track
 from tests.engine.speech.pinyin.saying import TABLE

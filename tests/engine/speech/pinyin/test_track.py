@@ -21,9 +21,7 @@ def test_a_silent_text_lasts_as_long_as_its_syllables_and_pauses_and_is_an_utter
     assert track.plan.duration == track.utterance.duration == pytest.approx((4 + 2.4 * 1.5) / 5)
     assert [word.text for word in track.utterance.words] == list("你好世界")
     assert [s.text for word in track.utterance.words for s in word.syllables] == ["ni2", "hao3", "shi4", "jie4"]
-    assert [phone.phoneme for phone in track.utterance.phones][-4:] == [
-        Phoneme.SCH, Phoneme.I, Phoneme.SCH, Phoneme.E,
-    ]  # fmt: skip
+    assert [phone.ipa for phone in track.utterance.phones][-6:] == ["ʂ", "ɨ", "t", "ɕ", "j", "ɛ"]
 
 
 def test_an_utterance_keeps_its_times_and_takes_the_marks_of_its_text() -> None:

@@ -1,0 +1,112 @@
+"""The words of the sound file in hand: where they came from, what was moved by hand, and what of it is saved."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.settings import SAMPLE_RATE
+
+
+@dataclass(frozen=True)
+class KnownWords:
+    """What is known of a sound.
+
+    Attributes
+    ----------
+    utterance : what is said when; None where nobody knows.
+    by_hand : whether the user moved anything in it.
+    """
+
+    utterance: Utterance | None = None
+    by_hand: bool = False
+
+
+class WordsEdit(QUndoCommand):
+    """Other words, or times, of a sound; of no use once another sound is in hand.
+
+    Parameters
+    ----------
+    what : the change in words, for the Edit menu.
+    """
+
+    def __init__(self, words: "SoundWords", after: KnownWords, what: str) -> None:
+        super().__init__(what)
+        self._words, self._sound = words, words.sound
+        self._before, self._after = words.known, after
+
+    def redo(self) -> None:
+        """Do it."""
+        self._put(self._after)
+
+    def undo(self) -> None:
+        """Take it back."""
+        self._put(self._before)
+
+    def _put(self, known: KnownWords) -> None:
+        if self._words.sound == self._sound:
+            self._words.put(known)
+        else:
+            self.setObsolete(True)
+
+
+class SoundWords(QObject):
+    """Holds the words of one sound at a time; changes can be undone.
+
+    Parameters
+    ----------
+    undo_stack : of the whole program.
+
+    Signals
+    -------
+    changed : other words, or times.
+
+    Attributes
+    ----------
+    sound : whose words they are; None where there is none.
+    known : what is known of it.
+    """
+
+    changed = Signal()
+
+    def __init__(self, undo_stack: QUndoStack) -> None:
+        super().__init__()
+        self.sound: Path | None = None
+        self.known = KnownWords()
+        self._undo_stack = undo_stack
+        self._saved: Utterance | None = None
+
+    @property
+    def utterance(self) -> Utterance | None:
+        """What is said in the sound; None where nobody knows."""
+        return self.known.utterance
+
+    @property
+    def has_unsaved_changes(self) -> bool:
+        """Whether the user moved anything that is in no file."""
+        return self.known.by_hand and self.utterance is not self._saved
+
+    def is_of(self, sound: Path | None, duration: float) -> bool:
+        """Return whether they are known, and those of a sound of so many seconds, in any of its channels."""
+        if sound != self.sound or self.utterance is None:
+            return False
+        return abs(self.utterance.duration - duration) < 1 / SAMPLE_RATE
+
+    def follow(self, sound: Path | None) -> None:
+        """Forget all words, since another sound is in hand."""
+        self.sound, self.known = sound, KnownWords()
+
+    def put(self, known: KnownWords) -> None:
+        """Say this of the sound; that cannot be undone."""
+        self.known = known
+        self.changed.emit()
+
+    def edit(self, utterance: Utterance, what: str, *, by_hand: bool) -> None:
+        """Say this of the sound from now on, until that is undone."""
+        self._undo_stack.push(WordsEdit(self, KnownWords(utterance, by_hand), what))
+
+    def note_saved(self) -> None:
+        """Take note that what is known is in a file now."""
+        self._saved = self.utterance

@@ -1,0 +1,130 @@
+"""The voice that says texts: which one it is, how fast it speaks, and by what the mouth moves meanwhile."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine.errors import VoiceError
+from phonemeengine.speech.voice import RATES, USUAL_RATE
+from phonemeengine.text import mandarin
+from phonemeengine.text.espeak import Language, languages, voices
+
+SLOWEST, FASTEST = RATES[0][0], RATES[-1][0]
+"""Syllables a second."""
+
+
+class TextDriver(StrEnum):
+    """By what the mouth moves where the words are known."""
+
+    AUTO = "auto"
+    PINYIN = "pinyin"
+    RULES = "rules"
+
+
+@dataclass(frozen=True)
+class VoiceChoice:
+    """Who says texts, and how.
+
+    Attributes
+    ----------
+    name : a voice for every language; the language's own where it is empty.
+    rate : syllables a second, `SLOWEST`..`FASTEST`.
+    program : a text-to-speech program of the user's own, as a command.
+    by_program : whether that program speaks, at a rate of its own.
+    driver : by what the mouth moves.
+    """
+
+    name: str = ""
+    rate: float = USUAL_RATE
+    program: str = ""
+    by_program: bool = False
+    driver: TextDriver = TextDriver.AUTO
+
+
+@dataclass(frozen=True)
+class Installed:
+    """What can be chosen: languages, and names of voices that speak all of them."""
+
+    languages: tuple[Language, ...] = ()
+    voices: tuple[str, ...] = ()
+
+
+def installed() -> Installed:
+    """Return which languages and voices there are.
+
+    Raises
+    ------
+    VoiceError : none.
+    """
+    return Installed(languages(), voices())
+
+
+def warm_up() -> None:
+    """Load what reads Chinese, which takes half a second; who has it not is told when he needs it."""
+    with suppress(VoiceError):
+        mandarin.pinyin_of("好")
+
+
+class VoiceModel(QObject):
+    """Knows the voice that is chosen, and which there are.
+
+    Signals
+    -------
+    changed : another choice, or it is known by now what there is to choose.
+
+    Attributes
+    ----------
+    choice : who says texts, and how.
+    installed : of several tags of a language, one; nothing before `wake` has looked.
+    look : tells what is installed.
+    warm_up : loads what the first text would else wait for.
+    lack : why there are no voices, as a sentence; empty where there are.
+    """
+
+    changed = Signal()
+
+    def __init__(self, look: Callable[[], Installed] = installed, warm_up: Callable[[], object] = warm_up) -> None:
+        super().__init__()
+        self.choice = VoiceChoice()
+        self.installed = Installed()
+        self.lack = ""
+        self.look, self.warm_up = look, warm_up
+        self._awake = False
+        self._work = TaskQueue(self._take_lack)
+
+    @property
+    def busy(self) -> bool:
+        """Whether it still looks what there is."""
+        return self._work.busy
+
+    def wake(self) -> None:
+        """Look what there is, in the background, and load what the first text needs."""
+        if not self._awake:
+            self._awake = True
+            self._work.submit(lambda _progress: self.look(), self._take)
+            self._work.submit(lambda _progress: self.warm_up())
+
+    def choose(self, **chosen: Any) -> None:
+        """Change fields of the choice; the next text is spoken so."""
+        choice = replace(self.choice, **chosen)
+        if choice != self.choice:
+            self.choice = replace(choice, rate=min(max(choice.rate, SLOWEST), FASTEST))
+            self.changed.emit()
+
+    def close(self) -> None:
+        """End the work."""
+        self._work.close(CLOSE_TIMEOUT)
+
+    def _take(self, installed: Installed) -> None:
+        by_voice = {language.identifier: language for language in reversed(installed.languages)}
+        self.installed = replace(installed, languages=tuple(by_voice.values()))
+        self.changed.emit()
+
+    def _take_lack(self, sentence: str) -> None:
+        self.lack = sentence
+        self.changed.emit()
