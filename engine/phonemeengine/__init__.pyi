@@ -56,7 +56,7 @@ from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
-from phonemeengine.mouth.lip_sync import cues, export, transcribe
+from phonemeengine.mouth.lip_sync import cues, export, export_transcript, transcribe
 from phonemeengine.mouth.mesh import Material, Mesh, mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, matched, morph_targets_of
 from phonemeengine.mouth.morpher import Detail, Morpher
@@ -100,10 +100,11 @@ from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 from phonemeengine.speech.program import speak_by_program
+from phonemeengine.speech.spoken_text import SpokenText, spoken_text
 from phonemeengine.speech.voice import SpokenSentence, Voice, speak
 from phonemeengine.text.espeak import Language, languages, voices
 from phonemeengine.text.lexicon import Lexicon, load_lexicon
-from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, words_of
+from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, notes_on, words_of
 from phonemeengine.text.syllables import SpokenSyllable
 
 __all__ = [
@@ -217,6 +218,7 @@ __all__ = [
     "Spectrum",
     "SpokenSentence",
     "SpokenSyllable",
+    "SpokenText",
     "Spring",
     "Status",
     "Syllable",
@@ -246,6 +248,7 @@ __all__ = [
     "denoise",
     "devices",
     "export",
+    "export_transcript",
     "format_plan",
     "format_utterance",
     "high_pass_gains",
@@ -265,6 +268,7 @@ __all__ = [
     "movestate_at",
     "movestate_of",
     "normalise",
+    "notes_on",
     "pinyin_track",
     "read_recordings",
     "read_utterance",
@@ -274,6 +278,7 @@ __all__ = [
     "score",
     "speak",
     "speak_by_program",
+    "spoken_text",
     "timed_frames",
     "transcribe",
     "transcript_of_utterance",

@@ -1,0 +1,153 @@
+"""What `speak` writes of speech: a sound, labels, the movement of a mouth, and its plan; all of them, or none."""
+
+import argparse
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import BinaryIO
+
+from phonemeanalyser.cli.jobs import say_note
+from phonemeanalyser.cli.output_files import Guard, print_whole, whole_file
+from phonemeengine import (
+    EngineError,
+    ExportOptions,
+    IdleMotion,
+    PinyinTable,
+    PinyinTrack,
+    SpokenSentence,
+    Spring,
+    Transcript,
+    Utterance,
+    format_plan,
+    format_utterance,
+    load_pinyin_table,
+    pinyin_track,
+    spoken_text,
+)
+from phonemeengine.files import begins_like
+from phonemeengine.labels import textgrid
+from phonemeengine.mouth.exports.exporter import Exporter
+from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS
+from phonemeengine.speech.pinyin.timing import has_pinyin
+
+SILENCE = "sil"
+"""The name of what lies between words, in labels."""
+STANDARD_OUTPUT = Path("-")
+
+
+def pinyin_table_of(options: argparse.Namespace) -> PinyinTable:
+    """Return the table that the command line asks for."""
+    table = load_pinyin_table(options.pinyin_table) if options.pinyin_table else load_pinyin_table()
+    return table if options.spring is None else replace(table, spring=Spring.of(options.spring))
+
+
+@dataclass(frozen=True)
+class SpeechFiles:
+    """What is written of speech.
+
+    Attributes
+    ----------
+    sound, labels, export, plan : the files; None where they are not asked for.
+    exporter : writes the export.
+    driver : what moves a face: ``pinyin``, ``rules``, or ``auto``: pinyin for Chinese.
+    table : the pinyin table.
+    seed : of its variation.
+    overwrite : whether files of somebody else are replaced.
+    """
+
+    sound: Path | None
+    labels: Path | None
+    export: Path | None
+    plan: Path | None
+    exporter: Exporter | None
+    driver: str
+    table: PinyinTable
+    seed: int | None
+    overwrite: bool
+
+    @classmethod
+    def of(cls, options: argparse.Namespace) -> "SpeechFiles":
+        """Check what the command line asks for, before anything is spoken.
+
+        Raises
+        ------
+        EngineError : it cannot be written, or somebody else's file is there.
+        """
+        if (options.export is None) != (options.kind is None):
+            raise EngineError("--export and --format go together; name both")
+        if options.plan is not None and options.text_driver == "rules":
+            raise EngineError("--plan tells of the pinyin mouth; leave --text-driver rules out")
+        idle = IdleMotion(not options.no_blinks, not options.no_head, options.seed or 0)
+        exporter = Exporter(options.kind, ExportOptions(rate=options.fps, idle=idle)) if options.kind else None
+        files = cls(
+            options.out, options.labels, options.export, options.plan, exporter, options.text_driver,
+            pinyin_table_of(options), options.seed, options.overwrite,
+        )  # fmt: skip
+        for target, guard in files._guards:
+            guard.check(target)
+        return files
+
+    @property
+    def nothing(self) -> bool:
+        """Whether nothing is written."""
+        return not any((self.sound, self.labels, self.export, self.plan))
+
+    def write_spoken(self, sentences: Iterator[SpokenSentence], language: str, text: str) -> None:
+        """Write what a voice says of a text, as it says it."""
+        with self._opened() as files:
+            measured, sound = self.exporter is not None, files.get(self.sound)
+            said = spoken_text(sentences, language=language, sound=sound, path=self.sound, measured=measured)
+            self._fill(files, said.transcript, said.utterance, self._track_of(said.utterance, text))
+
+    def write_track(self, track: PinyinTrack, speech: Transcript) -> None:
+        """Write what a mouth says by pinyin, and `speech`, how loud and high that is."""
+        with self._opened() as files:
+            self._fill(files, speech, track.utterance, track)
+
+    @property
+    def _guards(self) -> list[tuple[Path, Guard]]:
+        """The files, and what leaves those alone that are there: a voice says no text twice in the same way."""
+        form = self.exporter.format.owns if self.exporter else None
+        plan = None if self.plan == STANDARD_OUTPUT else self.plan
+        asked = (
+            (self.sound, lambda _content: False),
+            (self.labels, textgrid.owns),
+            (self.export, form),
+            (plan, begins_like(",".join(PLAN_COLUMNS).encode() + b"\n")),
+        )
+        return [(target, Guard(owns, self.overwrite)) for target, owns in asked if target is not None]
+
+    @contextmanager
+    def _opened(self) -> Iterator[dict[Path | None, BinaryIO]]:
+        """Open all files; they are there once the block has ended well."""
+        with ExitStack() as stack:
+            yield {target: stack.enter_context(whole_file(target, guard)) for target, guard in self._guards}
+
+    def _track_of(self, utterance: Utterance, text: str) -> PinyinTrack | None:
+        """Return how pinyin moves the mouth, where it does, or where its plan is asked for."""
+        moves = self.driver == "pinyin" or (self.driver == "auto" and has_pinyin(utterance))
+        if self.plan is None and not moves:
+            return None
+        return pinyin_track(utterance, self.table, text=text, seed=self.seed)
+
+    def _fill(
+        self, files: dict[Path | None, BinaryIO], speech: Transcript, utterance: Utterance, track: PinyinTrack | None
+    ) -> None:
+        plan = "" if track is None else format_plan(track.plan)
+        if self.labels is not None:
+            files[self.labels].write(format_utterance(utterance, SILENCE).encode())
+        if self.exporter is not None:
+            files[self.export].writelines(self._mouth(self.exporter, speech, track))
+        if self.plan == STANDARD_OUTPUT:
+            print_whole(lambda file: file.writelines([plan]))
+        elif self.plan is not None:
+            files[self.plan].write(plan.encode())
+
+    def _mouth(self, exporter: Exporter, speech: Transcript, track: PinyinTrack | None) -> Iterator[bytes]:
+        """Return a movement by the letters, or drawings and other movestates by the phones."""
+        by_letters = track is not None and exporter.format.moves_head and self.driver != "rules"
+        if self.driver == "pinyin" and not by_letters:
+            say_note(exporter.name, "it has shapes of its own, which follow the phones")
+        movement = track.animation(speech, exporter.rate, exporter.idle) if track and by_letters else None
+        return exporter.chunks_of(speech, movement)
