@@ -97,7 +97,7 @@ _PAGE = {
     "labels.utterance": "Phone Syllable Utterance Word",
     "labels.utterance_files": "format_utterance read_utterance",
     "mouth.transcript": "Transcript transcript_of_utterance",
-    "mouth.lip_sync": "cues export transcribe",
+    "mouth.lip_sync": "cues export export_transcript transcribe",
     "mouth.cues": "Cue",
     "mouth.exports.exporter": "ExportOptions",
     "mouth.exports.formats": "FORMATS",
@@ -149,11 +149,12 @@ _PAGE = {
     # What is said in a sound, by its script
     "alignment.align": "align",
     "text.lexicon": "Lexicon load_lexicon",
-    "text.pronunciation": "Pronunciation ScriptWord words_of",
+    "text.pronunciation": "Pronunciation ScriptWord notes_on words_of",
     "text.syllables": "SpokenSyllable",
     # A text, as a voice says it
     "speech.voice": "SpokenSentence Voice speak",
     "speech.program": "speak_by_program",
+    "speech.spoken_text": "SpokenText spoken_text",
     "text.espeak": "Language languages voices",
     # Recorded faces
     "performance.recording": "PerformedPhone Performance phones_of",

@@ -66,7 +66,7 @@ from phonemeengine.mouth.expression.streams import (
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
-from phonemeengine.mouth.lip_sync import cues, export, transcribe
+from phonemeengine.mouth.lip_sync import cues, export, export_transcript, transcribe
 from phonemeengine.mouth.mesh import Material, Mesh, mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, matched, morph_targets_of
 from phonemeengine.mouth.morpher import Detail, Morpher
@@ -121,10 +121,11 @@ from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 from phonemeengine.speech.program import speak_by_program
+from phonemeengine.speech.spoken_text import SpokenText, spoken_text
 from phonemeengine.speech.voice import SpokenSentence, Voice, speak
 from phonemeengine.text.espeak import Language, languages, voices
 from phonemeengine.text.lexicon import Lexicon, load_lexicon
-from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, words_of
+from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, notes_on, words_of
 from phonemeengine.text.syllables import SpokenSyllable
 
 __all__ = [
@@ -261,6 +262,7 @@ __all__ = [
     "Spectrum",
     "SpokenSentence",
     "SpokenSyllable",
+    "SpokenText",
     "Spring",
     "Status",
     "Syllable",
@@ -295,6 +297,7 @@ __all__ = [
     "denoise",
     "devices",
     "export",
+    "export_transcript",
     "expression_presets",
     "face_table",
     "format_plan",
@@ -322,6 +325,7 @@ __all__ = [
     "movestate_at",
     "movestate_of",
     "normalise",
+    "notes_on",
     "phones_of",
     "phrases_of",
     "pinyin_track",
@@ -334,6 +338,7 @@ __all__ = [
     "score",
     "speak",
     "speak_by_program",
+    "spoken_text",
     "timed_frames",
     "transcribe",
     "transcript_of_utterance",

@@ -2,7 +2,8 @@
 
 import io
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, TextIO
@@ -97,10 +98,22 @@ def write_whole_file(target: Path, write: Callable[[BinaryIO], None], guard: Gua
     ------
     EngineError : it cannot be written, or the guard leaves alone what is there.
     """
+    with whole_file(target, guard) as file:
+        write(file)
+
+
+@contextmanager
+def whole_file(target: Path, guard: Guard | None = None) -> Iterator[BinaryIO]:
+    """Open a file for bytes that is there complete once the block has ended well; its folder is made if need be.
+
+    Raises
+    ------
+    EngineError : it cannot be written, or the guard leaves alone what is there.
+    """
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         with atomic_write(target) as file:
-            write(file)
+            yield file
             if guard is not None:
                 file.flush()
                 guard.check_written(target, Path(file.name))

@@ -18,12 +18,13 @@ from phonemeengine import (
     Utterance,
     VoiceError,
     load_lexicon,
+    notes_on,
+    read_utterance,
     words_of,
 )
 from phonemeengine.alignment.align import is_other_text
 from phonemeengine.calibration.scores.evaluation import WordsOf
 from phonemeengine.files import printable, printable_name
-from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
 from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.text.espeak import languages
@@ -52,7 +53,7 @@ class SpokenTexts:
     lexicon: Lexicon | None
 
     def script_of(self, sound: Path, duration: float) -> Script | None:
-        """Return what is said in a sound of `duration` seconds; None where that is not known.
+        """Return what is said in a sound of `duration` seconds, and say what of it is not; None where nobody knows.
 
         Raises
         ------
@@ -61,7 +62,12 @@ class SpokenTexts:
         if self.labels is not None:
             return replace(read_utterance(self.labels, duration), language=self.language or "")
         text = self.texts.get(sound)
-        return None if text is None else words_of(text, self.language, self.lexicon)
+        if text is None:
+            return None
+        words = words_of(text, self.language, self.lexicon)
+        for note in notes_on(text, self.language):
+            say_note(printable_name(sound), note)
+        return words
 
     def aligned(
         self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]

@@ -57,7 +57,10 @@ def test_rules_move_a_face_by_its_phones_and_other_movestates_always(
     assert capsys.readouterr().err == ""
     export = ["--export", tmp_path / "o.csv", "--format", "oculus-csv"]
     spoken("妈妈。", "--silent", "--text-driver", "pinyin", *export)
-    assert capsys.readouterr().err == "phonemeanalyser: oculus-csv has shapes of its own, which follow the phones\n"
+    assert (
+        capsys.readouterr().err
+        == "phonemeanalyser: oculus-csv: note: it has shapes of its own, which follow the phones\n"
+    )
 
 
 def test_a_recording_is_said_when_its_labels_say(tmp_path: Path) -> None:
@@ -88,7 +91,10 @@ def test_a_voice_that_speaks_chinese_moves_the_mouth_by_letters(tmp_path: Path) 
 
 def test_what_is_not_said_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     spoken("我用iPhone。", "--silent", "--plan", "-")
-    assert capsys.readouterr().err == "phonemeanalyser: 'iPhone' is no Chinese, and so not said without a voice\n"
+    assert (
+        capsys.readouterr().err
+        == "phonemeanalyser: the text: note: 'iPhone' is no Chinese, and so not said without a voice\n"
+    )
 
 
 @pytest.mark.parametrize(

@@ -1,12 +1,14 @@
 """Sound files as mouths, in one call: what is said, cues, and files for other programs."""
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import ExportError
 from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
@@ -102,12 +104,41 @@ def export(
     MouthError : its table cannot be used.
     ExportError : there is no such format, it cannot do what is asked for, or the file cannot be written.
     """
-    exporter, target = Exporter(form, options), Path(target)
+    exporter = Exporter(form, options)
     pitch = exporter.format.moves_head and exporter.idle.head
     said = transcribe(sound, preset, channel=channel, pitch=pitch, script=script)
+    _write(exporter.chunks_of(said), Path(target))
+
+
+def export_transcript(
+    speech: Transcript,
+    target: str | os.PathLike[str],
+    form: str,
+    options: ExportOptions | None = None,
+    *,
+    movement: Animation | None = None,
+) -> None:
+    """Write what is known of a sound, such as a voice's, as mouth cues or the movement of a face; see `export`.
+
+    Parameters
+    ----------
+    speech : what is said, such as `SpokenText.transcript`.
+    target, form, options : as in `export`.
+    movement : how the face moves, at the format's rate, where the cues do not say that; such as
+        `PinyinTrack.animation`.
+
+    Raises
+    ------
+    MouthError : its table cannot be used.
+    ExportError : there is no such format, it cannot do what is asked for, or the file cannot be written.
+    """
+    _write(Exporter(form, options).chunks_of(speech, movement), Path(target))
+
+
+def _write(chunks: Iterable[bytes], target: Path) -> None:
     try:
         with atomic_write(target) as file:
-            file.writelines(exporter.chunks_of(said))
+            file.writelines(chunks)
     except OSError as error:
         words = f"{printable_name(target)}: cannot be written ({reason_of(error)}); name another file"
         raise ExportError(words) from error

@@ -3,13 +3,10 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-import numpy as np
-
 from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import Analysis
-from phonemeengine.features.front_end import F0
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
+from phonemeengine.mouth.transcript import Prosody, Transcript, transcript_of_utterance
 from phonemeengine.text.pronunciation import ScriptWord
 
 Script = Sequence[ScriptWord] | Utterance
@@ -25,12 +22,11 @@ def scripted_transcript_of(
     ------
     CorpusError : there is no word in the script.
     """
-    loud, pitches = [NOTHING], [NOTHING]
+    prosody = Prosody()
 
     def kept() -> Iterator[Analysis]:
         for analysis in analyses:
-            loud.append(analysis.intensities)
-            pitches.append(np.array(analysis.features.values[:, F0], np.float32))
+            prosody.add(analysis)
             yield analysis
 
     if isinstance(script, Utterance):
@@ -39,4 +35,4 @@ def scripted_transcript_of(
             pass
     else:
         utterance = align_analyses(kept(), script, duration)
-    return utterance, transcript_of_utterance(utterance, np.concatenate(loud), np.concatenate(pitches), name, path)
+    return utterance, transcript_of_utterance(utterance, prosody.intensities, prosody.pitches, name, path)

@@ -65,16 +65,36 @@ class Transcript:
         return [run.end for run in self.runs]
 
 
+class Prosody:
+    """How loud and high a sound is, from its consecutive analyses, of which nothing else is kept."""
+
+    def __init__(self) -> None:
+        self._intensities, self._pitches = [NOTHING], [NOTHING]
+
+    def add(self, analysis: Analysis) -> None:
+        """Take the next one."""
+        self._intensities.append(analysis.intensities)
+        self._pitches.append(np.array(analysis.features.values[:, F0], np.float32))
+
+    @property
+    def intensities(self) -> Float32Array:
+        """Float32, shape (n_frames,); see `Transcript`."""
+        return np.concatenate(self._intensities)
+
+    @property
+    def pitches(self) -> Float32Array:
+        """Float32, shape (n_frames,); see `Transcript`."""
+        return np.concatenate(self._pitches)
+
+
 def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path: Path | None = None) -> Transcript:
     """Collect what was said from the consecutive analyses of a sound of `duration` seconds; `path` is its file."""
-    joiner, runs = SegmentBuilder(), []
-    loud, pitches = [NOTHING], [NOTHING]
+    joiner, runs, prosody = SegmentBuilder(), [], Prosody()
     for analysis in analyses:
         runs += joiner.extend(analysis.phonemes, analysis.intensities)
-        loud.append(analysis.intensities)
-        pitches.append(np.array(analysis.features.values[:, F0], np.float32))
+        prosody.add(analysis)
     runs += joiner.finish(duration)
-    return Transcript(name, duration, tuple(runs), np.concatenate(loud), np.concatenate(pitches), path)
+    return Transcript(name, duration, tuple(runs), prosody.intensities, prosody.pitches, path)
 
 
 def transcript_of_utterance(

@@ -73,7 +73,7 @@ def speak_by_program(
 
     Raises
     ------
-    VoiceError : the command cannot be run, fails, or leaves no file.
+    VoiceError : the command cannot be run, fails, or leaves no file, or one without speech.
     AudioError : what it wrote is no sound.
     CorpusError : what it wrote beside it is no TextGrid with the sound's phones.
     TextError : there is nothing to speak, or no such language.
@@ -91,6 +91,8 @@ def speak_by_program(
             said = read_utterance(labels, duration)
         else:
             said = align(output, cleaned, load_preset(DEFAULT_PRESET), language=language, lexicon=lexicon)
+    if not said.words:
+        raise VoiceError(f"{printable(_words_of(template)[0])}: nobody speaks in its sound; try it by itself")
     return SpokenSentence(samples, said.words, cleaned, said.skipped)
 
 

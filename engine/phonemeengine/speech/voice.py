@@ -109,11 +109,12 @@ class Voice:
     def speak(self, text: str) -> Iterator[SpokenSentence]:
         """Return what is spoken, sentence by sentence, each as soon as it is there.
 
-        What nobody can speak is left out; `speakable` says what that is.
+        What nobody can speak is left out; `notes_on` says what that is.
 
         Raises
         ------
-        TextError : there is nothing to speak, or no such language; before anything is spoken.
+        TextError : there is nothing to speak, or no such language, before anything is spoken; or after all of it, the
+            voice had no sounds for any of it.
         VoiceError : there is no such voice, or no library of voices.
         """
         language = language_of(self.language)
@@ -121,9 +122,9 @@ class Voice:
         cleaned = speakable(text).text
         if language.tag in {*mandarin.TAGS, mandarin.PINYIN_TAG}:
             table = self.pinyin_table or load_pinyin_table()
-            return (self._said_in_chinese(clause, language, table) for clause in clauses_of(cleaned))
+            return _with_words(self._said_in_chinese(clause, language, table) for clause in clauses_of(cleaned))
         check_script(cleaned, language)
-        return (self._said(sentence, language) for sentence in sentences_of(cleaned))
+        return _with_words(self._said(sentence, language) for sentence in sentences_of(cleaned))
 
     def _said(self, sentence: str, language: Language) -> SpokenSentence:
         tokens = [_Token(word.strip(MARKS) or word, word) for word in tokens_of(sentence)]
@@ -193,9 +194,17 @@ def speak(text: str, voice: Voice) -> tuple[Float32Array, Utterance]:
         words += (shifted(word, n / SAMPLE_RATE) for word in sentence.words)
         parts.append(sentence.samples)
         n += len(sentence.samples)
-    if not words:
-        raise TextError(f"the voice of {voice.language} has no sounds for this text; check its language")
     return np.concatenate(parts), Utterance(tuple(words), n / SAMPLE_RATE, voice.language)
+
+
+def _with_words(sentences: Iterator[SpokenSentence]) -> Iterator[SpokenSentence]:
+    """Return sentences as they come, and refuse them after the last one if no word was said."""
+    n_words = 0
+    for sentence in sentences:
+        n_words += len(sentence.words)
+        yield sentence
+    if not n_words:
+        raise TextError("the voice has no sounds for this text; check its language")
 
 
 @dataclass(frozen=True)

@@ -56,7 +56,7 @@ def load_lexicon(path: str | os.PathLike[str]) -> Lexicon:
     variants: dict[str, list[Syllables]] = defaultdict(list)
     spellings: dict[str, list[str]] = defaultdict(list)
     for place, word, ipa in entries:
-        if not word.strip() or len(word.split()) > 1:
+        if len(word.split()) != 1 or min(word.strip()) < " ":
             raise TextError(f"{file}, {place}: a lexicon has single words, found {word!r:.40}; correct it")
         key = word.strip().casefold()
         variants[key].append(_syllables_of(ipa, word, f"{file}, {place}"))

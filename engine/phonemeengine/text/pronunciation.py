@@ -1,6 +1,8 @@
 """How the words of a text are pronounced: by a lexicon first, then by pinyin, then by the voice of their language."""
 
 import re
+import unicodedata
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -27,6 +29,7 @@ _PAUSE = 2 * espeak.SEPARATOR
 """Between the names of two letters that are spelt."""
 _SAMPLED = 40
 """Words of a text that are looked at to know its script."""
+_SHOWN = 5
 
 
 @dataclass(frozen=True)
@@ -98,6 +101,26 @@ def check_script(text: str, language: Language) -> None:
             f"the voice of {language.tag} cannot read {spelt[0]!r:.40}, which is of another script; name the "
             "language of the text"
         )
+
+
+def notes_on(text: str, language: str | None = None) -> tuple[str, ...]:
+    """Return what a user should know of a text before it is spoken, or found in a sound: a sentence each.
+
+    Emoji and control characters are left out; words of scripts that the voice of the language does not read are spelt
+    letter by letter.
+
+    Raises
+    ------
+    TextError : there is nothing to speak, or no such language.
+    VoiceError : the library of voices is missing or broken.
+    """
+    cleaned = speakable(text)
+    spelt = _spelt_words(cleaned.text, language_of(language)) if language else ()
+    if not spelt:
+        return cleaned.notes
+    more = f" and {len(spelt) - _SHOWN} more" if len(spelt) > _SHOWN else ""
+    words = ", ".join(spelt[:_SHOWN]) + more
+    return (*cleaned.notes, f"the voice of {language} spells words of another script letter by letter: {words}")
 
 
 def separator_of(language: Language) -> str:
@@ -180,6 +203,19 @@ def _distinct(variants: Sequence[tuple[SpokenSyllable, ...]]) -> list[tuple[Spok
     for variant in filter(None, variants):
         by_phones.setdefault(tuple(phone for syllable in variant for phone in syllable.phones), variant)
     return list(by_phones.values())
+
+
+def _spelt_words(text: str, language: Language) -> tuple[str, ...]:
+    """Return the words of a text that a voice spells; of each script it is asked for one of them."""
+    if language.tag in {*mandarin.TAGS, mandarin.PINYIN_TAG}:
+        text, language = re.sub(mandarin.HANZI, " ", text), language_of("en-us")
+    by_script: dict[str, list[str]] = defaultdict(list)
+    for word in dict.fromkeys(_LETTERS.findall(text)):
+        if not word.isascii():
+            by_script[unicodedata.name(word[0], "").partition(" ")[0]].append(word)
+    longest = {script: max(words[:_SAMPLED], key=len) for script, words in by_script.items()}
+    spelt = (words for s, words in by_script.items() if _is_spelt(longest[s], phone_names(longest[s], language)))
+    return tuple(word for words in spelt for word in words)
 
 
 def _is_spelt(word: str, names: str) -> bool:

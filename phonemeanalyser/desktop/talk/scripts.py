@@ -4,22 +4,20 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from phonemeanalyser.desktop.talk.voice_model import VoiceChoice
 from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import AudioError, CorpusError, EngineError
 from phonemeengine.files import atomic_write, printable_name, reason_of
 from phonemeengine.labels.text_io import write_text
-from phonemeengine.labels.utterance import Utterance, Word, shifted
+from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance, script_in
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, report_progress
-from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
+from phonemeengine.settings import FRAME_PERIOD, Channel
 from phonemeengine.speech.program import speak_by_program
+from phonemeengine.speech.spoken_text import spoken_text
 from phonemeengine.speech.voice import SpokenSentence, Voice
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import words_of
@@ -91,8 +89,8 @@ def spoken(text: str, language: str, voice: VoiceChoice) -> Iterator[SpokenSente
     EngineError : it cannot be spoken; before anything is.
     """
     if voice.by_program:
-        return iter([speak_by_program(voice.program, text, language=language)])
-    return Voice(language, voice.name, voice.rate).speak(text)
+        return iter([speak_by_program(voice.program, text, language=language, lexicon=voice.lexicon)])
+    return Voice(language, voice.name, voice.rate, voice.lexicon or Lexicon()).speak(text)
 
 
 def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path) -> None:
@@ -104,7 +102,7 @@ def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path)
     """
     try:
         with atomic_write(path) as file:
-            said = _written(sentences, language, WavEncoder(file, SAMPLE_RATE, 1))
+            said = spoken_text(sentences, language=language, sound=file, path=path, measured=False).utterance
     except EngineError:
         raise
     except (OSError, ValueError) as error:
@@ -112,15 +110,6 @@ def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path)
             f"{printable_name(path)}: cannot be written ({reason_of(error)}); choose another folder"
         ) from error
     write_text(format_utterance(said), path.with_suffix(LABELS))
-
-
-def _written(sentences: Iterable[SpokenSentence], language: str, sound: WavEncoder) -> Utterance:
-    words: list[Word] = []
-    for sentence in sentences:
-        words += (shifted(word, sound.n_samples / SAMPLE_RATE) for word in sentence.words)
-        sound.write(sentence.samples[:, np.newaxis])
-    sound.close()
-    return Utterance(tuple(words), sound.n_samples / SAMPLE_RATE, language)
 
 
 def words_beside(sound: Path, duration: float) -> FoundWords:

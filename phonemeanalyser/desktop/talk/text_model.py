@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.talk.running_speech import RunningSpeech
 from phonemeanalyser.desktop.talk.scripts import (
     FoundWords,
     ScriptedSound,
@@ -17,7 +18,6 @@ from phonemeanalyser.desktop.talk.scripts import (
     write_speech,
 )
 from phonemeanalyser.desktop.talk.sound_words import KnownWords, SoundWords
-from phonemeanalyser.desktop.talk.spoken_text import SpokenText
 from phonemeanalyser.desktop.talk.voice_model import TextDriver, VoiceChoice, VoiceModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text
@@ -98,7 +98,7 @@ class TextModel(QObject):
         self.lexicon_path: Path | None = None
         self.letters: PinyinTrack | None = None
         self._lexicon: Lexicon | None = None
-        self._speech: SpokenText | None = None
+        self._speech: RunningSpeech | None = None
         self._until: float | None = None
         self._driver = self.voice.choice.driver
         self._work, self._looking = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
@@ -195,16 +195,16 @@ class TextModel(QObject):
     def say(self) -> None:
         """Have the voice speak the text, as soon as it can."""
         if self._may_read(by_voice=True):
-            text, language, voice = self.text, self._language_of_text, self.voice.choice
+            text, language, voice = self.text, self._language_of_text, self._voice
             self._work.replace(
                 lambda _progress: self.tools.speak(text, language, voice),
-                lambda sentences: self._take_speech(SpokenText(sentences, language), text, voice),
+                lambda sentences: self._take_speech(RunningSpeech(sentences, language), text, voice),
             )
 
     def save_speech(self, path: Path) -> None:
         """Have the voice speak the text into a WAV file, with words and phones beside it; does not wait."""
         if self._may_read(by_voice=True):
-            text, language, voice = self.text, self._language_of_text, self.voice.choice
+            text, language, voice = self.text, self._language_of_text, self._voice
             self._saving.submit(
                 lambda _progress: write_speech(self.tools.speak(text, language, voice), language, path),
                 lambda _: self.speech_saved.emit(str(path)),
@@ -320,7 +320,11 @@ class TextModel(QObject):
             self.info.emit(f"Nobody says: {words}{f' and {more} more words' if more > 0 else ''}.")
         self.words.edit(found, "alignment", by_hand=False)
 
-    def _take_speech(self, speech: SpokenText, text: str, voice: VoiceChoice) -> None:
+    @property
+    def _voice(self) -> VoiceChoice:
+        return replace(self.voice.choice, lexicon=self._lexicon)
+
+    def _take_speech(self, speech: RunningSpeech, text: str, voice: VoiceChoice) -> None:
         self._speech = speech
         self._session.speak(speech.speech, lambda: SpooledSpeech(self.tools.speak(text, speech.language, voice)))
 

@@ -13,6 +13,7 @@ from phonemeengine.errors import VoiceError
 from phonemeengine.speech.voice import RATES, USUAL_RATE
 from phonemeengine.text import mandarin
 from phonemeengine.text.espeak import Language, languages, voices
+from phonemeengine.text.lexicon import Lexicon
 
 SLOWEST, FASTEST = RATES[0][0], RATES[-1][0]
 """Syllables a second."""
@@ -37,6 +38,7 @@ class VoiceChoice:
     program : a text-to-speech program of the user's own, as a command.
     by_program : whether that program speaks, at a rate of its own.
     driver : by what the mouth moves.
+    lexicon : how words are pronounced that the voice reads otherwise; None for none.
     """
 
     name: str = ""
@@ -44,6 +46,7 @@ class VoiceChoice:
     program: str = ""
     by_program: bool = False
     driver: TextDriver = TextDriver.AUTO
+    lexicon: Lexicon | None = None
 
 
 @dataclass(frozen=True)

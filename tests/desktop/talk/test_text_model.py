@@ -589,6 +589,17 @@ def test_a_lexicon_goes_before_the_voice_until_it_is_given_up(desk, tmp_path):
     assert [asked.lexicon is not None for asked in desk.aligner.asked] == [True, False]
 
 
+def test_a_voice_reads_by_the_lexicon_too(desk, tmp_path):
+    (tmp_path / "mine.csv").write_text("word,ipa\nso,soʊ\n", encoding="utf-8")
+    desk.texts.set_lexicon(tmp_path / "mine.csv")
+    desk.wait()
+    desk.texts.set_text("So.")
+    desk.texts.set_language("en-gb")
+    desk.texts.say()
+    desk.wait()
+    assert desk.voice.choices[-1].lexicon is not None
+
+
 def test_a_lexicon_with_nonsense_is_refused(desk, tmp_path):
     (tmp_path / "mine.csv").write_text("nonsense\n", encoding="utf-8")
     desk.texts.set_lexicon(tmp_path / "mine.csv")

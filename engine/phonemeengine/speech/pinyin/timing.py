@@ -75,12 +75,17 @@ def plan_of(
     ------
     TextError : there is no syllable of pinyin in it.
     """
-    syllables = [s for word in utterance.words for s in word.syllables if is_sound(s.text)]
-    if not syllables:
+    n_syllables = sum(is_sound(syllable.text) for word in utterance.words for syllable in word.syllables)
+    if not n_syllables:
         raise TextError("there is no syllable of pinyin in what is said; choose another driver")
-    marks = _marks_of(script, len(syllables))
+    marks = _marks_of(script, n_syllables)
     rows = list(_rows_of(utterance, _SyllableRows(table, seed), marks))
     return Plan(tuple(rows), pause_unit(table, USUAL_RATE))
+
+
+def has_pinyin(utterance: Utterance) -> bool:
+    """Return whether a syllable of what is said is pinyin, so that letters can move a mouth."""
+    return any(is_sound(syllable.text) for word in utterance.words for syllable in word.syllables)
 
 
 class _SyllableRows:

@@ -1,7 +1,7 @@
 """Chinese text, or what somebody says, as the track of a mouth: one call for whoever shows, plays or writes it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,9 +9,7 @@ from phonemeengine.labels.pinyin import timed_syllable
 from phonemeengine.labels.utterance import Utterance, Word
 from phonemeengine.mouth.animation import Animation, animation_by
 from phonemeengine.mouth.performer import IdleMotion, Performer
-from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.segments import Segment
+from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind
@@ -46,16 +44,11 @@ class PinyinTrack:
         ----------
         name : what files that are made of it call the sound.
         """
-        duration = self.plan.duration + AFTERWARDS
-        runs = self.runs(duration)
-        times = np.arange(round(duration / FRAME_PERIOD)) * FRAME_PERIOD
-        heard = np.array([run.intensity for run in runs], np.float32)
-        loud = heard[np.searchsorted([run.end for run in runs[:-1]], times, "right")]
-        return Transcript(name, duration, runs, loud, np.zeros_like(loud))
-
-    def runs(self, duration: float) -> tuple[Segment, ...]:
-        """Return its phones, of which drawings are made, without gaps until a time, seconds."""
-        return tuple(_runs_of(self.utterance, duration))
+        said = replace(self.utterance, duration=self.plan.duration + AFTERWARDS)
+        loud = np.zeros(round(said.duration / FRAME_PERIOD), np.float32)
+        for phone in said.phones:
+            loud[round(phone.start / FRAME_PERIOD) : round(phone.end / FRAME_PERIOD)] = 1
+        return transcript_of_utterance(said, loud, np.zeros_like(loud), name)
 
     def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
         """Animate a face: its mouth says the plan, it blinks, and its head moves with the sound.
@@ -110,15 +103,3 @@ def _words_of(plan: Plan) -> Iterator[Word]:
     for row in plan.rows:
         if row.kind is PlanKind.SYLLABLE:
             yield Word(row.text, (timed_syllable(row.sound, row.start, row.turn, row.end),))
-
-
-def _runs_of(utterance: Utterance, duration: float) -> Iterator[Segment]:
-    """Return the phones, and the silence between and after them."""
-    at = 0.0
-    for phone in utterance.phones:
-        if phone.start > at:
-            yield Segment(at, phone.start, Phoneme.SILENCE, 0.0)
-        yield Segment(phone.start, phone.end, phone.phoneme, 1.0)
-        at = phone.end
-    if duration > at:
-        yield Segment(at, duration, Phoneme.SILENCE, 0.0)

@@ -12,7 +12,7 @@ ROUNDING = 1e-6
 """Seconds by which the end of a sentence and the start of the next one may differ."""
 
 
-class SpokenText:
+class RunningSpeech:
     """Follows speech that is still being made, and forgets what was heard long ago.
 
     Parameters
