@@ -114,6 +114,7 @@ _PAGE = {
     "mouth.motion_settings": "MotionSettings TransitionTimes",
     "mouth.blinks": "Blinker",
     "mouth.head_motion": "HeadMotion HeadPose",
+    "mouth.osc_expression": "OscExpression",
     "mouth.osc": "OscAddress OscMouth",
     # A mouth that says a text
     "speech.pinyin.track": "PinyinTrack pinyin_track",

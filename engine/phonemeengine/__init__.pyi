@@ -74,6 +74,7 @@ from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
 from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.osc import OscAddress, OscMouth
+from phonemeengine.mouth.osc_expression import OscExpression
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import MouthTable, load_table
@@ -209,6 +210,7 @@ __all__ = [
     "NoiseAdder",
     "NoiseKind",
     "OscAddress",
+    "OscExpression",
     "OscMouth",
     "OutputHead",
     "Performance",

@@ -30,18 +30,18 @@ def add_expression(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def expression_of(options: argparse.Namespace) -> Expression | None:
-    """Return what a command line with the arguments of `add_expression` asks for.
+def expression_of(options: argparse.Namespace, *more: ExpressionStream) -> Expression | None:
+    """Return what a command line with the arguments of `add_expression` asks for, with more streams.
 
     Raises
     ------
     EngineError : there is no such expression, or a file cannot be read.
     """
-    if options.expression is None:
+    streams = (*map(_stream_of, options.expression or ()), *more)
+    if not streams:
         if options.priority is not None:
             options.parser.error("--priority goes with --expression: say what is expressed")
         return None
-    streams = tuple(map(_stream_of, options.expression))
     if options.priority is None:
         return Expression(streams)
     speech, _, other = options.priority.partition(",")

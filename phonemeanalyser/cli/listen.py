@@ -9,7 +9,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
 from types import FrameType
@@ -24,6 +24,7 @@ from phonemeengine import (
     InputChoice,
     Listener,
     OscAddress,
+    OscExpression,
     OscMouth,
     Performer,
     Phoneme,
@@ -58,6 +59,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     table = f"mouth table of --osc: {USUAL_TABLE} as the head's, vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
     add_expression(parser)
+    heard = "show expressions that other programs send here (/expression NAME V, or VMC blend shapes)"
+    parser.add_argument("--expression-osc", metavar="HOST:PORT", help=heard)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -65,16 +68,21 @@ def run(options: argparse.Namespace) -> int:
     if options.list_devices:
         list_devices()
     else:
-        listen(load_preset(options.preset), input_of(options), options.seconds, options.kind, _osc_of(options))
+        with ExitStack() as stack:
+            osc = _osc_of(options, stack)
+            listen(load_preset(options.preset), input_of(options), options.seconds, options.kind, osc)
     return 0
 
 
-def _osc_of(options: argparse.Namespace) -> OscSettings | None:
+def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None:
     if options.osc is None:
-        if options.expression is not None:
-            options.parser.error("--expression is sent with the mouth; say where with --osc")
+        if options.expression is not None or options.expression_osc is not None:
+            options.parser.error("an expression is sent with the mouth; say where with --osc")
         return None
-    return OscSettings(OscAddress.of(options.osc), load_table(options.table), expression_of(options))
+    streams = []
+    if options.expression_osc is not None:
+        streams.append(stack.enter_context(OscExpression(OscAddress.of(options.expression_osc))))
+    return OscSettings(OscAddress.of(options.osc), load_table(options.table), expression_of(options, *streams))
 
 
 def add_input(parser: argparse.ArgumentParser) -> None:

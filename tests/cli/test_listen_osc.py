@@ -5,9 +5,11 @@ from collections.abc import Iterable, Iterator
 from functools import partial
 
 import pytest
+from pythonosc.udp_client import SimpleUDPClient
 
 from phonemeanalyser.cli import listen as listening
 from phonemeanalyser.cli.main import main
+from phonemeengine import Expression, OscAddress, OscExpression, held_expression
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.mouth.osc import OscMouth, OscSettings
@@ -113,3 +115,26 @@ def test_wrong_receivers_and_tables_are_said_before_anything_is_begun(
 ) -> None:
     assert refused(capsys, "listen", *words).startswith(sentence)
     assert not microphone.closed.is_set()
+
+
+def test_a_smile_is_sent_with_the_mouth_and_another_program_may_ask_for_more(
+    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with OscExpression(OscAddress("127.0.0.1", 0)) as asked:
+        client = SimpleUDPClient("127.0.0.1", asked.port)
+        client.send_message("/expression", ["browInnerUp", 1.0])
+        client.close()
+        wait_for(lambda: float(asked.weights(0.0).max()) == 1, "what was asked for")
+        expression = Expression((held_expression({"smile": 1.0}), asked))
+        listen_to_speech(microphone, OscSettings(receiver.address, load_table(USUAL_TABLE), expression))
+    pictures = [weights for _, weights in receiver.pictures]
+    assert max(weights.get("browInnerUp", 0.0) for weights in pictures) > 0.85
+    assert max(weights.get("cheekSquintLeft", 0.0) for weights in pictures) > 0.4
+
+
+@pytest.mark.parametrize("words", [["--expression", "smile"], ["--expression-osc", "127.0.0.1:9"]])
+def test_an_expression_that_nobody_is_sent_is_a_usage_error(words, capsys) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["listen", *words])
+    assert ended.value.code == 2
+    assert "--osc" in capsys.readouterr().err

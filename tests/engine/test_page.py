@@ -113,7 +113,15 @@ def test_a_path_may_be_text_wherever_one_is_taken() -> None:
 
 def test_what_lives_is_closed_at_the_end_of_its_block() -> None:
     living = [name for name in NAMES if hasattr(getattr(phonemeengine, name), "close")]
-    assert set(living) == {"Listener", "OscMouth", "PerformanceTable", "Recorder", "Sound", "SoundReader"}
+    assert set(living) == {
+        "Listener",
+        "OscExpression",
+        "OscMouth",
+        "PerformanceTable",
+        "Recorder",
+        "Sound",
+        "SoundReader",
+    }
     for name in living:
         assert hasattr(getattr(phonemeengine, name), "__exit__")
 

@@ -1,4 +1,4 @@
-"""The mouth over the network, live, as OSC messages: the only door to python-osc.
+"""The mouth over the network, live, as OSC messages: the door to python-osc that leads out.
 
 =========================  ============================  ==========================================================
 address                    arguments                     when

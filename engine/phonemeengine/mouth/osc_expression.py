@@ -1,0 +1,82 @@
+"""What other programs ask a face to express, by OSC messages.
+
+=========================  ======================  ================================================================
+address                    arguments               means
+=========================  ======================  ================================================================
+``/expression``            name, weight 0..1       a preset such as ``smile``, or a blend shape of ARKit
+``/VMC/Ext/Blend/Val``     blend shape, 0..1       the same, as face trackers send it (VMC protocol)
+=========================  ======================  ================================================================
+"""
+
+import contextlib
+import threading
+
+import numpy as np
+from pythonosc.dispatcher import Dispatcher
+from pythonosc.osc_server import BlockingOSCUDPServer
+
+from phonemeengine.arrays import Float32Array
+from phonemeengine.errors import MouthError
+from phonemeengine.lifetime import Closing
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.expression.streams import held_expression
+from phonemeengine.mouth.osc import OscAddress
+
+ADDRESSES = ("/expression", "/VMC/Ext/Blend/Val")
+POLL = 0.05
+"""Seconds after which closing is noticed."""
+
+
+class OscExpression(Closing):
+    """Listens until it is closed, in a thread of its own; an `ExpressionStream` of what was sent last.
+
+    Messages that say nothing about a face are passed over.
+
+    Parameters
+    ----------
+    address : where it listens, such as 127.0.0.1:39540.
+
+    Raises
+    ------
+    MouthError : another program listens there, or there is no such place.
+    """
+
+    def __init__(self, address: OscAddress) -> None:
+        self._shares: dict[str, float] = {}
+        self._weights: Float32Array = np.zeros(len(ARKIT), np.float32)
+        dispatcher = Dispatcher()
+        for known in ADDRESSES:
+            dispatcher.map(known, self._take)
+        try:
+            self._server = BlockingOSCUDPServer((address.host, address.port), dispatcher)
+        except (OSError, UnicodeError) as error:
+            raise MouthError(
+                f"nobody can be heard on {address.host}:{address.port} ({error}); choose another port"
+            ) from error
+        self._thread = threading.Thread(
+            target=self._server.serve_forever, kwargs={"poll_interval": POLL}, name="osc expression", daemon=True
+        )
+        self._thread.start()
+
+    @property
+    def port(self) -> int:
+        """Where it listens; the system's choice, where 0 was asked for."""
+        return int(self._server.server_address[1])
+
+    def weights(self, _time: float) -> Float32Array:
+        """Return the weights of the 52 blend shapes of `ARKIT` now, float32, 0..1."""
+        return self._weights
+
+    def close(self) -> None:
+        """Listen no more."""
+        self._server.shutdown()
+        self._thread.join()
+        self._server.server_close()
+
+    def _take(self, _address: str, *arguments: object) -> None:
+        match arguments:
+            case (str(name), int() | float() as share):
+                wanted = self._shares | {name: min(max(0.0, share), 1.0)}
+                with contextlib.suppress(MouthError):  # of a name that no face has
+                    self._weights = held_expression(wanted).weights(0.0)
+                    self._shares = wanted
