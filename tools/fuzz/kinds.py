@@ -11,8 +11,10 @@ from random import Random
 
 import numpy as np
 
+from phonemeengine.labels.pinyin import timed_syllable
 from phonemeengine.labels.textgrid import format_tiers
-from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.mouth.exports.livelink import lines_of
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
@@ -38,6 +40,11 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE, load_pinyin_table
+from phonemeengine.text.espeak import language_of
+from phonemeengine.text.lexicon import load_lexicon
+from phonemeengine.text.pronunciation import notes_on
+from phonemeengine.text.respelling import respelt
+from phonemeengine.text.script import load_script
 from tests.engine.performance.corpora import PHONES, SYLLABLES
 from tests.engine.performance.faces import animated_face, ramp, recorded_vmc
 from tests.engine.performance.sentences import performance_of, phones_in
@@ -46,6 +53,24 @@ from tests.models import tone_model
 from tools.fuzz.mutation import mutated
 
 Read = Callable[[bytes], object]
+
+LEXICON = """format = "phonemeanalyser lexicon 1"
+
+[words]
+NASA = "ˈnæ.sə"
+Zug = "tsuːk"
+either = ["ˈiːðɚ", "ˈaɪðɚ"]
+"""
+LEXICON_ROWS = "word,ipa\nNASA,ˈnæ.sə\nZug,tsuːk\neither,ˈiːðɚ\neither,ˈaɪðɚ\n"
+SCRIPT = "Es regnet, aber der See ist leer.\nUnd 1984? [[ <b> 你好。\n"
+SCRIPT_TABLE = "a.wav\tEs regnet.\nfolder/b.wav\tDer See ist leer.\na.wav\tUnd 1984?\n"
+SAID = Utterance(
+    (
+        Word("你好", (timed_syllable("ni3", 0.1, 0.2, 0.3), timed_syllable("hao3", 0.3, 0.4, 0.7))),
+        Word("so", (Syllable((Phone(0.9, 1.0, "s", Phoneme.SZ), Phone(1.0, 1.4, "oʊ", Phoneme.O))),)),
+    ),
+    2.0,
+)
 
 
 @dataclass(frozen=True)
@@ -74,6 +99,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
     save_model(tone_model({1000.0: Phoneme.A}, n_heads=1), model)
     presets = tuple((FACTORY / f"{name}.toml").read_bytes() for name in ("thesis", "extended"))
     tables = tuple((TABLES / f"{name}.toml").read_bytes() for name in ("five", "eleven"))
+    utterances = tuple(format_utterance(SAID, silence).encode() for silence in ("", "sil"))
     old = (b"0,0,5,7,0\n" + b"1,2,3,4\n" * 4,)
     return {
         "3dm": Kind((format_3dm(face), format_3dm(morph_targets_of(morph_mesh.mesh, []))), _morph_3dm, head=10),
@@ -96,6 +122,10 @@ def kinds(folder: Path) -> dict[str, Kind]:
         ),
         "performed labels": Kind((_labels(),), _through(folder / "a.TextGrid", _performed)),
         "performance table": Kind((_table(folder / "good.sqlite"),), _through(folder / "t.sqlite", _looked_through)),
+        "lexicon": Kind((LEXICON.encode(),), _through(folder / "lexicon.toml", _say_lexicon)),
+        "lexicon as table": Kind((LEXICON_ROWS.encode(),), _through(folder / "lexicon.csv", _say_lexicon)),
+        "script": Kind((SCRIPT.encode(), SCRIPT_TABLE.encode()), _through(folder / "script.txt", _find_texts)),
+        "utterance": Kind(utterances, _through(folder / "said.TextGrid", lambda path: read_utterance(path, 2.0))),
         "phonemedata": Kind(old, _through(folder / "old.phonemedata", load_preset)),
         "npz": Kind((model.read_bytes(),), _through(folder / "model.npz", load_model)),
         "arrays in npz": Kind(_members(model), _through(folder / "model.npz", load_model), _Zipped(model), head=128),
@@ -110,6 +140,19 @@ def _morph_3dm(content: bytes) -> object:
     for state in fitting:
         states.set_percentage(state.name, 100)
     return states.morphed()
+
+
+def _say_lexicon(path: Path) -> object:
+    """Read a lexicon, and ask a voice for what it says."""
+    spellings = load_lexicon(path).spellings.values()
+    return [respelt(ipa, language_of("de")) for variants in spellings for ipa in variants]
+
+
+def _find_texts(path: Path) -> object:
+    """Read a script, and look for the texts of two sounds."""
+    script = load_script(path)
+    texts, _notes = script.texts_of([Path("a.wav"), Path("folder/b.wav")][: 2 if script.texts else 1])
+    return [notes_on(text, "de") for text in texts.values()]
 
 
 def _through(path: Path, read: Callable[[Path], object]) -> Read:

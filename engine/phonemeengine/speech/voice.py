@@ -4,49 +4,32 @@ Two calls with the same text differ by some milliseconds, so times are never tak
 sentence by sentence, a Chinese one clause by clause, so that a long one needs no more memory than a short one.
 """
 
-from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import takewhile
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array, Int16Array
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import TextError, VoiceError
-from phonemeengine.labels.phone_sets import ipa_phoneme
-from phonemeengine.labels.pinyin import onset_and_rime, timed_syllable
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word, shifted
+from phonemeengine.labels.utterance import Utterance, Word, shifted
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.speech.closures import STOPS, closure_before
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
+from phonemeengine.speech.pinyin.timing import USUAL_RATE
+from phonemeengine.speech.synthesis import SpokenTokens, Token, speak_tokens
 from phonemeengine.text import mandarin
 from phonemeengine.text.clauses import clauses_of, sentences_of, tokens_of
 from phonemeengine.text.cleaning import speakable
-from phonemeengine.text.espeak import (
-    VOICE_RATE,
-    Event,
-    EventKind,
-    Language,
-    check_voice,
-    language_of,
-    stress_of,
-    symbols_of,
-    synthesise,
-)
+from phonemeengine.text.espeak import VOICE_RATE, Language, check_voice, language_of
 from phonemeengine.text.lexicon import Lexicon
-from phonemeengine.text.pronunciation import MARKS, check_script, separator_of
-from phonemeengine.text.respelling import PHONEMES, respelt
-from phonemeengine.text.syllables import is_vowel, syllables_of
+from phonemeengine.text.pronunciation import MARKS, check_script
+from phonemeengine.text.respelling import respelt
 
-USUAL_RATE = 4.0
-"""Syllables a second, unless told otherwise."""
 RATES = ((1.6, 80), (2.4, 120), (3.35, 160), (3.7, 175), (4.9, 220), (7.3, 300), (9.5, 450))
 """Syllables a second, measured, and the words a minute that are asked of the synthesizer for them."""
 SENTENCE_PAUSE = 1.2
 """Silence after a sentence, in syllables: 0.3 s at the usual rate."""
-LEAST_CLOSURE = 0.2
-"""Share of an affricate that its closure has at least where it was found in the sound; else it has half."""
 _ASCII_MARKS = str.maketrans("。？！；：，、", ".?!;:,,")
 
 
@@ -120,48 +103,28 @@ class Voice:
         language = language_of(self.language)
         check_voice(self.name)
         cleaned = speakable(text).text
-        if language.tag in {*mandarin.TAGS, mandarin.PINYIN_TAG}:
+        if language.tag in mandarin.TAGS:
             table = self.pinyin_table or load_pinyin_table()
             return _with_words(self._said_in_chinese(clause, language, table) for clause in clauses_of(cleaned))
         check_script(cleaned, language)
         return _with_words(self._said(sentence, language) for sentence in sentences_of(cleaned))
 
     def _said(self, sentence: str, language: Language) -> SpokenSentence:
-        tokens = [_Token(word.strip(MARKS) or word, word) for word in tokens_of(sentence)]
-        call = self._call(tokens, language)
-        return _ended([call], sentence, SENTENCE_PAUSE / self.rate)
+        tokens = [Token(word.strip(MARKS) or word, word) for word in tokens_of(sentence)]
+        return _ended([self._call(tokens, language)], sentence, SENTENCE_PAUSE / self.rate)
 
     def _said_in_chinese(self, clause: str, language: Language, table: PinyinTable) -> SpokenSentence:
-        read = mandarin.read_pinyin if language.tag == mandarin.PINYIN_TAG else mandarin.read
-        parts = list(read(clause))
+        parts = list(mandarin.read(clause, language.tag))
         calls = [self._call(tokens, of) for tokens, of in _runs_of(parts)]
         sentence = _ended(calls, clause, _weight_of(clause, table) * table.pause / self.rate)
         unread = (part.text for part in parts if isinstance(part, mandarin.PinyinWord) and not part.syllables)
         return replace(sentence, skipped=tuple(unread))
 
-    def _call(self, tokens: Sequence["_Token"], language: Language) -> "_Call":
-        """Have the synthesizer speak words in one call."""
+    def _call(self, tokens: Sequence[Token], language: Language) -> SpokenTokens:
         tokens = [self._as_lexicon_has(token, language) for token in tokens]
-        text, starts = "", []
-        for token in tokens:
-            starts.append(len(text))
-            separator = "" if token.spelt.startswith(PHONEMES) else separator_of(language)
-            text += f"{separator}{token.spelt} "
-        blocks: list[Int16Array] = []
-        events: list[Event] = []
+        return speak_tokens(tokens, language, self.name, self._words_a_minute)
 
-        def hear(samples: Int16Array, begun: tuple[Event, ...]) -> bool:
-            blocks.append(samples)
-            events.extend(begun)
-            return True
-
-        phonemes = PHONEMES in text
-        synthesise(text.rstrip(), language, hear, voice=self.name, rate=self._words_a_minute, phonemes=phonemes)
-        samples = np.concatenate(blocks) if blocks else np.zeros(0, np.int16)
-        words = tuple(_words_of(tokens, _timed(events, samples, starts, len(tokens))))
-        return _Call(samples, words, tuple(token.text for token in tokens if token.unheeded))
-
-    def _as_lexicon_has(self, token: "_Token", language: Language) -> "_Token":
+    def _as_lexicon_has(self, token: Token, language: Language) -> Token:
         """Return a word spelt as the lexicon has it, where it is there and the voice has such sounds."""
         spellings = self.lexicon.spellings.get(token.text.casefold(), ())
         respellings = () if token.pinyin else (respelt(ipa, language) for ipa in spellings)
@@ -207,46 +170,7 @@ def _with_words(sentences: Iterator[SpokenSentence]) -> Iterator[SpokenSentence]
         raise TextError("the voice has no sounds for this text; check its language")
 
 
-@dataclass(frozen=True)
-class _Token:
-    """What the synthesizer takes for a word.
-
-    Attributes
-    ----------
-    text : of the word it belongs to.
-    spelt : for the synthesizer, with the marks around it.
-    pinyin : of a Chinese syllable.
-    continues : whether it belongs to the word of the token before it.
-    unheeded : whether the lexicon has it otherwise than it can be said.
-    """
-
-    text: str
-    spelt: str
-    pinyin: str = ""
-    continues: bool = False
-    unheeded: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class _Call:
-    """What one call gave: samples at `VOICE_RATE`, words in seconds, and those that the lexicon has otherwise."""
-
-    samples: Int16Array
-    words: tuple[Word, ...]
-    unheeded: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class _Timed:
-    """A phone with its times, seconds, and stress."""
-
-    ipa: str
-    start: float
-    end: float
-    stress: int = 0
-
-
-def _ended(calls: Sequence[_Call], text: str, pause: float) -> SpokenSentence:
+def _ended(calls: Sequence[SpokenTokens], text: str, pause: float) -> SpokenSentence:
     """Join what several calls gave, at 44.1 kHz, and add silence."""
     words: list[Word] = []
     n = 0
@@ -268,90 +192,22 @@ def _weight_of(clause: str, table: PinyinTable) -> float:
     return max(map(table.pause_at, last), default=0.0)
 
 
-def _runs_of(parts: Sequence["mandarin.PinyinWord | str"]) -> Iterator[tuple[list[_Token], Language]]:
+def _runs_of(parts: Sequence["mandarin.PinyinWord | str"]) -> Iterator[tuple[list[Token], Language]]:
     """Return Chinese words, and those of other scripts, in runs that one call can speak; marks end a run."""
-    run: list[_Token] = []
+    run: list[Token] = []
     chinese, english = language_of(mandarin.PINYIN_TAG), language_of("en-us")
     for part in parts:
         if isinstance(part, mandarin.PinyinWord):
             run += (
-                _Token(part.text, mandarin.spelt_for_voice(pinyin), pinyin, k > 0)
+                Token(part.text, mandarin.spelt_for_voice(pinyin), pinyin, k > 0)
                 for k, pinyin in enumerate(part.syllables)
             )
         elif part[0].isalnum():
             if run:
                 yield run, chinese
             run = []
-            yield [_Token(part.strip(MARKS), part)], english
+            yield [Token(part.strip(MARKS), part)], english
         elif run and (mark := part.translate(_ASCII_MARKS)) in {".", "?", "!", ";", ":", ","}:
             run[-1] = replace(run[-1], spelt=run[-1].spelt + mark)
     if run:
         yield run, chinese
-
-
-def _timed(events: Sequence[Event], samples: Int16Array, starts: Sequence[int], n_tokens: int) -> list[list[_Timed]]:
-    """Return the phones of each token, with times; those of stops begin with their closure."""
-    found: list[list[_Timed]] = [[] for _ in range(n_tokens)]
-    phones = [event for event in events if event.kind is EventKind.PHONE]
-    bursts = [min(event.sample, len(samples)) for event in phones]
-    begins = [_begin(bursts[max(k - 1, 0)], bursts[k], event, samples) for k, event in enumerate(phones)]
-    for event, begin, burst, end in zip(phones, begins, bursts, [*begins[1:], len(samples)], strict=False):
-        token = max(0, bisect_right(starts, event.position) - 1)
-        symbols = symbols_of(event.name)
-        if symbols and end > begin:
-            found[token] += _shared(symbols, begin, burst, end, stress_of(event.name))
-    return found
-
-
-def _begin(before: int, burst: int, event: Event, samples: Int16Array) -> int:
-    """Return the sample at which a phone begins: that of its event, or for a stop, of its closure."""
-    symbols = symbols_of(event.name)
-    return burst - (closure_before(samples, before, burst, symbols[0]) if symbols else 0)
-
-
-def _shared(symbols: Sequence[str], begin: int, burst: int, end: int, stress: int) -> Iterator[_Timed]:
-    """Share the samples of one sound among its symbols: equally; an affricate's closure ends where it bursts."""
-    borders = [begin + (end - begin) * k // len(symbols) for k in range(len(symbols) + 1)]
-    if symbols[0] in STOPS and len(symbols) == 2 and LEAST_CLOSURE * (end - begin) < burst - begin < end - begin:
-        borders[1] = burst
-    for symbol, first, last in zip(symbols, borders, borders[1:], strict=False):
-        yield _Timed(symbol, first / VOICE_RATE, last / VOICE_RATE, stress if is_vowel(symbol) else 0)
-
-
-def _words_of(tokens: Sequence[_Token], timed: Sequence[list[_Timed]]) -> Iterator[Word]:
-    """Return the words that tokens make, without those that made no sound."""
-    words: list[Word] = []
-    for token, phones in zip(tokens, timed, strict=True):
-        syllables = tuple(_syllables(token, phones)) if phones else ()
-        if token.continues and words:
-            words[-1] = replace(words[-1], syllables=words[-1].syllables + syllables)
-        else:
-            words.append(Word(token.text, syllables))
-    return (word for word in words if word.syllables)
-
-
-def _syllables(token: _Token, phones: Sequence[_Timed]) -> Iterator[Syllable]:
-    if token.pinyin:
-        yield _chinese_syllable(token.pinyin, phones)
-        return
-    rest = iter(phones)
-    for syllable in syllables_of([phone.ipa for phone in phones], [phone.stress for phone in phones]):
-        own = (next(rest) for _ in syllable.phones)
-        yield Syllable(tuple(Phone(x.start, x.end, x.ipa, ipa_phoneme(x.ipa)) for x in own), syllable.stress)
-
-
-def _chinese_syllable(sound: str, phones: Sequence[_Timed]) -> Syllable:
-    """Return a syllable of pinyin with the times of what the voice made of it.
-
-    The voice has names of its own, so only where consonants end and vowels begin is taken from it, unless it has as
-    many phones.
-    """
-    names = mandarin.syllable_of(sound).phones
-    if len(names) == len(phones):
-        pairs = zip(names, phones, strict=True)
-        return Syllable(tuple(Phone(x.start, x.end, ipa, ipa_phoneme(ipa)) for ipa, x in pairs), text=sound)
-    start, end = phones[0].start, phones[-1].end
-    turn = next((phone.start for phone in phones if is_vowel(phone.ipa)), start)
-    if turn == start:
-        turn += (end - start) * len(onset_and_rime(sound[:-1])[0]) / len(names)
-    return timed_syllable(sound, start, turn, end)

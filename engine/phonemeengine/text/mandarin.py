@@ -16,10 +16,10 @@ from phonemeengine.text.chinese_numbers import NUMBER, read_number, to_ascii_dig
 from phonemeengine.text.simplified import simplified
 from phonemeengine.text.syllables import SpokenSyllable
 
-TAGS = frozenset({"cmn", "zh", "zh-cmn"})
-"""Tags of the language in its own characters."""
 PINYIN_TAG = "cmn-latn-pinyin"
 """Tag of the language in pinyin."""
+TAGS = frozenset({"cmn", "zh", "zh-cmn", PINYIN_TAG})
+"""Tags of the language, in its own characters or in pinyin."""
 
 _CHARACTERS = "\u3007\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufaff\U00020000-\U0003ffff"
 HANZI = f"[{_CHARACTERS}]"
@@ -52,7 +52,17 @@ class PinyinWord:
     syllables: tuple[str, ...]
 
 
-def read(text: str) -> Iterator[PinyinWord | str]:
+def read(text: str, tag: str) -> Iterator[PinyinWord | str]:
+    """Return what a text of the language of a tag is made of, in its own characters or in pinyin, in order.
+
+    Raises
+    ------
+    VoiceError : pypinyin is not installed.
+    """
+    return read_pinyin(text) if tag == PINYIN_TAG else read_characters(text)
+
+
+def read_characters(text: str) -> Iterator[PinyinWord | str]:
     """Return what a Chinese text is made of, in order: characters, numbers, and as text other words and marks.
 
     Raises

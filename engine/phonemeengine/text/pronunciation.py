@@ -76,7 +76,7 @@ def words_of(text: str, language: str | None, lexicon: Lexicon | None = None) ->
     VoiceError : the library of voices is missing or broken.
     """
     known, lexicon, cleaned = language_of(language), lexicon or Lexicon(), speakable(text).text
-    if known.tag in {*mandarin.TAGS, mandarin.PINYIN_TAG}:
+    if known.tag in mandarin.TAGS:
         reader: _WordReader | _MandarinReader = _MandarinReader(known, lexicon)
     else:
         check_script(cleaned, known)
@@ -132,12 +132,12 @@ class _MandarinReader:
     """Reads Chinese, by characters or pinyin; words of other scripts are read as English."""
 
     def __init__(self, language: Language, lexicon: Lexicon) -> None:
-        self._read = mandarin.read_pinyin if language.tag == mandarin.PINYIN_TAG else mandarin.read
+        self._tag = language.tag
         self._lexicon = lexicon
         self._english = _WordReader(language_of("en-us"), lexicon)
 
     def words_of(self, clause: str) -> Iterator[ScriptWord]:
-        for word in self._read(clause):
+        for word in mandarin.read(clause, self._tag):
             if isinstance(word, str):
                 yield from self._english.words_of(word)
             elif word.syllables:
@@ -207,7 +207,7 @@ def _distinct(variants: Sequence[tuple[SpokenSyllable, ...]]) -> list[tuple[Spok
 
 def _spelt_words(text: str, language: Language) -> tuple[str, ...]:
     """Return the words of a text that a voice spells; of each script it is asked for one of them."""
-    if language.tag in {*mandarin.TAGS, mandarin.PINYIN_TAG}:
+    if language.tag in mandarin.TAGS:
         text, language = re.sub(mandarin.HANZI, " ", text), language_of("en-us")
     by_script: dict[str, list[str]] = defaultdict(list)
     for word in dict.fromkeys(_LETTERS.findall(text)):

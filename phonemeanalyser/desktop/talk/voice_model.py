@@ -10,7 +10,8 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.errors import VoiceError
-from phonemeengine.speech.voice import RATES, USUAL_RATE
+from phonemeengine.speech.pinyin.timing import USUAL_RATE
+from phonemeengine.speech.voice import RATES
 from phonemeengine.text import mandarin
 from phonemeengine.text.espeak import Language, languages, voices
 from phonemeengine.text.lexicon import Lexicon

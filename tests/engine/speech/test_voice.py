@@ -18,7 +18,8 @@ from phonemeengine import (
     speak,
 )
 from phonemeengine.arrays import Float32Array
-from phonemeengine.speech.voice import SENTENCE_PAUSE, USUAL_RATE
+from phonemeengine.speech.pinyin.timing import USUAL_RATE
+from phonemeengine.speech.voice import SENTENCE_PAUSE
 from phonemeengine.text.pronunciation import words_of
 
 ENGLISH = Voice("en-us")

@@ -5,7 +5,7 @@ from pypinyin.contrib.tone_convert import to_tone3
 from phonemeengine.labels.phone_sets import ipa_class
 from phonemeengine.text.chinese_numbers import read_number
 from phonemeengine.text.espeak import Event, EventKind, language_of, synthesise
-from phonemeengine.text.mandarin import PinyinWord, read, read_pinyin, spelt_for_voice, syllable_of
+from phonemeengine.text.mandarin import PinyinWord, read_characters, read_pinyin, spelt_for_voice, syllable_of
 from phonemeengine.text.pronunciation import words_of
 
 FIRST, LAST = 0x4E00, 0x9FFF
@@ -54,7 +54,7 @@ def test_syllables_sound_as_the_phonetician_says(pinyin: str, phones: str) -> No
 
 
 def test_characters_with_several_readings_come_right_in_their_phrase() -> None:
-    words = [word for word in read("银行长大还钱音乐") if isinstance(word, PinyinWord)]
+    words = [word for word in read_characters("银行长大还钱音乐") if isinstance(word, PinyinWord)]
     assert [word.syllables[0] for word in words] == [
         "yin2",
         "hang2",
@@ -68,11 +68,15 @@ def test_characters_with_several_readings_come_right_in_their_phrase() -> None:
 
 
 def test_words_of_other_scripts_and_marks_are_left_as_they_are() -> None:
-    assert [word for word in read("说hello world，好") if isinstance(word, str)] == ["hello", "world", "，"]
+    assert [word for word in read_characters("说hello world，好") if isinstance(word, str)] == [
+        "hello",
+        "world",
+        "，",
+    ]
 
 
 def test_a_number_is_one_word_of_several_syllables() -> None:
-    (year, *_) = read("2024年")
+    (year, *_) = read_characters("2024年")
     assert year == PinyinWord("2024年", ("er4", "ling2", "er4", "si4", "nian2"))
 
 

@@ -1,0 +1,167 @@
+"""One call of the synthesizer: words go in, and their sound and their times come out, from one and the same call."""
+
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from phonemeengine.arrays import Int16Array
+from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.labels.pinyin import onset_and_rime, timed_syllable
+from phonemeengine.labels.utterance import Phone, Syllable, Word
+from phonemeengine.speech.closures import STOPS, closure_before
+from phonemeengine.text import mandarin
+from phonemeengine.text.espeak import VOICE_RATE, Event, EventKind, Language, stress_of, symbols_of, synthesise
+from phonemeengine.text.pronunciation import separator_of
+from phonemeengine.text.respelling import PHONEMES
+from phonemeengine.text.syllables import is_vowel, syllables_of
+
+LEAST_CLOSURE = 0.2
+"""Share of an affricate that its closure has at least where it was found in the sound; else it has half."""
+
+
+@dataclass(frozen=True)
+class Token:
+    """What the synthesizer takes for a word.
+
+    Attributes
+    ----------
+    text : of the word it belongs to.
+    spelt : for the synthesizer, with the marks around it.
+    pinyin : of a Chinese syllable.
+    continues : whether it belongs to the word of the token before it.
+    unheeded : whether the lexicon has it otherwise than it can be said.
+    """
+
+    text: str
+    spelt: str
+    pinyin: str = ""
+    continues: bool = False
+    unheeded: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class SpokenTokens:
+    """What one call gave: samples at `VOICE_RATE`, words in seconds, and those that the lexicon has otherwise."""
+
+    samples: Int16Array
+    words: tuple[Word, ...]
+    unheeded: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Timed:
+    """A phone with its times, seconds, and stress."""
+
+    ipa: str
+    start: float
+    end: float
+    stress: int = 0
+
+
+def speak_tokens(tokens: Sequence[Token], language: Language, voice: str, words_a_minute: int) -> SpokenTokens:
+    """Have the synthesizer speak words in one call.
+
+    Parameters
+    ----------
+    tokens : the words.
+    language : of all of them.
+    voice : one of `voices`; the language's own where it is empty.
+    words_a_minute : 80..450.
+
+    Raises
+    ------
+    VoiceError : the library fails.
+    """
+    text, starts = _text_of(tokens, language)
+    blocks = [np.zeros(0, np.int16)]
+    events: list[Event] = []
+
+    def hear(samples: Int16Array, begun: tuple[Event, ...]) -> bool:
+        blocks.append(samples)
+        events.extend(begun)
+        return True
+
+    synthesise(text, language, hear, voice=voice, rate=words_a_minute, phonemes=PHONEMES in text)
+    samples = np.concatenate(blocks)
+    words = tuple(_words_of(tokens, _timed(events, samples, starts, len(tokens))))
+    return SpokenTokens(samples, words, tuple(token.text for token in tokens if token.unheeded))
+
+
+def _text_of(tokens: Sequence[Token], language: Language) -> tuple[str, list[int]]:
+    """Return what the synthesizer is given, and where in it each token begins."""
+    text, starts = "", []
+    for token in tokens:
+        starts.append(len(text))
+        separator = "" if token.spelt.startswith(PHONEMES) else separator_of(language)
+        text += f"{separator}{token.spelt} "
+    return text.rstrip(), starts
+
+
+def _timed(events: Sequence[Event], samples: Int16Array, starts: Sequence[int], n_tokens: int) -> list[list[_Timed]]:
+    """Return the phones of each token, with times; those of stops begin with their closure."""
+    found: list[list[_Timed]] = [[] for _ in range(n_tokens)]
+    phones = [event for event in events if event.kind is EventKind.PHONE]
+    bursts = [min(event.sample, len(samples)) for event in phones]
+    begins = [_begin(bursts[max(k - 1, 0)], bursts[k], event, samples) for k, event in enumerate(phones)]
+    for event, begin, burst, end in zip(phones, begins, bursts, [*begins[1:], len(samples)], strict=False):
+        token = max(0, bisect_right(starts, event.position) - 1)
+        symbols = symbols_of(event.name)
+        if symbols and end > begin:
+            found[token] += _shared(symbols, begin, burst, end, stress_of(event.name))
+    return found
+
+
+def _begin(before: int, burst: int, event: Event, samples: Int16Array) -> int:
+    """Return the sample at which a phone begins: that of its event, or for a stop, of its closure."""
+    symbols = symbols_of(event.name)
+    return burst - (closure_before(samples, before, burst, symbols[0]) if symbols else 0)
+
+
+def _shared(symbols: Sequence[str], begin: int, burst: int, end: int, stress: int) -> Iterator[_Timed]:
+    """Share the samples of one sound among its symbols: equally; an affricate's closure ends where it bursts."""
+    borders = [begin + (end - begin) * k // len(symbols) for k in range(len(symbols) + 1)]
+    if symbols[0] in STOPS and len(symbols) == 2 and LEAST_CLOSURE * (end - begin) < burst - begin < end - begin:
+        borders[1] = burst
+    for symbol, first, last in zip(symbols, borders, borders[1:], strict=False):
+        yield _Timed(symbol, first / VOICE_RATE, last / VOICE_RATE, stress if is_vowel(symbol) else 0)
+
+
+def _words_of(tokens: Sequence[Token], timed: Sequence[list[_Timed]]) -> Iterator[Word]:
+    """Return the words that tokens make, without those that made no sound."""
+    words: list[Word] = []
+    for token, phones in zip(tokens, timed, strict=True):
+        syllables = tuple(_syllables(token, phones)) if phones else ()
+        if token.continues and words:
+            words[-1] = replace(words[-1], syllables=words[-1].syllables + syllables)
+        else:
+            words.append(Word(token.text, syllables))
+    return (word for word in words if word.syllables)
+
+
+def _syllables(token: Token, phones: Sequence[_Timed]) -> Iterator[Syllable]:
+    if token.pinyin:
+        yield _chinese_syllable(token.pinyin, phones)
+        return
+    rest = iter(phones)
+    for syllable in syllables_of([phone.ipa for phone in phones], [phone.stress for phone in phones]):
+        own = (next(rest) for _ in syllable.phones)
+        yield Syllable(tuple(Phone(x.start, x.end, x.ipa, ipa_phoneme(x.ipa)) for x in own), syllable.stress)
+
+
+def _chinese_syllable(sound: str, phones: Sequence[_Timed]) -> Syllable:
+    """Return a syllable of pinyin with the times of what the voice made of it.
+
+    The voice has names of its own, so only where consonants end and vowels begin is taken from it, unless it has as
+    many phones.
+    """
+    names = mandarin.syllable_of(sound).phones
+    if len(names) == len(phones):
+        pairs = zip(names, phones, strict=True)
+        return Syllable(tuple(Phone(x.start, x.end, ipa, ipa_phoneme(ipa)) for ipa, x in pairs), text=sound)
+    start, end = phones[0].start, phones[-1].end
+    turn = next((phone.start for phone in phones if is_vowel(phone.ipa)), start)
+    if turn == start:
+        turn += (end - start) * len(onset_and_rime(sound[:-1])[0]) / len(names)
+    return timed_syllable(sound, start, turn, end)
