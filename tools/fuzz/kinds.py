@@ -16,6 +16,10 @@ from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.mouth.exports.livelink import lines_of
+from phonemeengine.mouth.expression.channels import SHIPPED as CHANNELS
+from phonemeengine.mouth.expression.channels import load_channels
+from phonemeengine.mouth.expression.streams import SHIPPED as EXPRESSIONS
+from phonemeengine.mouth.expression.streams import load_expressions
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
@@ -112,6 +116,8 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "toml": Kind(presets, _through(folder / "preset.toml", load_preset)),
         "mouth table": Kind(tables, _through(folder / "table.toml", load_table)),
         "pinyin table": Kind((USUAL_PINYIN_TABLE.read_bytes(),), _through(folder / "pinyin.toml", load_pinyin_table)),
+        "expression channels": Kind((CHANNELS.read_bytes(),), _through(folder / "channels.toml", load_channels)),
+        "expressions": Kind((EXPRESSIONS.read_bytes(),), _through(folder / "expressions.toml", load_expressions)),
         "key words": Kind((USUAL_KEYWORDS.read_bytes(),), _through(folder / "keywords.toml", load_keywords)),
         "poses": Kind((USUAL_POSES.read_bytes(),), _through(folder / "poses.toml", load_poses)),
         "live link": Kind((_livelink(),), _through(folder / "a.csv", read_livelink)),
