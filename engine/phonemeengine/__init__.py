@@ -165,6 +165,8 @@ _PAGE = {
     "performance.making": "MadeCorpus make_corpus",
     # A sentence that they say
     "performance.track": "PerformanceTrack face_table format_units",
+    "performance.original": "RecordedFace original_sound",
+    "performance.spoken_face": "SpokenFace",
     "performance.driver": "PerformanceOptions PerformancePart UsedUnit",
     "performance.choice": "ExampleChoice",
     "performance.poses": "Pose PoseTable load_poses",

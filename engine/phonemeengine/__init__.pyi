@@ -85,9 +85,11 @@ from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceOptions, PerformancePart, UsedUnit
 from phonemeengine.performance.keywords import Gesture, Keywords, load_keywords
 from phonemeengine.performance.making import MadeCorpus, make_corpus
+from phonemeengine.performance.original import RecordedFace, original_sound
 from phonemeengine.performance.phrases import Phrase, PhraseIndex, PhraseMatch, PhraseMatchKind, phrases_of
 from phonemeengine.performance.poses import Pose, PoseTable, load_poses
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
+from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.performance.table_file import Example, PerformanceTable, TableAbout, write_table
 from phonemeengine.performance.track import PerformanceTrack, face_table, format_units
 from phonemeengine.performance.units import Unit, UnitKind, units_of
@@ -249,6 +251,7 @@ __all__ = [
     "RecogniserError",
     "RecogniserSpec",
     "Recognition",
+    "RecordedFace",
     "Recorder",
     "RecordingError",
     "Rule",
@@ -262,6 +265,7 @@ __all__ = [
     "Sound",
     "SoundReader",
     "Spectrum",
+    "SpokenFace",
     "SpokenSentence",
     "SpokenSyllable",
     "SpokenText",
@@ -328,6 +332,7 @@ __all__ = [
     "movestate_of",
     "normalise",
     "notes_on",
+    "original_sound",
     "phones_of",
     "phrases_of",
     "pinyin_track",

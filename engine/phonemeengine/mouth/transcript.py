@@ -66,15 +66,27 @@ class Transcript:
 
 
 class Prosody:
-    """How loud and high a sound is, from its consecutive analyses, of which nothing else is kept."""
+    """How loud and high a sound is, from its consecutive analyses, of which nothing else is kept.
+
+    Attributes
+    ----------
+    first : the number of the first frame that is not forgotten.
+    """
 
     def __init__(self) -> None:
+        self.first = 0
         self._intensities, self._pitches = [NOTHING], [NOTHING]
 
     def add(self, analysis: Analysis) -> None:
         """Take the next one."""
         self._intensities.append(analysis.intensities)
         self._pitches.append(np.array(analysis.features.values[:, F0], np.float32))
+
+    def forget(self, frame: int) -> None:
+        """Forget all frames before one."""
+        n = max(0, frame - self.first)
+        self._intensities, self._pitches = [self.intensities[n:]], [self.pitches[n:]]
+        self.first += n
 
     @property
     def intensities(self) -> Float32Array:

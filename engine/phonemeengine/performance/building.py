@@ -52,7 +52,7 @@ def build_table(
     """
     corpus = find_recordings(Path(folder))
     reading = _CorpusReading(corpus, progress)
-    about = write_table(path, reading.performances(), name=name or corpus.name)
+    about = write_table(path, reading.performances(), name=name or corpus.name, folder=folder)
     return BuiltTable(about, tuple(reading.left_out), (*corpus.notes, *reading.notes))
 
 

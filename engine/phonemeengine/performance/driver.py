@@ -94,7 +94,7 @@ class PerformanceDriver:
 
     Parameters
     ----------
-    table : recorded performances; it stays open as long as this is used, by one thread at a time.
+    table : recorded performances; it stays open as long as this is used.
     options : how they are performed.
 
     Raises

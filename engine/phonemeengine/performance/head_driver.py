@@ -37,7 +37,7 @@ class HeadDriver:
 
     Parameters
     ----------
-    table : recorded performances; it stays open as long as this is used, by one thread at a time.
+    table : recorded performances; it stays open as long as this is used.
     words : of the text, by the numbers that phones have.
     language : its tag, such as ``en-us``; in one that nobody knows, words have no gestures.
     keywords : words with gestures, and conjunctions; those that ship, where it is None.

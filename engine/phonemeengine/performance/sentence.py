@@ -1,5 +1,6 @@
 """Sentences that are to be performed: what is said in a sound, with how loud and how high each phone is."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -7,7 +8,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.mouth.transcript import Prosody, Transcript
 from phonemeengine.performance.recording import SILENCE, PerformedPhone, phones_of
 from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
 
@@ -18,7 +19,7 @@ Sentence = tuple[PerformedPhone, ...]
 """Phones in order of time, without gaps; the first and the last are silence."""
 
 
-def performed_phones(utterance: Utterance, speech: Transcript) -> Sentence:
+def performed_phones(utterance: Utterance, speech: Prosody | Transcript) -> Sentence:
     """Return the phones of an utterance, with silence before and after them and in pauses.
 
     Parameters
@@ -26,11 +27,13 @@ def performed_phones(utterance: Utterance, speech: Transcript) -> Sentence:
     utterance : what is said; p and b begin where the lips close, as voices and alignments have it.
     speech : how loud and high it is. Levels are as if its preset had the usual range of intensities.
     """
+    first = speech.first if isinstance(speech, Prosody) else 0
+    intensities, pitches = speech.intensities, speech.pitches
     return tuple(
         replace(
             phone,
-            energy=_level(_frames_of(phone, speech.intensities)),
-            pitch=_middle(_frames_of(phone, speech.pitches)),
+            energy=_level(_frames_of(phone, intensities, first)),
+            pitch=_middle(_frames_of(phone, pitches, first)),
         )
         for phone in phones_of(utterance)
     )
@@ -43,9 +46,15 @@ def sentences_in(phones: Sentence) -> tuple[Sentence, ...]:
     return tuple(phones[first : last + 1] for first, last in pairwise(bounds)) or (phones,)
 
 
-def _frames_of(phone: PerformedPhone, values: Float32Array) -> Float32Array:
-    first = int(phone.start / FRAME_PERIOD)
-    return values[first : max(first + 1, round(phone.end / FRAME_PERIOD))]
+def joined(sentences: Sequence[Sentence]) -> Sentence:
+    """Return sentences as one; neighbours share a pause."""
+    return sentences[0] + tuple(phone for sentence in sentences[1:] for phone in sentence[1:])
+
+
+def _frames_of(phone: PerformedPhone, values: Float32Array, first: int) -> Float32Array:
+    """Return the frames of a phone, of values whose first frame has a number."""
+    start = max(0, int(phone.start / FRAME_PERIOD) - first)
+    return values[start : max(start + 1, round(phone.end / FRAME_PERIOD) - first)]
 
 
 def _level(intensities: Float32Array) -> float:

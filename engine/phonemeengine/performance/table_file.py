@@ -7,6 +7,8 @@ was made by the very words below: what a stranger's database would compute is ne
 
 import os
 import sqlite3
+import threading
+import weakref
 from collections import OrderedDict
 from collections.abc import Iterable, Iterator
 from contextlib import closing, contextmanager
@@ -57,6 +59,7 @@ _EXAMPLES = "SELECT recording, first, last, duration FROM unit WHERE item = ? AN
 _BEFORE = _EXAMPLES + "duration < ? ORDER BY duration DESC LIMIT ?"
 _FROM = _EXAMPLES + "duration >= ? ORDER BY duration LIMIT ?"
 _PHONES = 'SELECT recording, start, middle, "end", name, word, syllable, stress, energy, pitch FROM phone '
+_WRONG_SIZES = "SELECT id FROM recording WHERE length(weights) != n_frames * ? LIMIT 1"
 _WITHIN = _EXAMPLES + "duration BETWEEN ? AND ? ORDER BY duration"
 
 
@@ -77,6 +80,7 @@ class TableAbout:
     duration : of all of them, seconds.
     channels : the names of the columns of their weights.
     rate : frames a second of all of them.
+    folder : where the recordings were found, beside the table; empty where that is not known.
     """
 
     name: str
@@ -85,6 +89,7 @@ class TableAbout:
     duration: float
     channels: tuple[str, ...]
     rate: float
+    folder: str = ""
 
 
 @dataclass(frozen=True)
@@ -105,17 +110,23 @@ class Example:
 
 
 class PerformanceTable(Closing):
-    """A table that was written, open to be looked into from one thread at a time.
+    """A table that was written, open to be looked into, by one thread after the other.
+
+    Who does not close it leaves that to the end of its last use.
 
     Attributes
     ----------
+    path : the file.
     about : what it holds.
     """
 
-    def __init__(self, connection: sqlite3.Connection, name: str) -> None:
-        self._connection, self._name = connection, name
+    def __init__(self, connection: sqlite3.Connection, path: str | os.PathLike[str]) -> None:
+        self.path = Path(path)
+        self._connection, self._name = connection, printable_name(self.path)
         self._kept: OrderedDict[int, Performance] = OrderedDict()
-        with _refusing(name):
+        self._lock = threading.RLock()
+        weakref.finalize(self, connection.close)  # who shows a face need not know who shows it, too
+        with self._asking():
             self.about = _about(connection)
 
     @classmethod
@@ -136,25 +147,41 @@ class PerformanceTable(Closing):
         try:
             with _refusing(name):
                 _check(connection)
-            return cls(connection, name)
+            return cls(connection, path)
         except BaseException:
             connection.close()
             raise
 
     def close(self) -> None:
         """Close the file."""
-        self._connection.close()
+        with self._lock:
+            self._connection.close()
+
+    def check(self) -> None:
+        """Read all of it, so that what is damaged is known before it is used; a second for some hours.
+
+        Raises
+        ------
+        PerformanceError : it is damaged.
+        """
+        with self._asking():
+            (words,) = self._connection.execute("PRAGMA quick_check(1)").fetchone()
+            if words != "ok":
+                raise _DamageError(_text(words))
+            wrong = self._connection.execute(_WRONG_SIZES, (2 * len(self.about.channels),)).fetchone()
+            if wrong is not None:
+                raise _DamageError("the weights of a recording do not fit its frames")
 
     def names(self, kind: UnitKind) -> frozenset[tuple[str, ...]]:
         """Return the phones of all units of a set."""
-        with _refusing(self._name):
+        with self._asking():
             rows = self._connection.execute("SELECT key FROM item WHERE kind = ?", (kind.value,))
             return frozenset(tuple(_text(key).split(" ")) for (key,) in rows)
 
     def n_units(self) -> dict[UnitKind, int]:
         """Count the units of each set."""
         query = "SELECT kind, count(*) FROM unit JOIN item ON item = item.id GROUP BY kind"
-        with _refusing(self._name):
+        with self._asking():
             counts = {UnitKind(kind): _whole(count) for kind, count in self._connection.execute(query)}
         return {kind: counts.get(kind, 0) for kind in UnitKind}
 
@@ -165,7 +192,7 @@ class PerformanceTable(Closing):
         ----------
         limit : how many at most.
         """
-        with _refusing(self._name):
+        with self._asking():
             item = self._item(kind, names)
             rows = [
                 _example(row) for query in (_BEFORE, _FROM)
@@ -175,7 +202,7 @@ class PerformanceTable(Closing):
 
     def within(self, kind: UnitKind, names: tuple[str, ...], low: float, high: float) -> tuple[Example, ...]:
         """Return the examples of a unit whose durations lie between two, seconds, the shortest first."""
-        with _refusing(self._name):
+        with self._asking():
             rows = self._connection.execute(_WITHIN, (self._item(kind, names), low, high))
             return tuple(_example(row) for row in rows)
 
@@ -186,26 +213,50 @@ class PerformanceTable(Closing):
         ------
         PerformanceError : there is none of this number, or it is damaged.
         """
-        if number not in self._kept:
-            self._kept[number] = self._read(number)
-            while sum(kept.weights.nbytes for kept in self._kept.values()) > KEPT and len(self._kept) > 1:
-                self._kept.popitem(last=False)
-        self._kept.move_to_end(number)
-        return self._kept[number]
+        with self._lock:
+            if number not in self._kept:
+                self._kept[number] = self._read(number)
+                while sum(kept.weights.nbytes for kept in self._kept.values()) > KEPT and len(self._kept) > 1:
+                    self._kept.popitem(last=False)
+            self._kept.move_to_end(number)
+            return self._kept[number]
+
+    def recording_called(self, name: str) -> Performance:
+        """Return the recording of a name; of several, the first.
+
+        Raises
+        ------
+        PerformanceError : there is none, or it is damaged.
+        """
+        with self._asking():
+            row = self._connection.execute("SELECT min(id) FROM recording WHERE name = ?", (name,)).fetchone()
+            some = self._connection.execute("SELECT name FROM recording ORDER BY id LIMIT 1").fetchone()
+        if row[0] is None:
+            raise PerformanceError(
+                f"{self.about.name}: there is no recording {printable(name[:40])!r} in this table; they are called "
+                f"as their files are, such as {printable(_text(some[0])[:40])!r}"
+            )
+        return self.recording(_whole(row[0]))
 
     def recordings(self) -> Iterator[tuple[int, Performance]]:
         """Return all recordings, each with its number; none is kept."""
-        with _refusing(self._name):
+        with self._asking():
             numbers = [_whole(row[0]) for row in self._connection.execute("SELECT id FROM recording ORDER BY id")]
         return ((number, self._read(number)) for number in numbers)
 
     @cached_property
     def phrases(self) -> PhraseIndex:
         """The phrases of all recordings; they are read when they are first asked for."""
-        with _refusing(self._name):
+        with self._asking():
             rows = self._connection.execute(_PHONES + "ORDER BY recording, k")
             recordings = groupby(rows, key=itemgetter(0))
             return PhraseIndex((_whole(number), [*map(_phone, few)]) for number, few in recordings)
+
+    @contextmanager
+    def _asking(self) -> Iterator[None]:
+        """Let no other thread ask meanwhile, and turn whatever goes wrong into a sentence."""
+        with self._lock, _refusing(self._name):
+            yield
 
     def _item(self, kind: UnitKind, names: tuple[str, ...]) -> int:
         query = "SELECT id FROM item WHERE kind = ? AND key = ?"
@@ -213,7 +264,7 @@ class PerformanceTable(Closing):
         return -1 if row is None else _whole(row[0])
 
     def _read(self, number: int) -> Performance:
-        with _refusing(self._name):
+        with self._asking():
             query = "SELECT name, rate, n_frames, synthetic, words, weights FROM recording WHERE id = ?"
             row = self._connection.execute(query, (number,)).fetchone()
             if row is None:
@@ -229,8 +280,9 @@ class PerformanceTable(Closing):
 
 
 def write_table(
-    path: str | os.PathLike[str], performances: Iterable[Performance], *, name: str | None = None
-) -> TableAbout:
+    path: str | os.PathLike[str], performances: Iterable[Performance], *, name: str | None = None,
+    folder: str | os.PathLike[str] | None = None,
+) -> TableAbout:  # fmt: skip
     """Write a table of performances; what is at `path` stays until the table is complete and on the disk.
 
     One performance after the other is taken, so that a table of any size needs no more memory than its largest one.
@@ -240,6 +292,7 @@ def write_table(
     path : the file.
     performances : with the same rate and channels, at least one.
     name : what the table is called; as the file, where it is None.
+    folder : where the recordings are, so that their sounds are found again.
 
     Raises
     ------
@@ -248,7 +301,8 @@ def write_table(
     path = Path(path)
     try:
         with atomic_write(path, durable=True) as file, closing(_created(file.name)) as connection:
-            _Writing(connection).write(performances, path.stem if name is None else name)
+            place = "" if folder is None else _place_beside(path, folder)
+            _Writing(connection).write(performances, path.stem if name is None else name, place)
             return _about(connection)
     except EngineError:
         raise
@@ -280,8 +334,8 @@ class _Writing:
         self._connection = connection
         self._items: dict[tuple[UnitKind, tuple[str, ...]], int] = {}
 
-    def write(self, performances: Iterable[Performance], name: str) -> None:
-        """Write all of them, and what the table is called."""
+    def write(self, performances: Iterable[Performance], name: str, folder: str) -> None:
+        """Write all of them, what the table is called, and where they were found."""
         first: Performance | None = None
         for number, performance in enumerate(performances, 1):
             first = first or performance
@@ -290,7 +344,7 @@ class _Writing:
         if first is None:
             raise PerformanceError("a table needs at least one recording, found none; name another folder")
         self._connection.executemany("INSERT INTO channel VALUES (?, ?)", enumerate(first.channels))
-        self._connection.execute("INSERT INTO meta VALUES ('name', ?)", (name,))
+        self._connection.executemany("INSERT INTO meta VALUES (?, ?)", (("name", name), ("folder", folder)))
         rows = ((k, kind.value, " ".join(names)) for (kind, names), k in self._items.items())
         self._connection.executemany("INSERT INTO item VALUES (?, ?, ?)", rows)
         self._connection.execute("COMMIT")
@@ -332,6 +386,14 @@ class _Writing:
         return self._items.setdefault((kind, names), len(self._items) + 1)
 
 
+def _place_beside(path: Path, folder: str | os.PathLike[str]) -> str:
+    """Return where a folder lies, from the folder of a file if there is such a way: both may move together."""
+    try:
+        return Path(os.path.relpath(folder, path.absolute().parent)).as_posix()
+    except ValueError:  # on another drive
+        return Path(folder).absolute().as_posix()
+
+
 _MOST = float(np.finfo(np.float16).max)
 
 
@@ -348,7 +410,7 @@ def _refusing(name: str) -> Iterator[None]:
         raise
     except OSError as error:
         raise PerformanceError(f"{name}: it cannot be read ({reason_of(error)}); choose another file") from error
-    except (sqlite3.Error, ValueError, TypeError, OverflowError) as error:
+    except (sqlite3.Error, ValueError, KeyError, TypeError, OverflowError) as error:
         reason = printable(str(error)[:100])
         raise PerformanceError(
             f"{name}: this is no table of performances, or a damaged one ({reason}); build it anew with "
@@ -396,13 +458,13 @@ def check_fits(performance: Performance, first: Performance) -> None:
 
 
 def _about(connection: sqlite3.Connection) -> TableAbout:
-    (name,) = connection.execute("SELECT value FROM meta WHERE name = 'name'").fetchone()
+    meta = dict(connection.execute("SELECT name, value FROM meta LIMIT 10"))
     query = "SELECT count(*), sum(duration), max(rate), max(synthetic) FROM recording"
     n, duration, rate, synthetic = connection.execute(query).fetchone()
     channels = connection.execute("SELECT name FROM channel ORDER BY place")
     return TableAbout(
-        _text(name), bool(_whole(synthetic)), _whole(n), _real(duration), tuple(_text(row[0]) for row in channels),
-        _real(rate),
+        _text(meta["name"]), bool(_whole(synthetic)), _whole(n), _real(duration),
+        tuple(_text(row[0]) for row in channels), _real(rate), _text(meta.get("folder", "")),
     )  # fmt: skip
 
 

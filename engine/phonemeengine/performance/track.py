@@ -3,6 +3,7 @@
 import csv
 import io
 import math
+import threading
 from bisect import bisect_right
 from collections import OrderedDict
 from collections.abc import Iterable, Iterator
@@ -25,14 +26,14 @@ from phonemeengine.performance.halves import weights_at
 from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import CHANNELS
 from phonemeengine.performance.recording import HEAD
-from phonemeengine.performance.sentence import Sentence, performed_phones, sentences_in
+from phonemeengine.performance.sentence import Sentence, joined, performed_phones, sentences_in
 from phonemeengine.performance.smoothing import TO_REST
 from phonemeengine.performance.table_file import PerformanceTable
 
 RATE = 60.0
 """Frames a second at least of what is looked up."""
-KEPT = 4
-"""Sentences whose movement stays in memory."""
+KEPT, FEWEST_KEPT = 120.0, 2
+"""Seconds of movement that stay in memory, and sentences that stay however long they are: neighbours meet."""
 _HEAD_COLUMNS = [(*HEAD, *FACE).index(name) for name in CHANNELS]
 UNIT_COLUMNS = ("start_s", "end_s", "set", "phones", "recording", "from_s", "to_s")
 
@@ -49,7 +50,7 @@ class PerformanceTrack:
     ----------
     utterance : what is said, with times.
     speech : how loud and high it is.
-    table : recorded performances; it stays open as long as the track is used, by one thread at a time.
+    table : recorded performances; it stays open as long as the track is used.
     options : how they are looked up.
 
     Attributes
@@ -76,7 +77,7 @@ class PerformanceTrack:
     @cached_property
     def notes(self) -> tuple[str, ...]:
         """What the table lacks for it, a sentence each."""
-        phones = _joined(self.sentences)
+        phones = joined(self.sentences)
         return (*self._driver.notes(phones), *(() if self._head is None else self._head.notes(phones)))
 
     def units(self) -> Iterator[UsedUnit]:
@@ -136,6 +137,7 @@ class PerformedMouth:
     driver : looks the mouth up.
     head : looks head, shoulders and brows up, which are at rest where it is None.
     rate : pictures a second.
+    first : the number of the first sentence in its text.
 
     Attributes
     ----------
@@ -145,12 +147,15 @@ class PerformedMouth:
     movestates = FACE
 
     def __init__(
-        self, sentences: tuple[Sentence, ...], driver: PerformanceDriver, head: HeadDriver | None, rate: float
+        self, sentences: tuple[Sentence, ...], driver: PerformanceDriver, head: HeadDriver | None, rate: float,
+        first: int = 0,
     ) -> None:  # fmt: skip
         self._sentences, self._driver, self._head, self._picture = sentences, driver, head, 1 / rate
+        self._first = first
         self._rate = rate * math.ceil(RATE / rate)
         self._begins = [_turn_to(sentence)[0] for sentence in sentences[1:]]
         self._made: OrderedDict[int, tuple[int, Float32Array]] = OrderedDict()
+        self._lock = threading.Lock()
 
     def weights(self, time: float) -> Float32Array:
         """Return the weights at a time, seconds, float32, shape (60,), 1 for the whole movement.
@@ -169,6 +174,29 @@ class PerformedMouth:
         PerformanceError : the table is damaged.
         """
         return None if self._head is None else HeadPose(*self._frame_at(time)[: len(HEAD)].tolist())
+
+    def prepare(self, begin: float, end: float) -> None:
+        """Look up what is said between two times, seconds, so that nobody waits for it then.
+
+        Raises
+        ------
+        PerformanceError : the table is damaged.
+        """
+        for number in range(bisect_right(self._begins, begin), bisect_right(self._begins, end) + 1):
+            self._frames_of(number)
+
+    def take_over(self, other: "PerformedMouth") -> None:
+        """Take what another mouth of the same text has looked up, as far as it is the same."""
+        shift = other._first - self._first
+        with other._lock:
+            made = [(number + shift, of, number) for number, of in other._made.items()]
+        for number, of, others in made:
+            if 0 <= number < len(self._sentences) and other._about(others) == self._about(number):
+                self._made[number] = of
+
+    def _about(self, number: int) -> tuple[Sentence, ...]:
+        """Return a sentence with its neighbours, which its head meets."""
+        return self._sentences[max(number - 1, 0) : number + 2]
 
     def _frame_at(self, time: float) -> Float32Array:
         """Return turns and weights at a time; where two sentences meet, both have a share."""
@@ -189,23 +217,28 @@ class PerformedMouth:
 
     def _frames_of(self, number: int) -> tuple[int, Float32Array]:
         """Return the number of the first frame of a sentence, and turns and weights of all its frames."""
-        if number not in self._made:
-            sentence = self._sentences[number]
-            end = max(sentence[-1].end, sentence[-1].start + TO_REST)
-            first, last = math.floor(sentence[0].start * self._rate), math.ceil(end * self._rate)
-            times = np.arange(first, last + 1) / self._rate
-            self._made[number] = first, self._frames_at(number, times)
-        self._made.move_to_end(number)
-        if len(self._made) > KEPT:
-            self._made.popitem(last=False)
-        return self._made[number]
+        with self._lock:
+            if number not in self._made:
+                sentence = self._sentences[number]
+                end = max(sentence[-1].end, sentence[-1].start + TO_REST)
+                first, last = math.floor(sentence[0].start * self._rate), math.ceil(end * self._rate)
+                times = np.arange(first, last + 1) / self._rate
+                self._made[number] = first, self._frames_at(number, times)
+            self._made.move_to_end(number)
+            while len(self._made) > FEWEST_KEPT and self._n_made > KEPT * self._rate:
+                self._made.popitem(last=False)
+            return self._made[number]
+
+    @property
+    def _n_made(self) -> int:
+        return sum(len(frames) for _, frames in self._made.values())
 
     def _frames_at(self, number: int, times: Float64Array) -> Float32Array:
         frames = np.zeros((len(times), len(HEAD) + len(FACE)), np.float32)
-        frames[:, len(HEAD) :] = self._driver.weights(self._sentences[number], number, times, self._picture)
+        sentence = self._sentences[number]
+        frames[:, len(HEAD) :] = self._driver.weights(sentence, self._first + number, times, self._picture)
         if self._head is not None:
-            about = _joined(self._sentences[max(number - 1, 0) : number + 2])
-            frames[:, _HEAD_COLUMNS] = self._head.track(about, times)
+            frames[:, _HEAD_COLUMNS] = self._head.track(joined(self._about(number)), times)
         return frames
 
 
@@ -224,11 +257,6 @@ def format_units(units: Iterable[UsedUnit]) -> str:
         )
         table.writerow((start, end, unit.kind, " ".join(unit.names), unit.recording, source_start, source_end))
     return text.getvalue()
-
-
-def _joined(sentences: tuple[Sentence, ...]) -> Sentence:
-    """Return sentences as one; neighbours share a pause."""
-    return sentences[0] + tuple(phone for sentence in sentences[1:] for phone in sentence[1:])
 
 
 def _turn_to(sentence: Sentence) -> tuple[float, float]:
