@@ -11,10 +11,11 @@ import soundfile
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.scripts import words_beside
 from phonemeanalyser.desktop.talk.sound_words import KnownWords
 from phonemeanalyser.desktop.talk.text_model import POOR, TextModel, TextTools, fits_badly
-from phonemeanalyser.desktop.talk.voice_model import FASTEST, TextDriver, VoiceModel
+from phonemeanalyser.desktop.talk.voice_model import FASTEST, VoiceModel
 from phonemeengine.errors import VoiceError
 from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.files import read_labels
@@ -446,8 +447,8 @@ def test_chinese_moves_the_mouth_by_letters_unless_sounds_are_chosen(desk, tmp_p
     drivers = (TextDriver.AUTO, TextDriver.RULES, TextDriver.PINYIN)
     by_letters = []
     for driver in drivers:
-        desk.texts.voice.choose(driver=driver)
-        by_letters.append(desk.texts.letters is not None)
+        desk.texts.drivers.choose(driver)
+        by_letters.append(desk.texts.drivers.letters is not None)
     assert by_letters == [True, False, True]
     assert desk.failed == []
 
@@ -455,8 +456,8 @@ def test_chinese_moves_the_mouth_by_letters_unless_sounds_are_chosen(desk, tmp_p
 def test_letters_of_pinyin_for_another_language_are_refused_and_its_sounds_move_the_mouth(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.texts.voice.choose(driver=TextDriver.PINYIN)
-    assert desk.texts.letters is None
+    desk.texts.drivers.choose(TextDriver.PINYIN)
+    assert desk.texts.drivers.letters is None
     assert "pinyin" in desk.failed[0].lower()
 
 

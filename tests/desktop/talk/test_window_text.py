@@ -10,9 +10,10 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.text_model import TextTools
 from phonemeanalyser.desktop.talk.text_panel import NO_LANGUAGE, TextPanel
-from phonemeanalyser.desktop.talk.voice_model import TextDriver, VoiceChoice
+from phonemeanalyser.desktop.talk.voice_model import VoiceChoice
 from phonemeanalyser.desktop.talk.voice_panel import OWN_PROGRAM, OWN_VOICE, VoicePanel
 from phonemeanalyser.desktop.widgets.timeline import HEADING
 from phonemeanalyser.desktop.window import MainWindow
@@ -218,8 +219,9 @@ def test_voice_rate_and_mouth_are_chosen_by_the_keyboard(window, desktop, qtbot)
     type_number(below.rate, "5.5")
     below.driver.setFocus()
     QTest.keyClick(below.driver, Qt.Key.Key_End)
-    choice = desktop.talking.text.voice.choice
-    assert (choice.name, choice.rate, choice.driver) == ("f2", 5.5, TextDriver.RULES)
+    texts = desktop.talking.text
+    assert (texts.voice.choice.name, texts.voice.choice.rate) == ("f2", 5.5)
+    assert texts.drivers.chosen is TextDriver.RULES
     assert "f2, 5.5 syllables a second" in panel(window).voice.toolTip()
     QTest.keyClick(below, Qt.Key.Key_Escape)
     assert not below.isVisible()
@@ -284,8 +286,9 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     (tmp_path / "mine.csv").write_text("word,ipa\nso,soʊ\n", encoding="utf-8")
     write(window, "so oh")
     choose(window, "German")
-    chosen = VoiceChoice("f2", 5.5, "mine {output} {text}", True, TextDriver.RULES)
+    chosen = VoiceChoice("f2", 5.5, "mine {output} {text}", True)
     desktop.talking.text.voice.choose(**vars(chosen))
+    desktop.talking.text.drivers.choose(TextDriver.RULES)
     desktop.talking.text.set_lexicon(tmp_path / "mine.csv")
     qtbot.waitUntil(lambda: desktop.talking.text.lexicon_path is not None)
     desktop.save()
@@ -294,4 +297,5 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     qtbot.waitUntil(lambda: texts.lexicon_path == tmp_path / "mine.csv")
     assert (texts.text, texts.language) == ("so oh", "de")
     assert texts.voice.choice == chosen
+    assert texts.drivers.chosen is TextDriver.RULES
     again.close()
