@@ -169,7 +169,9 @@ class DriverModel(QObject):
             return None
         try:
             return pinyin_track(utterance, text=self._text)
-        except TextError as error:
+        except TextError:
             if TextDriver.PINYIN in wanted:
-                self.error.emit(str(error))
+                self.error.emit(
+                    "Nobody speaks Chinese here, so that there are no letters of pinyin; choose another driver."
+                )
             return None

@@ -239,9 +239,10 @@ class TalkModel(QObject):
 
     def _play_tracks(self, now: float) -> None:
         """Have the mouths move by what is known of the words, in step with the sound, where anything is."""
-        start, original = now - self.session.position, self.text.original
+        session, original = self.session, self.text.original
+        at_rest = not session.playing and session.position == 0
         for performer, track in self._tracks.items():
-            performer.play(track, start)
+            performer.play(None if at_rest else track, now - session.position)
         if original.face is not None:
             self.performer.play(original.face, now - original.position)
 
@@ -283,8 +284,8 @@ class TalkModel(QObject):
 
     def _take_original(self) -> None:
         """Show a recording, or what is said again."""
-        if self.text.original.face is None and self.performer not in self._tracks:
-            self.performer.play(None)
+        if self.text.original.face is None:
+            self.performer.play(None)  # until the next tick, where a track has it
         self._name_heads()
         self.changed.emit()
 

@@ -1,4 +1,4 @@
-"""The voice that says texts, chosen below a button: who speaks, how fast, and by what the mouth moves."""
+"""The voice that says texts, and what moves the mouth meanwhile, chosen below a button."""
 
 from PySide6.QtCore import QPoint, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent
@@ -23,7 +23,7 @@ DRIVERS = {
     TextDriver.RULES: "sounds, by the mouth table",
 }
 CHOICES = {
-    ExampleChoice.VITERBI: "those that fit sound and neighbours best (Viterbi)",
+    ExampleChoice.VITERBI: "those that fit and join best (Viterbi)",
     ExampleChoice.NEAREST: "those of the nearest duration",
     ExampleChoice.BAND: "any within 15 % of the duration",
     ExampleChoice.RANDOM: "any",
@@ -203,7 +203,7 @@ class VoiceButton(QToolButton):
         super().__init__()
         self._voice, self._drivers = voice, drivers
         self.panel = VoicePanel(voice, drivers, theme, self)
-        self.setText("Voice…")
+        self.setText("Voice && Face…")
         self.setAccessibleName("voice, rate and mouth of a spoken text")
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.clicked.connect(lambda _checked: self.panel.show_beside())

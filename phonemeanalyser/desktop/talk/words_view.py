@@ -48,6 +48,7 @@ class WordsTimeline(TimelineView):
         self.lanes.scale = SCALE
         self._texts = texts
         self._shown: tuple[object, ...] = ()
+        self._units: list[UsedUnit] = []
         self.menu = PlotMenu(self.lanes, "what is said", lambda _at: table_of(self._columns()), self.show_whole)
         self.setAccessibleName("what is said when")
         self.span_clicked.connect(self._play)
@@ -71,7 +72,8 @@ class WordsTimeline(TimelineView):
             self.show_lanes([Lane(name) for name in NAMES], 0.0)
         else:
             lanes = lanes_of(utterance, letters, movable=texts.editable)
-            lanes += [_lane_of_units(units)] if units else []
+            self._units = _in_a_row(units)
+            lanes += [_lane_of_units(self._units)] if units else []
             self.show_lanes(lanes, utterance.duration, [Chapter(0.0, texts.summary)])
 
     def show_position(self, seconds: float) -> None:
@@ -83,13 +85,13 @@ class WordsTimeline(TimelineView):
     def _play(self, number: int, span: int) -> None:
         lane = self.lanes.lanes[number]
         if lane.name == PERFORMED:
-            self._texts.play_original(self._texts.drivers.performance.units[span])
+            self._texts.play_original(self._units[span])
         else:
             self._texts.play(float(lane.starts[span]), float(lane.ends[span]))
 
     def _play_recording(self, number: int, span: int) -> None:
         if self.lanes.lanes[number].name == PERFORMED:
-            self._texts.play_original(self._texts.drivers.performance.units[span], whole=True)
+            self._texts.play_original(self._units[span], whole=True)
 
     def _move(self, number: int, boundary: int, seconds: float) -> None:
         self._texts.move_boundary(UNITS[number], boundary, seconds)
@@ -137,8 +139,17 @@ def _lane_of_letters(letters: PinyinTrack) -> Lane:
     return Lane(LETTERS, starts, ends, [part[2] for part in parts], _rgb(colours))
 
 
+def _in_a_row(units: Sequence[UsedUnit]) -> list[UsedUnit]:
+    """Return units without those that later ones hide: two sentences meet in a pause that both have."""
+    row: list[UsedUnit] = []
+    for unit in units:
+        while row and row[-1].start >= unit.start:
+            row.pop()
+        row.append(unit)
+    return row
+
+
 def _lane_of_units(units: Sequence[UsedUnit]) -> Lane:
-    """Return the units of a recorded face; where two sentences meet in a pause, the later one is seen."""
     starts = np.array([unit.start for unit in units])
     ends = np.minimum([unit.end for unit in units], np.append(starts[1:], np.inf))
     colours = _rgb([UNIT_COLOURS[unit.kind] for unit in units])
