@@ -165,9 +165,11 @@ _PAGE = {
     "performance.making": "MadeCorpus make_corpus",
     # A sentence that they say
     "performance.track": "PerformanceTrack PerformedMouth face_table format_units",
+    "performance.head_driver": "HeadDriver",
+    "performance.expression_file": "read_expression",
     "performance.original": "RecordedFace original_sound",
     "performance.spoken_face": "SpokenFace",
-    "performance.driver": "PerformanceOptions PerformancePart UsedUnit",
+    "performance.driver": "PerformanceDriver PerformanceOptions PerformancePart UsedUnit",
     "performance.choice": "ExampleChoice",
     "performance.poses": "Pose PoseTable load_poses",
     "performance.phrases": "Phrase PhraseIndex PhraseMatch PhraseMatchKind phrases_of",

@@ -82,7 +82,9 @@ from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.building import BuiltTable, build_table
 from phonemeengine.performance.choice import ExampleChoice
-from phonemeengine.performance.driver import PerformanceOptions, PerformancePart, UsedUnit
+from phonemeengine.performance.driver import PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
+from phonemeengine.performance.expression_file import read_expression
+from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import Gesture, Keywords, load_keywords
 from phonemeengine.performance.making import MadeCorpus, make_corpus
 from phonemeengine.performance.original import RecordedFace, original_sound
@@ -177,6 +179,7 @@ __all__ = [
     "FrameLabels",
     "Gesture",
     "GroupScores",
+    "HeadDriver",
     "HeadMotion",
     "HeadPose",
     "IdleMotion",
@@ -216,6 +219,7 @@ __all__ = [
     "OscMouth",
     "OutputHead",
     "Performance",
+    "PerformanceDriver",
     "PerformanceError",
     "PerformanceOptions",
     "PerformancePart",
@@ -337,6 +341,7 @@ __all__ = [
     "phones_of",
     "phrases_of",
     "pinyin_track",
+    "read_expression",
     "read_recordings",
     "read_utterance",
     "recognise_window",

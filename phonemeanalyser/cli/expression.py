@@ -1,7 +1,6 @@
 """What a face expresses beside its speech, as a command's arguments say."""
 
 import argparse
-from pathlib import Path
 
 from phonemeengine import (
     Detail,
@@ -11,9 +10,8 @@ from phonemeengine import (
     MouthError,
     expression_presets,
     held_expression,
-    recorded_expression,
+    read_expression,
 )
-from phonemeengine.performance.livelink import read_livelink
 
 RECORDED = ".csv"
 
@@ -63,8 +61,7 @@ def idle_of(options: argparse.Namespace) -> IdleMotion:
 
 def _stream_of(words: str) -> ExpressionStream:
     if words.lower().endswith(RECORDED):
-        face = read_livelink(Path(words))
-        return recorded_expression(face.times, face.channels, face.weights)
+        return read_expression(words)
     shares: dict[str, float] = {}
     for part in words.split(","):
         name, _, share = part.partition("=")

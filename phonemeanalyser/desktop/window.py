@@ -156,6 +156,7 @@ class MainWindow(QMainWindow):
         page.choices.mesh_asked.connect(dialogs.ask_mesh)
         page.choices.table_asked.connect(dialogs.ask_table)
         page.text.lexicon_asked.connect(dialogs.ask_lexicon)
+        page.expression.file_asked.connect(dialogs.ask_expression)
         page.text.voice.panel.table_asked.connect(dialogs.ask_performance)
         page.words_asked.connect(dialogs.ask_save_words)
         page.speech_asked.connect(dialogs.ask_save_speech)

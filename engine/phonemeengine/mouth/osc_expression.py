@@ -63,6 +63,11 @@ class OscExpression(Closing):
         """Where it listens; the system's choice, where 0 was asked for."""
         return int(self._server.server_address[1])
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What was heard so far, presets and blend shapes, the newest last."""
+        return tuple(self._shares)
+
     def weights(self, _time: float) -> Float32Array:
         """Return the weights of the 52 blend shapes of `ARKIT` now, float32, 0..1."""
         return self._weights

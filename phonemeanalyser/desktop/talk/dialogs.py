@@ -21,6 +21,7 @@ MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*MESH_SUFFIX
 TABLES = "Mouth tables (*.toml)"
 LEXICONS = "Lexicons (*.toml *.csv)"
 PERFORMANCES = "Tables of recorded faces (*.sqlite)"
+EXPRESSIONS = "Recorded faces, Live Link Face (*.csv)"
 WORDS = "Praat TextGrid (*.TextGrid)"
 SPEECH = "WAV (*.wav)"
 MOST_KEPT = 10_000
@@ -84,6 +85,14 @@ class TalkDialogs(QObject):
             self._settings.setValue("folder/performance", str(Path(name).parent))
             self._talking.text.drivers.performance.open(Path(name))
 
+    def ask_expression(self) -> None:
+        """Let the user choose a recorded face that is shown beside the speech."""
+        folder = str(self._settings.value("folder/expression", str(Path.home())))
+        name, _ = QFileDialog.getOpenFileName(self._window, "A recorded expression", folder, EXPRESSIONS)
+        if name:
+            self._settings.setValue("folder/expression", str(Path(name).parent))
+            self._talking.expression.set_file(Path(name))
+
     def ask_save_words(self) -> bool:
         """Let the user choose a TextGrid to save the words to; beside the sound it is found again."""
         sound = self._talking.text.words.sound
@@ -137,6 +146,7 @@ class TalkDialogs(QObject):
         keep("talk/lexicon", str(talking.text.lexicon_path or ""))
         self._keep_voice()
         self._keep_drivers()
+        self._keep_expression()
         keep("talk/osc_address", osc.address)
         keep("talk/osc_table", osc.table)
         keep("talk/osc", int(osc.on))
@@ -163,6 +173,7 @@ class TalkDialogs(QObject):
             talking.text.set_lexicon(lexicon)
         self._restore_voice()
         self._restore_drivers()
+        self._restore_expression()
         talking.osc.set_address(self._kept("talk/osc_address", talking.osc.address))
         talking.osc.set_table(self._kept("talk/osc_table", talking.osc.table))
         talking.osc.set_on(self._kept("talk/osc", "0") == "1")
@@ -186,6 +197,20 @@ class TalkDialogs(QObject):
             program=self._kept("talk/voice_program", usual.program),
             by_program=self._kept("talk/voice_by_program", "0") == "1",
         )
+
+    def _keep_expression(self) -> None:
+        expression, keep = self._talking.expression, self._settings.setValue
+        keep("talk/expression_file", str(expression.path or ""))
+        keep("talk/expression_address", expression.input.address)
+        keep("talk/expression_osc", int(expression.input.on))
+
+    def _restore_expression(self) -> None:
+        expression = self._talking.expression
+        path = Path(self._kept("talk/expression_file", ""))
+        if path.is_file():
+            expression.set_file(path)
+        expression.input.set_address(self._kept("talk/expression_address", expression.input.address))
+        expression.input.set_on(self._kept("talk/expression_osc", "0") == "1")
 
     def _keep_drivers(self) -> None:
         drivers, keep = self._talking.text.drivers, self._settings.setValue

@@ -1,10 +1,12 @@
 """Sliders for what the face expresses beside its speech, and how far speech holds that back."""
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
+    QCheckBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
+    QLineEdit,
     QProgressBar,
     QSlider,
     QToolButton,
@@ -14,15 +16,21 @@ from PySide6.QtWidgets import (
 
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.heading import heading
 
 COLUMNS = 2
+RECORDING = "Show a face that Live Link Face recorded (CSV) beside the speech, in step with the sound in hand"
 PERCENT_WIDTH = 40
 METER_HEIGHT = 10
 
 
 class ExpressionPanel(QWidget):
-    """Lists the expressions that ship with the program.
+    """Lists the expressions that ship with the program, and takes others from files and programs.
+
+    Signals
+    -------
+    file_asked : the user wants to open a recording.
 
     Attributes
     ----------
@@ -31,8 +39,11 @@ class ExpressionPanel(QWidget):
     meter : shows how far speech holds expressions back, %.
     """
 
+    file_asked = Signal()
+
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
+        self._theme = theme
         self._talking, self._model = talking, talking.expression
         self.sliders = {name: _slider(f"how far the face shows {name}") for name in self._model.shares}
         self._percents = {name: _percent() for name in self._model.shares}
@@ -48,10 +59,16 @@ class ExpressionPanel(QWidget):
         self.meter.setToolTip(
             "How far speech holds the expression back: it goes within 0.1 s and comes back in 0.5 s"
         )
-        self.neutral = QToolButton()
-        self.neutral.setText("Neutral")
-        self.neutral.setToolTip("Set all expressions back to 0")
-        self.neutral.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.neutral = _button("Neutral", "Set all sliders back to 0")
+        self.file = _button("Recording…", RECORDING)
+        self.recorded, self.state = ElidedLabel(), ElidedLabel()
+        self.switch, self.address = QCheckBox("Listen (OSC) at"), QLineEdit()
+        self.switch.setToolTip(
+            "Show what other programs send: /expression NAME 0..1, or the blend shapes of a face tracker (VMC)"
+        )
+        self.address.setPlaceholderText("HOST:PORT")
+        self.address.setAccessibleName("where expressions are listened for")
+        self.address.setToolTip("HOST:PORT at which other programs are heard, such as 127.0.0.1:39540")
         self._lay_out(theme)
         self._connect()
         self._show_state()
@@ -61,6 +78,12 @@ class ExpressionPanel(QWidget):
         held_back = round(100 * self._talking.performer.inhibition)
         if held_back != self.meter.value():
             self.meter.setValue(held_back)
+        words = self._model.input.words
+        if words != self.state.text():
+            self.state.setText(words)
+            self.state.setToolTip(words)
+            colour = self._theme.good if words.startswith("heard") else self._theme.faint
+            self.state.setStyleSheet(f"color: {colour}")
 
     def _lay_out(self, theme: Theme) -> None:
         head = QHBoxLayout()
@@ -82,10 +105,19 @@ class ExpressionPanel(QWidget):
             label.setStyleSheet(f"color: {theme.faint}")
             below.addWidget(label)
             below.addWidget(widget, 1)
+        others = QGridLayout()
+        others.setVerticalSpacing(4)
+        others.setHorizontalSpacing(8)
+        for row, widgets in enumerate(((self.file, self.recorded), (self.switch, self.address))):
+            for place, widget in enumerate(widgets):
+                others.addWidget(widget, row, place, 1, 2 - row if place else 1)
+        others.addWidget(self.state, 1, 2)
+        others.setColumnStretch(1, 1)
+        others.setColumnStretch(2, 1)
         column_of_all = QVBoxLayout(self)
         column_of_all.setContentsMargins(0, 0, 0, 0)
         column_of_all.setSpacing(4)
-        for layout in (head, grid, below):
+        for layout in (head, grid, below, others):
             column_of_all.addLayout(layout)
 
     def _connect(self) -> None:
@@ -93,7 +125,21 @@ class ExpressionPanel(QWidget):
             slider.valueChanged.connect(lambda value, name=name: self._model.set_share(name, value / 100))
         self.priority.valueChanged.connect(lambda value: self._model.set_priority(value / 100))
         self.neutral.clicked.connect(lambda _checked: self._model.clear())
+        self.file.clicked.connect(lambda _checked: self._choose_file())
+        self.switch.clicked.connect(self._switch)
+        self.address.editingFinished.connect(lambda: self._model.input.set_address(self.address.text()))
         self._model.changed.connect(self._show_state)
+
+    def _choose_file(self) -> None:
+        """Open a recording, or do without the one that is in use."""
+        if self._model.path is None:
+            self.file_asked.emit()
+        else:
+            self._model.set_file(None)
+
+    def _switch(self, on: bool) -> None:
+        self._model.input.set_address(self.address.text())
+        self._model.input.set_on(on)
 
     def _show_state(self) -> None:
         for name, share in self._model.shares.items():
@@ -103,6 +149,23 @@ class ExpressionPanel(QWidget):
         with QSignalBlocker(self.priority):
             self.priority.setValue(round(100 * self._model.priority))
         self.neutral.setEnabled(any(self._model.shares.values()))
+        path, heard = self._model.path, self._model.input
+        self.file.setText("Recording…" if path is None else "No Recording")
+        self.file.setToolTip(RECORDING if path is None else f"{path} is shown beside the speech; do without it")
+        self.recorded.setText("" if path is None else path.name)
+        with QSignalBlocker(self.switch):
+            self.switch.setChecked(heard.on)
+        if not self.address.hasFocus() or not self.address.isModified():
+            self.address.setText(heard.address)
+        self.refresh()
+
+
+def _button(text: str, tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
+    button.setToolTip(tip)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    return button
 
 
 def _slider(name: str) -> QSlider:

@@ -200,6 +200,7 @@ class TalkModel(QObject):
             self._last = None
             return
         now = self._now()
+        self.expression.follow(now - self.session.position)
         self._listen(heard, now)
         self._play_tracks(now)
         if self.watched:
@@ -209,6 +210,7 @@ class TalkModel(QObject):
     def close(self) -> None:
         """Let everything go."""
         self.text.close()
+        self.expression.close()
         self.osc.close()
         self.face.close()
         self.beside.face.close()
@@ -311,7 +313,7 @@ class TalkModel(QObject):
         self.expression.changed.connect(self._take_expression)
         self.visemes_changed.connect(self._share_visemes)
         self.osc.changed.connect(self._share_visemes)
-        for part in (self.face, self.osc, self.text):
+        for part in (self.face, self.osc, self.text, self.expression):
             part.error.connect(self.error)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:

@@ -1,15 +1,23 @@
 """Expressions on the page of the head: sliders, what speech leaves of them, and what the network is sent."""
 
+import socket
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QSettings
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from pythonosc.udp_client import SimpleUDPClient
 
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.expression_panel import ExpressionPanel
 from phonemeanalyser.desktop.theme import LIGHT
+from phonemeengine.mouth.exports.livelink import lines_of
 from tests.desktop.stage import Stage
+from tests.engine.performance.faces import ramp
 from tests.fakes.osc_receiver import Receiver
 from tests.fakes.outputs import Outputs
 
@@ -87,3 +95,115 @@ def test_the_network_is_sent_the_expression_too(stage: Stage, panel: ExpressionP
     qtbot.waitUntil(lambda: receiver.weights().get(BROW, 0.0) > 0.7, timeout=60_000)
     stage.talking.osc.set_on(False)
     receiver.close()
+
+
+# -- from files and other programs --------------------------------------------------------------------
+
+
+def free_port() -> int:
+    """A port at which nobody listens."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as door:
+        door.bind(("127.0.0.1", 0))
+        return int(door.getsockname()[1])
+
+
+def recorded_brow(folder: Path, seconds: float = 2.0) -> Path:
+    """Write a recording of a brow that rises from 0 to 1."""
+    track = ramp(round(60 * seconds) + 1, BROW)
+    (folder / "brow.csv").write_text("".join(lines_of(track)), encoding="utf-8")
+    return folder / "brow.csv"
+
+
+def opened(stage: Stage, path: Path) -> None:
+    stage.talking.expression.set_file(path)
+    stage.qtbot.waitUntil(lambda: not stage.talking.expression._work.busy)
+
+
+def test_a_recorded_face_goes_with_the_sound(stage: Stage, panel: ExpressionPanel, tmp_path: Path) -> None:
+    opened(stage, recorded_brow(tmp_path))
+    assert panel.recorded.text() == "brow.csv"
+    seen = []
+    stage.play(0.5, lambda: seen.append((stage.session.position, shown(stage, BROW))))
+    assert all(brow == pytest.approx(50 * position, abs=2) for position, brow in seen[5:])
+    stage.session.pause()
+    before = shown(stage, BROW)
+    stage.wait(1.0)
+    assert shown(stage, BROW) == pytest.approx(before, abs=1)
+    stage.session.seek(1.4)
+    stage.wait(0.1)
+    assert shown(stage, BROW) == pytest.approx(70, abs=2)
+    panel.file.click()
+    stage.wait(0.1)
+    assert shown(stage, BROW) == pytest.approx(0, abs=1)
+    assert panel.recorded.text() == ""
+
+
+def test_what_is_no_recorded_face_is_refused_in_a_sentence(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "no.csv").write_text("a,b\n1,2\n", encoding="utf-8")
+    opened(stage, tmp_path / "no.csv")
+    (sentence,) = stage.failed
+    assert sentence.startswith("no.csv: this is no recording of Live Link Face")
+    assert stage.talking.expression.path is None
+
+
+def test_other_programs_move_the_face_and_it_is_said_what_is_heard(
+    stage: Stage, panel: ExpressionPanel, qtbot: QtBot
+) -> None:
+    heard = stage.talking.expression.input
+    heard.set_address(f"127.0.0.1:{free_port()}")
+    panel.switch.click()
+    qtbot.waitUntil(lambda: heard.stream is not None)
+    panel.refresh()
+    assert panel.state.text() == "listening"
+    assert heard.stream is not None
+    with SimpleUDPClient("127.0.0.1", heard.stream.port) as sender:
+
+        def arrived() -> bool:
+            sender.send_message("/expression", ["surprise", 0.5])
+            sender.send_message("/VMC/Ext/Blend/Val", ["cheekPuff", 0.3])
+            stage.talking.tick()
+            return shown(stage, "cheekPuff") > 25
+
+        qtbot.waitUntil(arrived)
+    assert shown(stage, BROW) == pytest.approx(40, abs=1)
+    panel.refresh()
+    assert panel.state.text() == "heard surprise and 1 more"
+    panel.sliders["surprise"].setValue(25)
+    stage.wait(0.1)
+    assert shown(stage, BROW) == pytest.approx(60, abs=1)
+    panel.sliders["surprise"].setValue(0)
+    panel.switch.click()
+    stage.wait(0.1)
+    assert shown(stage, BROW) == pytest.approx(0, abs=1)
+    assert panel.state.text() == "off"
+
+
+@pytest.mark.parametrize("address", ["nowhere", "127.0.0.1:99999", "nobody.invalid:39540"])
+def test_a_place_where_nobody_can_be_heard_switches_it_off(
+    stage: Stage, panel: ExpressionPanel, qtbot: QtBot, address: str
+) -> None:
+    heard = stage.talking.expression.input
+    heard.set_address(address)
+    panel.switch.click()
+    qtbot.waitUntil(lambda: bool(stage.failed))
+    assert len(stage.failed) == 1
+    assert not heard.on
+    assert not panel.switch.isChecked()
+
+
+def test_recording_and_address_are_there_again_at_the_next_start(
+    desktop: Desktop, qapp: QApplication, settings: QSettings, no_microphone: Microphone, qtbot: QtBot, tmp_path: Path
+) -> None:
+    expression = desktop.talking.expression
+    expression.set_file(recorded_brow(tmp_path))
+    address = f"127.0.0.1:{free_port()}"
+    expression.input.set_address(address)
+    expression.input.set_on(True)
+    qtbot.waitUntil(lambda: expression.path is not None and expression.input.stream is not None)
+    desktop.save()
+    expression.input.close()
+    again = Desktop(qapp, settings, microphone=no_microphone)
+    restored = again.talking.expression
+    qtbot.waitUntil(lambda: restored.path == tmp_path / "brow.csv" and restored.input.stream is not None)
+    assert restored.input.address == address
+    again.close()
