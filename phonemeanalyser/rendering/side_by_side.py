@@ -1,0 +1,72 @@
+"""Several heads in one picture, side by side, each with a caption below it."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFont
+
+from phonemeengine.arrays import UInt8Array
+from phonemeengine.files import printable
+
+STRIP, LETTERS = 1 / 12, 0.55
+"""The height of captions as a share of the picture's, and of their letters as a share of that."""
+WIDEST = 0.94
+"""The share of a head's width that a caption takes at most; it becomes smaller, and then is cut off."""
+SMALLEST = 9.0
+"""Pixels: smaller letters cannot be read."""
+
+
+class SideBySide:
+    """Puts pictures of heads into one; a head without a caption is the whole picture.
+
+    Parameters
+    ----------
+    size : width and height of the whole, pixels.
+    captions : of the heads, from left to right; none for a single head.
+    ink, background : the colours of captions and of what is behind them, as #rrggbb.
+
+    Attributes
+    ----------
+    head_size : width and height of the picture of each head.
+    """
+
+    def __init__(self, size: tuple[int, int], captions: Sequence[str], ink: str, background: str) -> None:
+        strip = round(size[1] * STRIP) if captions else 0
+        self.head_size = (size[0] // max(len(captions), 1), size[1] - strip)
+        self._whole = np.array(Image.new("RGB", size, background))
+        for number, caption in enumerate(captions if strip else ()):
+            line = _line_of(caption, (self.head_size[0], strip), ink, background)
+            self._whole[-strip:, self._columns(number)] = line
+
+    def picture(self, heads: Sequence[UInt8Array]) -> UInt8Array:
+        """Return the whole: uint8, shape (height, width, 3).
+
+        Parameters
+        ----------
+        heads : as many as captions, each of the `head_size`.
+        """
+        whole = self._whole.copy()
+        for number, head in enumerate(heads):
+            whole[: self.head_size[1], self._columns(number)] = head
+        return whole
+
+    def _columns(self, number: int) -> slice:
+        return slice(number * self.head_size[0], (number + 1) * self.head_size[0])
+
+
+def _line_of(text: str, size: tuple[int, int], ink: str, background: str) -> UInt8Array:
+    """Return the picture of a line of text in its middle."""
+    image = Image.new("RGB", size, background)
+    text, letters, room = printable(text), max(LETTERS * size[1], 1.0), WIDEST * size[0]
+    letters = max(min(letters, letters * room / _length(text, letters)), min(letters, SMALLEST))
+    while len(text) > 1 and _length(text, letters) > room:
+        text = f"{text.removesuffix('…')[:-1]}…"
+    middle = (size[0] / 2, size[1] / 2)
+    ImageDraw.Draw(image).text(middle, text, ink, ImageFont.load_default(letters), anchor="mm")
+    return np.array(image)
+
+
+def _length(text: str, letters: float) -> float:
+    """Return how long a text is, pixels; 1 at least."""
+    font = ImageFont.load_default(letters)
+    return max(font.getlength(text), 1.0)
