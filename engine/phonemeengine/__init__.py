@@ -165,7 +165,7 @@ _PAGE = {
     "performance.building": "BuiltTable build_table",
     "performance.making": "MadeCorpus make_corpus",
     # A sentence that they say
-    "performance.track": "PerformanceTrack face_table format_units",
+    "performance.track": "PerformanceTrack PerformedMouth face_table format_units",
     "performance.original": "RecordedFace original_sound",
     "performance.spoken_face": "SpokenFace",
     "performance.driver": "PerformanceOptions PerformancePart UsedUnit",

@@ -91,7 +91,7 @@ from phonemeengine.performance.poses import Pose, PoseTable, load_poses
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
 from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.performance.table_file import Example, PerformanceTable, TableAbout, write_table
-from phonemeengine.performance.track import PerformanceTrack, face_table, format_units
+from phonemeengine.performance.track import PerformanceTrack, PerformedMouth, face_table, format_units
 from phonemeengine.performance.units import Unit, UnitKind, units_of
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
@@ -222,6 +222,7 @@ __all__ = [
     "PerformancePart",
     "PerformanceTable",
     "PerformanceTrack",
+    "PerformedMouth",
     "PerformedPhone",
     "Performer",
     "Phone",

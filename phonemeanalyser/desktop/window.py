@@ -102,7 +102,7 @@ class MainWindow(QMainWindow):
         self.preset_box = PresetBox(self._preset, self.dialogs.preset_sections)
         self.status = StatusLine(session, self._preset, theme)
         self.heads = Heads(self._talking)
-        self.head = self.heads.add("dock", HeadView(self._talking, theme))
+        self.head = self.heads.add("dock", HeadView(self._talking.head, theme))
         self.head.setMinimumHeight(HEAD_HEIGHT)
         self.switch = PageSwitch(commands.PAGES)
         self.pages = PageStack()
@@ -133,7 +133,7 @@ class MainWindow(QMainWindow):
         return self._late_talk.get()
 
     def _make_calibration_page(self) -> "calibrate.CalibrationPage":
-        head = self.heads.add("guide", HeadView(self._talking, self.theme))
+        head = self.heads.add("guide", HeadView(self._talking.head, self.theme))
         page = calibrate.CalibrationPage(self._ask_calibration(), head, self.theme)
         dialogs = self._calibration_dialogs
         assert dialogs is not None
@@ -156,6 +156,7 @@ class MainWindow(QMainWindow):
         page.choices.mesh_asked.connect(dialogs.ask_mesh)
         page.choices.table_asked.connect(dialogs.ask_table)
         page.text.lexicon_asked.connect(dialogs.ask_lexicon)
+        page.text.voice.panel.table_asked.connect(dialogs.ask_performance)
         page.words_asked.connect(dialogs.ask_save_words)
         page.speech_asked.connect(dialogs.ask_save_speech)
         page.text.lanes.menu.save_asked.connect(self.dialogs.ask_save_picture)

@@ -82,6 +82,9 @@ def read_utterance(path: str | os.PathLike[str], duration: float, mapping: Phone
     if sounds and (not pinyin or all(map(mapping.knows, names_in(sounds)))):
         known = labels_named(sounds, mapping.phone_classes_of(names_in(sounds), name))
         phones = [Phone(label.start, label.end, label.phone, label.phoneme) for label in known]
+        said = tuple(_words_of(phones, _Stretches(words), _Stretches(syllables)))
+        if not any(syllable.text for word in said for syllable in word.syllables):
+            pinyin = ()  # such as "so" and "mi": it says no more than the sounds do
     else:
         _check_pinyin(syllables, name)
         phones = [phone for raw in pinyin for phone in _phones_of(raw)]

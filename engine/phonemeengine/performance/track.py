@@ -5,7 +5,6 @@ import io
 import math
 import threading
 from bisect import bisect_right
-from collections import OrderedDict
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
@@ -17,7 +16,7 @@ from phonemeengine.files import begins_like
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation, animation_by, check_rate
 from phonemeengine.mouth.head_motion import HeadPose
-from phonemeengine.mouth.performer import IdleMotion, MouthTrack, Performer
+from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
@@ -85,7 +84,7 @@ class PerformanceTrack:
         for number, sentence in enumerate(self.sentences):
             yield from self._driver.units(sentence, number)
 
-    def mouth(self, rate: float = RATE) -> MouthTrack:
+    def mouth(self, rate: float = RATE) -> "PerformedMouth":
         """Return a mouth that says it, for a performer to play.
 
         Parameters
@@ -126,7 +125,7 @@ class PerformanceTrack:
 
 
 class PerformedMouth:
-    """A face that is looked up: the weights of its movestates, and how the head is turned, at any time.
+    """A `MouthTrack` that is looked up: the weights of its movestates, and how the head is turned, at any time.
 
     A sentence is looked up when a time in it is first asked for. Its frames are so many times closer than pictures
     that each picture is a frame.
@@ -154,7 +153,7 @@ class PerformedMouth:
         self._first = first
         self._rate = rate * math.ceil(RATE / rate)
         self._begins = [_turn_to(sentence)[0] for sentence in sentences[1:]]
-        self._made: OrderedDict[int, tuple[int, Float32Array]] = OrderedDict()
+        self._made: dict[int, tuple[int, Float32Array]] = {}
         self._lock = threading.Lock()
 
     def weights(self, time: float) -> Float32Array:
@@ -189,10 +188,11 @@ class PerformedMouth:
         """Take what another mouth of the same text has looked up, as far as it is the same."""
         shift = other._first - self._first
         with other._lock:
-            made = [(number + shift, of, number) for number, of in other._made.items()]
-        for number, of, others in made:
-            if 0 <= number < len(self._sentences) and other._about(others) == self._about(number):
-                self._made[number] = of
+            made = [*other._made.items()]
+        for number, frames in made:
+            mine = number + shift
+            if 0 <= mine < len(self._sentences) and other._about(number) == self._about(mine):
+                self._made[mine] = frames
 
     def _about(self, number: int) -> tuple[Sentence, ...]:
         """Return a sentence with its neighbours, which its head meets."""
@@ -217,17 +217,21 @@ class PerformedMouth:
 
     def _frames_of(self, number: int) -> tuple[int, Float32Array]:
         """Return the number of the first frame of a sentence, and turns and weights of all its frames."""
-        with self._lock:
-            if number not in self._made:
-                sentence = self._sentences[number]
-                end = max(sentence[-1].end, sentence[-1].start + TO_REST)
-                first, last = math.floor(sentence[0].start * self._rate), math.ceil(end * self._rate)
-                times = np.arange(first, last + 1) / self._rate
-                self._made[number] = first, self._frames_at(number, times)
-            self._made.move_to_end(number)
-            while len(self._made) > FEWEST_KEPT and self._n_made > KEPT * self._rate:
-                self._made.popitem(last=False)
-            return self._made[number]
+        made = self._made.get(number)
+        if made is None:
+            with self._lock:
+                made = self._made.get(number) or self._look_up(number)
+        return made
+
+    def _look_up(self, number: int) -> tuple[int, Float32Array]:
+        sentence = self._sentences[number]
+        end = max(sentence[-1].end, sentence[-1].start + TO_REST)
+        first, last = math.floor(sentence[0].start * self._rate), math.ceil(end * self._rate)
+        frames = self._frames_at(number, np.arange(first, last + 1) / self._rate)
+        self._made[number] = first, frames
+        while len(self._made) > FEWEST_KEPT and self._n_made > KEPT * self._rate:
+            del self._made[next(iter(self._made))]
+        return first, frames
 
     @property
     def _n_made(self) -> int:

@@ -248,6 +248,12 @@ class Session(QObject):
         self._attach(Player(speech, self.preset.in_force, self._open_device))
         self.play()
 
+    def player_of(self, reader: Reader) -> Player:
+        """Return a player of another sound, as loud as the one in hand; who asks for it closes it."""
+        player = Player(reader, self.preset.in_force, self._open_device)
+        player.set_gain(self._gain)
+        return player
+
     def set_tone(self, tone: Tone) -> None:
         """Generate another tone, which is heard at once."""
         self.tone = tone
@@ -351,8 +357,12 @@ class Session(QObject):
         """Set the loudness of what is heard, -60..0 dB, where -60 is silence."""
         self.volume = min(0.0, max(QUIETEST_DB, float(decibels)))
         if self._player is not None:
-            self._player.set_gain(0.0 if self.volume <= QUIETEST_DB else 10 ** (self.volume / 20))
+            self._player.set_gain(self._gain)
         self.transport_changed.emit()
+
+    @property
+    def _gain(self) -> float:
+        return 0.0 if self.volume <= QUIETEST_DB else 10 ** (self.volume / 20)
 
     def set_channel(self, channel: Channel) -> None:
         """Choose what is analysed of files of several channels; the one in hand goes on from the same place."""

@@ -8,17 +8,19 @@ from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
+from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.voice_model import TextDriver
 from phonemeengine.files import free_path
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
+from phonemeengine.performance.choice import ExampleChoice
 
 MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))})"
 TABLES = "Mouth tables (*.toml)"
 LEXICONS = "Lexicons (*.toml *.csv)"
+PERFORMANCES = "Tables of recorded faces (*.sqlite)"
 WORDS = "Praat TextGrid (*.TextGrid)"
 SPEECH = "WAV (*.wav)"
 MOST_KEPT = 10_000
@@ -74,6 +76,14 @@ class TalkDialogs(QObject):
             self._settings.setValue("folder/lexicon", str(Path(name).parent))
             self._talking.text.set_lexicon(Path(name))
 
+    def ask_performance(self) -> None:
+        """Let the user choose a table of recorded faces."""
+        folder = str(self._settings.value("folder/performance", str(Path.home())))
+        name, _ = QFileDialog.getOpenFileName(self._window, "A table of recorded faces", folder, PERFORMANCES)
+        if name:
+            self._settings.setValue("folder/performance", str(Path(name).parent))
+            self._talking.text.drivers.performance.open(Path(name))
+
     def ask_save_words(self) -> bool:
         """Let the user choose a TextGrid to save the words to; beside the sound it is found again."""
         sound = self._talking.text.words.sound
@@ -126,6 +136,7 @@ class TalkDialogs(QObject):
         keep("talk/language", talking.text.language)
         keep("talk/lexicon", str(talking.text.lexicon_path or ""))
         self._keep_voice()
+        self._keep_drivers()
         keep("talk/osc_address", osc.address)
         keep("talk/osc_table", osc.table)
         keep("talk/osc", int(osc.on))
@@ -151,6 +162,7 @@ class TalkDialogs(QObject):
         if lexicon.is_file():
             talking.text.set_lexicon(lexicon)
         self._restore_voice()
+        self._restore_drivers()
         talking.osc.set_address(self._kept("talk/osc_address", talking.osc.address))
         talking.osc.set_table(self._kept("talk/osc_table", talking.osc.table))
         talking.osc.set_on(self._kept("talk/osc", "0") == "1")
@@ -161,12 +173,10 @@ class TalkDialogs(QObject):
         keep("talk/voice_rate", f"{choice.rate:g}")
         keep("talk/voice_program", choice.program)
         keep("talk/voice_by_program", int(choice.by_program))
-        keep("talk/text_driver", choice.driver.value)
 
     def _restore_voice(self) -> None:
         voice = self._talking.text.voice
         usual = voice.choice
-        driver = self._kept("talk/text_driver", usual.driver.value)
         rate = usual.rate
         with suppress(ValueError):  # somebody may edit the file
             rate = float(self._kept("talk/voice_rate", f"{rate:g}"))
@@ -175,8 +185,26 @@ class TalkDialogs(QObject):
             rate=rate if math.isfinite(rate) else usual.rate,
             program=self._kept("talk/voice_program", usual.program),
             by_program=self._kept("talk/voice_by_program", "0") == "1",
-            driver=next((known for known in TextDriver if known.value == driver), usual.driver),
         )
+
+    def _keep_drivers(self) -> None:
+        drivers, keep = self._talking.text.drivers, self._settings.setValue
+        tables, chosen = drivers.performance.opened
+        keep("talk/text_driver", drivers.chosen.value)
+        keep("talk/performances", [str(path) for path in tables])
+        keep("talk/performance", str(chosen or ""))
+        keep("talk/performance_choice", drivers.performance.choice.value)
+
+    def _restore_drivers(self) -> None:
+        drivers = self._talking.text.drivers
+        driver, choice = self._kept("talk/text_driver", ""), self._kept("talk/performance_choice", "")
+        drivers.choose(next((known for known in TextDriver if known.value == driver), drivers.chosen))
+        performance = drivers.performance
+        performance.set_choice(next((known for known in ExampleChoice if known.value == choice), performance.choice))
+        kept = self._settings.value("talk/performances") or []
+        tables = [kept] if isinstance(kept, str) else list(kept)  # a list of one comes back as a text
+        chosen = self._kept("talk/performance", "")
+        performance.keep([Path(str(path)) for path in tables], Path(chosen) if chosen else None)
 
     def _percent(self, name: str) -> int:
         kept = self._kept(f"talk/{name}_percent", "100")

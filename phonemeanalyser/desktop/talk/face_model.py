@@ -91,6 +91,12 @@ class FaceModel(QObject):
         self.files = files
         self._work.replace(lambda _progress: _loaded(files), lambda morph_mesh: self._take(files, morph_mesh))
 
+    def share(self, other: "FaceModel") -> None:
+        """Be the same face as another one, and move by itself."""
+        if other.morph_mesh is not None:
+            self._asked, self.files = True, other.files
+            self._take(other._shown, other.morph_mesh)
+
     def moved_by(self, table: MouthTable) -> tuple[str, ...]:
         """Name the movestates of this face that a table moves."""
         moved = {name for shape in table.shapes.values() for name, percent in shape.items() if percent}

@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.talk.head_surface import (
     has_graphics_card,
     rendering,
 )
-from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.moving_head import MovingHead
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.rendering.camera import Camera
@@ -53,14 +53,14 @@ class HeadView(QWidget):
 
     looked = Signal()
 
-    def __init__(self, talking: TalkModel, theme: Theme) -> None:
+    def __init__(self, head: MovingHead, theme: Theme) -> None:
         super().__init__()
         self.camera: Camera | None = None
         self.light: Light = LIGHT
         self.wireframe = False
         self.trouble = ""
         self.surface: GlSurface | PictureSurface | None = None
-        self._talking = talking
+        self._head = head
         background = QColor(theme.base)
         self._background = (background.redF(), background.greenF(), background.blueF())
         self._morph_mesh: MorphMesh | None = None
@@ -69,22 +69,18 @@ class HeadView(QWidget):
         self._message = QLabel("loading the head …")
         self._work = TaskQueue(self._give_up)
         self._lay_out(theme)
-        talking.face.changed.connect(self._take_face)
+        head.face.changed.connect(self._take_face)
 
     def refresh(self) -> None:
         """Show the face as it is now, once what draws it is loaded."""
-        if self._talking.face.morph_mesh is None or self.trouble:
+        if self._head.face.morph_mesh is None or self.trouble:
             return
         if self._morph_mesh is None:
             self._take_face()
         if self.surface is None and not self._work.busy:
             self._work.submit(lambda _progress: rendering(), lambda _loaded: self._begin_drawing())
-        if (
-            self.surface is not None
-            and self._shown != self._talking.revision
-            and time.monotonic() >= self.surface.due
-        ):
-            self._shown = self._talking.revision
+        if self.surface is not None and self._shown != self._head.revision and time.monotonic() >= self.surface.due:
+            self._shown = self._head.revision
             self.surface.redraw()
 
     def copy_view_from(self, other: "HeadView") -> None:
@@ -236,16 +232,16 @@ class HeadView(QWidget):
         self._stack.setCurrentWidget(self._message)
 
     def _take_face(self) -> None:
-        morph_mesh = self._talking.face.morph_mesh
+        morph_mesh = self._head.face.morph_mesh
         if morph_mesh is not None and morph_mesh is not self._morph_mesh:
             self._morph_mesh, self.trouble = morph_mesh, ""  # another one may be drawn
             self.look(camera=Camera.facing(morph_mesh.mesh))
 
     def _scene(self) -> Scene | None:
-        morph_mesh = self._talking.face.morph_mesh
+        morph_mesh = self._head.face.morph_mesh
         if morph_mesh is None or self.camera is None:
             return None
         return Scene(
-            morph_mesh, self._talking.face.positions(), self._talking.pose, self.camera, self.light,
+            morph_mesh, self._head.face.positions(), self._head.pose, self.camera, self.light,
             self._background, self.wireframe,
         )  # fmt: skip

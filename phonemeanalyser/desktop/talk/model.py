@@ -5,17 +5,18 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.face_model import FaceModel
+from phonemeanalyser.desktop.talk.moving_head import MovingHead
 from phonemeanalyser.desktop.talk.osc_model import OscModel
 from phonemeanalyser.desktop.talk.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import (
@@ -29,6 +30,7 @@ from phonemeengine.mouth.performer import (
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride
+from phonemeengine.performance.driver import FACE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
@@ -36,8 +38,6 @@ HALF_FRAME = (HOP - HOP // 2) / SAMPLE_RATE
 """Seconds: a block of a file is due in the middle of its last frame."""
 FOLLOWED = 60
 """Frames after which a mouth is where it would be had it followed the sound from its beginning."""
-LEAST_WEIGHT, LEAST_ANGLE = 0.002, 0.04
-"""What is no change that anybody sees: of a weight, and of the head's pose in degrees."""
 
 
 class TalkModel(QObject):
@@ -58,11 +58,11 @@ class TalkModel(QObject):
     mode : what becomes of everything else when a slider asks for a shape.
     attack_factor, release_factor : by how much all attacks and releases of the table are longer.
     random : whether the mouth varies as mouths do.
-    performer : says what is heard, with this face.
+    head : shows on the face what its performer says.
+    beside : the second head, of the same face, that shows what another driver makes of the sound.
+    performer : that of the head.
     idle : what the face does besides speaking, and in which detail its mouth follows.
     watched : whether anybody looks.
-    revision : another number whenever the face looks different.
-    pose : how the head is turned.
     """
 
     changed = Signal()
@@ -79,21 +79,19 @@ class TalkModel(QObject):
         self.text = text or TextModel(session)
         self.expression = ExpressionModel()
         self.watched = False
-        self.revision = 0
-        self.pose = HeadPose()
         self.random = True
         self.attack_factor = self.release_factor = 1.0
         self.mode = Mode.INTERACT
         self.table_name = USUAL_TABLE
         self.table = self._written = load_table(USUAL_TABLE)
         self.idle = IdleMotion()
-        self.performer = Performer(self.table, self.idle)
-        self._performers = self.performer, self.osc.performer
+        self.head = MovingHead(self.face, self.table, self.idle)
+        self.beside = MovingHead(FaceModel(), self.table, self.idle)
+        self.performer = self.head.performer
         self._known: Transcript | None = None
-        self._tracks: tuple[MouthTrack, ...] = ()
+        self._tracks: dict[Performer, MouthTrack] = {}
         self._heard: list[Analysis] = []
         self._last: Analysis | None = None
-        self._seen = np.zeros(0, np.float32)
         self._work = TaskQueue(self.error.emit)
         self._connect()
 
@@ -101,6 +99,11 @@ class TalkModel(QObject):
     def visemes(self) -> VisemeOverride:
         """The shapes that are asked for by key or slider."""
         return self.performer.visemes
+
+    @property
+    def comparing(self) -> bool:
+        """Whether there is a second head."""
+        return self.text.drivers.compared is not None
 
     @property
     def percentages(self) -> dict[str, float]:
@@ -198,15 +201,17 @@ class TalkModel(QObject):
             return
         now = self._now()
         self._listen(heard, now)
-        self._play_letters(now)
-        if self.watched and self.face.states is not None:
-            self._move(now)
+        self._play_tracks(now)
+        if self.watched:
+            for head in (self.head, self.beside) if self.comparing else (self.head,):
+                head.move(now)
 
     def close(self) -> None:
         """Let everything go."""
         self.text.close()
         self.osc.close()
         self.face.close()
+        self.beside.face.close()
         self._work.close(CLOSE_TIMEOUT)
 
     def _now(self) -> float:
@@ -227,35 +232,66 @@ class TalkModel(QObject):
             for performer in self._performers:
                 performer.hear(frames, now, live=self.session.source.live)
 
-    def _play_letters(self, now: float) -> None:
-        """Have letters of pinyin move the mouths, in step with the sound, where there are any."""
-        start = now - self.session.position
-        for performer, track in zip(self._performers, self._tracks, strict=False):
-            performer.play(track, start)
+    @property
+    def _performers(self) -> tuple[Performer, ...]:
+        both = self.performer, self.osc.performer
+        return (*both, self.beside.performer) if self.comparing else both
 
-    def _take_text(self) -> None:
-        """Take up the letters, or that there are none any more; each performer asks a mouth of its own."""
-        letters = self.text.letters
-        if letters is None and self._tracks:
-            for performer in self._performers:
-                performer.play(None)
-        self._tracks = () if letters is None else tuple(letters.mouth() for _ in self._performers)
+    def _play_tracks(self, now: float) -> None:
+        """Have the mouths move by what is known of the words, in step with the sound, where anything is."""
+        session, original = self.session, self.text.original
+        at_rest = not session.playing and session.position == 0
+        for performer, track in self._tracks.items():
+            performer.play(None if at_rest else track, now - session.position)
+        if original.face is not None:
+            self.performer.play(original.face, now - original.position)
+
+    def _take_drivers(self) -> None:
+        """Take up what moves the mouths; where nothing does, they go on by what is heard."""
+        drivers = self.text.drivers
+        movers = {self.performer: drivers.main, self.osc.performer: drivers.main}
+        if drivers.compared is not None:
+            movers[self.beside.performer] = drivers.compared
+        found = {performer: drivers.track_by(driver) for performer, driver in movers.items()}
+        self._tracks = {performer: track for performer, track in found.items() if track is not None}
+        for performer in found.keys() - self._tracks.keys():
+            performer.play(None)
+        self._configure()
+        self._name_heads()
+        self.changed.emit()
+
+    def _name_heads(self) -> None:
+        """Say below the heads what moves them, unless there is one head, and its mouth table does."""
+        drivers, original = self.text.drivers, self.text.original
+        shown, beside = (self._track_of(head) for head in (self.head, self.beside))
+        by_table = shown is not None and drivers.main is TextDriver.TABLE
+        self.head.caption = drivers.caption_of(drivers.main, shown) if self.comparing or by_table else ""
+        if original.face is not None:
+            self.head.caption = original.caption
+        self.beside.caption = "" if drivers.compared is None else drivers.caption_of(drivers.compared, beside)
+
+    def _track_of(self, head: MovingHead) -> MouthTrack | None:
+        """Return what moves a head, if it knows all movestates of the mouth table."""
+        track = self._tracks.get(head.performer)
+        return track if track is not None and {*self.table.movestates} <= {*track.movestates} else None
+
+    def _take_compared(self) -> None:
+        """Have the second head begin where the first one is, or leave it alone."""
+        if self.comparing and self.beside.face.morph_mesh is not self.face.morph_mesh:
+            self.beside.face.share(self.face)
+        self._last = None  # what is known ahead is heard again
+        self._seek()
+
+    def _take_original(self) -> None:
+        """Show a recording, or what is said again."""
+        if self.text.original.face is None:
+            self.performer.play(None)  # until the next tick, where a track has it
+        self._name_heads()
+        self.changed.emit()
 
     def _grow_known(self, known: Transcript) -> None:
         """Go on with what is known by now of the same sound, none of which was heard yet."""
         self._known = known
-
-    def _move(self, now: float) -> None:
-        _, weights, closure, pose = self.performer.at(now)
-        look = np.array([*weights, closure, pose.yaw, pose.pitch, pose.roll], np.float32)
-        if len(look) == len(self._seen):
-            change = np.abs(look - self._seen)
-            if change[:-3].max() < LEAST_WEIGHT and change[-3:].max() < LEAST_ANGLE:
-                return
-        self._seen, self.pose = look, pose
-        self.face.move(weights)
-        self.face.blink(closure)
-        self.revision += 1
 
     def _connect(self) -> None:
         session = self.session
@@ -266,8 +302,9 @@ class TalkModel(QObject):
         session.transport_changed.connect(self._hold)
         self.text.known_changed.connect(self.set_known)
         self.text.known_grew.connect(self._grow_known)
-        self.text.known_changed.connect(self._take_text)
-        self.text.known_grew.connect(self._take_text)
+        self.text.drivers.changed.connect(self._take_drivers)
+        self.text.drivers.compared_changed.connect(self._take_compared)
+        self.text.original.changed.connect(self._take_original)
         self.face.changed.connect(self._take_face)
         self.expression.changed.connect(self._take_expression)
         self.visemes_changed.connect(self._share_visemes)
@@ -281,7 +318,8 @@ class TalkModel(QObject):
             self._heard += blocks
 
     def _share_visemes(self) -> None:
-        self.osc.performer.set_phonemes(self.visemes.phonemes, self.visemes.speech)
+        for performer in (self.osc.performer, self.beside.performer):
+            performer.set_phonemes(self.visemes.phonemes, self.visemes.speech)
 
     def _forget_sound(self) -> None:
         self._known = None
@@ -328,10 +366,12 @@ class TalkModel(QObject):
 
     def _take_expression(self) -> None:
         self.idle = replace(self.idle, expression=self.expression.expression)
-        self.performer.configure(self.table, self.idle)
+        self._configure()
         self.osc.express(self.idle.expression)
 
     def _take_face(self) -> None:
+        if self.comparing:
+            self.beside.face.share(self.face)
         if not self.face.moved_by(self._written) and self.face.tables:
             self.set_table(max(self.face.tables, key=lambda name: len(self.face.moved_by(load_table(name)))))
             return
@@ -359,8 +399,17 @@ class TalkModel(QObject):
 
     def _use(self, table: MouthTable) -> None:
         self.table = table
-        self.performer.configure(table, self.idle)
-        self.face.set_table(table)
-        self.osc.follow(table, self.idle.detail)
-        self._seen = np.zeros(0, np.float32)
+        self._configure()
+        self._name_heads()
         self.changed.emit()
+
+    def _configure(self) -> None:
+        """Have all move by the table, with the detail and the life that are chosen."""
+        for head in (self.head, self.beside):
+            head.configure(self._table_for(head.performer), self.idle)
+        self.osc.follow(self._table_for(self.osc.performer), self.idle.detail)
+
+    def _table_for(self, performer: Performer) -> MouthTable:
+        """Return the mouth table; for recorded faces with all that they move, such as shoulders and tongue."""
+        recorded = performer in self._tracks and self._tracks[performer].movestates == FACE
+        return replace(self.table, movestates=FACE) if recorded and self.table.movestates == ARKIT else self.table

@@ -1,6 +1,7 @@
 """The page of the head: the head and its text at the left, and what it does at the right."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
@@ -16,8 +17,10 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.talk.choices_panel import ChoicesPanel
+from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.expression_panel import ExpressionPanel
-from phonemeanalyser.desktop.talk.head_view import HINT, LIGHT_STEP, HeadView
+from phonemeanalyser.desktop.talk.head_pair import HeadPair
+from phonemeanalyser.desktop.talk.head_view import HINT, LIGHT_STEP
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.talk.osc_panel import OscPanel
@@ -30,6 +33,13 @@ from phonemeanalyser.desktop.widgets.heading import heading
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
 
 PANEL_WIDTH = 480
+COMPARISONS = {
+    None: "One Head",
+    TextDriver.RULES: "With Sounds, by the Mouth Table",
+    TextDriver.PINYIN: "With Letters of Pinyin",
+    TextDriver.TABLE: "With a Table of Recorded Faces",
+}
+"""What a second head can be moved by."""
 BARS_EVERY = 2
 """The bars are drawn at every second picture."""
 
@@ -57,7 +67,8 @@ class TalkPage(QWidget):
         self._talking = talking
         self._theme = theme
         self._ticks = 0
-        self.head = HeadView(talking, theme)
+        self.heads = HeadPair(talking, theme)
+        self.head = self.heads.main.view
         self.choices = ChoicesPanel(talking, theme)
         self.visemes = VisemePanel(talking, theme)
         self.expression = ExpressionPanel(talking, theme)
@@ -72,19 +83,21 @@ class TalkPage(QWidget):
         self.save = _button("Save ▾", "Save words and phones, or the text as a voice says it")
         self.wireframe = QCheckBox("wireframe")
         self.wireframe.setToolTip("Draw the edges of the mesh alone (W)")
+        self.compare = _button("Compare ▾", "Show a second head in step, which other means move")
         self.home = _button("⌂", "Look at the whole head from the front (Home, or a double click)")
         self.light_left = _button("☀ ◂", "Move the light to the left (,)")
         self.light_right = _button("▸", "Move the light to the right (.)")
         self.said = ElidedLabel()
         self.heard = PhonemeChip(talking, theme)
         self._fill_save_menu()
+        self._fill_compare_menu()
         self._lay_out()
         self._connect()
         self._show_state()
 
     def refresh(self) -> None:
         """Show what changes by itself."""
-        self.head.refresh()
+        self.heads.refresh()
         self.text.refresh()
         self._ticks += 1
         if self._ticks % BARS_EVERY == 0:
@@ -103,6 +116,23 @@ class TalkPage(QWidget):
         self.save.setMenu(menu)
         self.save.setStyleSheet("QToolButton::menu-indicator { image: none }")  # it would lie on the text
         self.save.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+
+    def _fill_compare_menu(self) -> None:
+        menu = QMenu(self)
+        self.comparisons = QActionGroup(menu)
+        for driver, words in COMPARISONS.items():
+            action = self.comparisons.addAction(words)
+            action.setCheckable(True)
+            action.setData(driver)
+            menu.addAction(action)
+        self.comparisons.triggered.connect(self._choose_comparison)
+        self.compare.setMenu(menu)
+        self.compare.setStyleSheet("QToolButton::menu-indicator { image: none }")
+        self.compare.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+
+    def _choose_comparison(self, action: QAction) -> None:
+        driver = action.data()
+        self._talking.text.drivers.compare(None if driver is None else TextDriver(driver))
 
     def _connect(self) -> None:
         session = self._talking.session
@@ -123,6 +153,11 @@ class TalkPage(QWidget):
         session = self._talking.session
         self.play.setText("Pause" if session.playing else "Play")
         texts = self._talking.text
+        compared = texts.drivers.compared
+        for action in self.comparisons.actions():
+            action.setChecked(action.data() == compared)
+            by_table = action.data() == TextDriver.TABLE
+            action.setEnabled(not by_table or texts.drivers.performance.table is not None)
         self.save_words.setEnabled(texts.editable and texts.utterance is not None)
         self.save_speech.setEnabled(bool(texts.text.strip()))
         self.said.setText(session.name)
@@ -133,7 +168,7 @@ class TalkPage(QWidget):
         column = QVBoxLayout(left)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(self.head, 1)
+        column.addWidget(self.heads, 1)
         column.addLayout(self._rows_below())
         split = QSplitter(Qt.Orientation.Horizontal)
         split.addWidget(left)
@@ -150,7 +185,7 @@ class TalkPage(QWidget):
         rows = QVBoxLayout()
         rows.setContentsMargins(8, 5, 8, 5)
         rows.setSpacing(4)
-        looks = (self.wireframe, self.light_left, self.light_right, self.home)
+        looks = (self.compare, self.wireframe, self.light_left, self.light_right, self.home)
         for widgets in ((self.open, self.play, self.stop, self.preset, self.save), (self.heard, self.said, *looks)):
             row = QHBoxLayout()
             row.setSpacing(6)

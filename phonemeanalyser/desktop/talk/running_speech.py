@@ -4,6 +4,7 @@ from collections import deque
 from collections.abc import Iterator
 
 from phonemeengine.labels.utterance import Utterance
+from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spooled import KEPT, SentenceTrack, SpooledSpeech
 from phonemeengine.speech.voice import SpokenSentence
@@ -18,16 +19,18 @@ class RunningSpeech:
     Parameters
     ----------
     sentences : as a voice speaks them.
+    face : looks them up meanwhile; None where nothing does.
     language : of the text.
 
     Attributes
     ----------
-    language : of the text.
+    face, language : what looks the text up, and its language.
     speech : the sound; whoever plays it closes it.
     utterance : what is said by now and not forgotten; None where nothing is known of it.
     """
 
-    def __init__(self, sentences: Iterator[SpokenSentence], language: str) -> None:
+    def __init__(self, sentences: Iterator[SpokenSentence], face: SpokenFace | None, language: str) -> None:
+        self.face = face
         self.speech = SpooledSpeech(sentences)
         self.utterance: Utterance | None = None
         self.language = language

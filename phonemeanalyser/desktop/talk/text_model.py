@@ -8,6 +8,9 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.talk.driver_model import DriverModel
+from phonemeanalyser.desktop.talk.original_model import OriginalModel
+from phonemeanalyser.desktop.talk.performance_model import MeasuredSound
 from phonemeanalyser.desktop.talk.running_speech import RunningSpeech
 from phonemeanalyser.desktop.talk.scripts import (
     FoundWords,
@@ -18,18 +21,19 @@ from phonemeanalyser.desktop.talk.scripts import (
     write_speech,
 )
 from phonemeanalyser.desktop.talk.sound_words import KnownWords, SoundWords
-from phonemeanalyser.desktop.talk.voice_model import TextDriver, VoiceChoice, VoiceModel
+from phonemeanalyser.desktop.talk.voice_model import VoiceChoice, VoiceModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text
-from phonemeengine.errors import CorpusError, TextError
+from phonemeengine.errors import CorpusError
 from phonemeengine.files import printable
 from phonemeengine.labels.boundaries import LabelUnit, with_boundary
 from phonemeengine.labels.text_io import write_text
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
+from phonemeengine.performance.driver import UsedUnit
+from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.progress import Progress
-from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 from phonemeengine.speech.spooled import SpooledSpeech
 from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.text import mandarin
@@ -64,7 +68,7 @@ class TextModel(QObject):
 
     Signals
     -------
-    changed : the words, the text, the language, the lexicon, the voice, or what is going on.
+    changed : the words, the text, the language, the lexicon, the voice, what moves the mouth, or what is going on.
     known_changed : what is said in the sound in hand, as a `Transcript`, or None where that is not known.
     known_grew : the same, where there is more of it than before.
     speech_saved : the path of a sound file to which a text was spoken.
@@ -74,11 +78,12 @@ class TextModel(QObject):
     ----------
     tools : what does the work.
     voice : who speaks.
+    drivers : by what the mouth moves.
+    original : plays what a unit of a recorded face is from.
     words : of the sound file in hand.
     text : the script of the sound in hand, or what is to be spoken.
     language : of the text; empty where none is chosen.
     lexicon_path : goes before the language's voice; None for none.
-    letters : how the mouth says Chinese; None for other languages.
     """
 
     changed = Signal()
@@ -88,24 +93,31 @@ class TextModel(QObject):
     error = Signal(str)
     info = Signal(str)
 
-    def __init__(self, session: Session, tools: TextTools | None = None, voice: VoiceModel | None = None) -> None:
+    def __init__(
+        self, session: Session, tools: TextTools | None = None, voice: VoiceModel | None = None,
+        drivers: DriverModel | None = None,
+    ) -> None:  # fmt: skip
         super().__init__()
         self._session = session
         self.tools = tools or TextTools()
         self.voice = voice or VoiceModel()
+        self.drivers = drivers or DriverModel()
+        self.original = OriginalModel(session)
         self.words = SoundWords(session.preset.undo_stack)
         self.text = self.language = ""
         self.lexicon_path: Path | None = None
-        self.letters: PinyinTrack | None = None
         self._lexicon: Lexicon | None = None
         self._speech: RunningSpeech | None = None
         self._until: float | None = None
-        self._driver = self.voice.choice.driver
         self._work, self._looking = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
         self._saving = TaskQueue(self.error.emit)
         for part in (self._work, self._saving):
             part.changed.connect(self.changed)
-        self.voice.changed.connect(self._take_voice)
+        for changed in (part.changed for part in (self.voice, self.drivers, self.drivers.performance, self.original)):
+            changed.connect(self.changed)
+        self.drivers.error.connect(self.error)
+        self.original.error.connect(self.error)
+        self.drivers.info.connect(self.info)
         self.words.changed.connect(self._take_words)
         session.speech_asked.connect(self.say)
 
@@ -138,7 +150,7 @@ class TextModel(QObject):
         """How far the work is, in words; nothing where there is none."""
         if self.busy:
             return f"{self._work.progress:.0%}"
-        return "saving the spoken text …" if self._saving.busy else ""
+        return "saving the spoken text …" if self._saving.busy else self.drivers.performance.progress
 
     @property
     def summary(self) -> str:
@@ -196,9 +208,10 @@ class TextModel(QObject):
         """Have the voice speak the text, as soon as it can."""
         if self._may_read(by_voice=True):
             text, language, voice = self.text, self._language_of_text, self._voice
+            look_up = self.drivers.wants_table
             self._work.replace(
-                lambda _progress: self.tools.speak(text, language, voice),
-                lambda sentences: self._take_speech(RunningSpeech(sentences, language), text, voice),
+                lambda _progress: self._spoken(text, language, voice, look_up=look_up),
+                lambda spoken: self._take_speech(RunningSpeech(*spoken, language), text, voice),
             )
 
     def save_speech(self, path: Path) -> None:
@@ -236,6 +249,12 @@ class TextModel(QObject):
         else:
             self.words.edit(moved, f"boundary of a {unit}", by_hand=True)
 
+    def play_original(self, unit: UsedUnit, *, whole: bool = False) -> None:
+        """Play what a unit of the face was taken from, or the whole recording."""
+        table = self.drivers.performance.table
+        if table is not None:
+            self.original.play(table, unit, whole=whole)
+
     def play(self, start: float, end: float) -> None:
         """Play a stretch of the sound in hand, in seconds."""
         session = self._session
@@ -258,8 +277,10 @@ class TextModel(QObject):
         self._tell()
 
     def tick(self) -> None:
-        """Follow what is spoken, and end what has lasted long enough."""
+        """Follow what is spoken and looked up, and end what has lasted long enough."""
         self._follow_speech()
+        self.drivers.performance.tick(self._session.position)
+        self.original.tick()
         if self._until is not None:
             if not self._session.playing:
                 self._until = None
@@ -271,6 +292,8 @@ class TextModel(QObject):
         """Save what is to be saved, and end all other work."""
         self._saving.finish()
         self.voice.close()
+        self.original.close()
+        self.drivers.close()
         for work in (self._work, self._looking):
             work.close(CLOSE_TIMEOUT)
 
@@ -324,6 +347,14 @@ class TextModel(QObject):
     def _voice(self) -> VoiceChoice:
         return replace(self.voice.choice, lexicon=self._lexicon)
 
+    def _spoken(
+        self, text: str, language: str, voice: VoiceChoice, *, look_up: bool
+    ) -> tuple[Iterator[SpokenSentence], SpokenFace | None]:  # fmt: skip
+        """Return a text as a voice speaks it, and what its face is looked up by, where it is."""
+        sentences = self.tools.speak(text, language, voice)
+        face = self.drivers.performance.spoken_face(language) if look_up else None
+        return (sentences, None) if face is None else (face.follow(sentences), face)
+
     def _take_speech(self, speech: RunningSpeech, text: str, voice: VoiceChoice) -> None:
         self._speech = speech
         self._session.speak(speech.speech, lambda: SpooledSpeech(self.tools.speak(text, speech.language, voice)))
@@ -340,35 +371,26 @@ class TextModel(QObject):
         if self._session.source is SoundSource.FILE:
             self._tell()
 
-    def _take_voice(self) -> None:
-        if self.voice.choice.driver is not self._driver:
-            self._driver = self.voice.choice.driver
-            self._tell()
-        else:
-            self.changed.emit()
-
     def _take_lexicon(self, path: Path | None, lexicon: Lexicon | None) -> None:
         self.lexicon_path, self._lexicon = path, lexicon
         self.changed.emit()
 
     def _tell(self, *, grown: bool = False) -> None:
-        utterance = self.utterance
-        self.letters = None if utterance is None else self._letters_of(utterance)
+        utterance, speech = self.utterance, self._speech
+        if utterance is None or speech is None:
+            self.drivers.follow(*self._known_of_file(utterance))
+        else:
+            self.drivers.follow(utterance, speech.text, spoken=speech.face)
         (self.known_grew if grown else self.known_changed).emit(utterance and self._transcript_of(utterance))
         self.changed.emit()
 
-    def _letters_of(self, utterance: Utterance) -> PinyinTrack | None:
-        """Return how the mouth says Chinese; None for other languages, and where it does not go by letters."""
-        in_pinyin = any(syllable.text for word in utterance.words for syllable in word.syllables)
-        if self._driver is TextDriver.RULES or not (in_pinyin or self._driver is TextDriver.PINYIN):
-            return None
-        text = self.text if self._speech is None else self._speech.text
-        try:
-            return pinyin_track(utterance, text=text)
-        except TextError as error:
-            if self._driver is TextDriver.PINYIN:
-                self.error.emit(str(error))
-            return None
+    def _known_of_file(self, utterance: Utterance | None) -> tuple[Utterance | None, str, MeasuredSound | None]:
+        """Return what is said in the sound file in hand, how it is written, and the file."""
+        session, path = self._session, self.words.sound
+        if utterance is None or path is None:
+            return None, "", None
+        sound = MeasuredSound(path, session.channel, session.preset.in_force)
+        return replace(utterance, language=self._language_of_text or utterance.language), self.text, sound
 
     def _transcript_of(self, utterance: Utterance) -> Transcript:
         path = self.words.sound if self._session.source is SoundSource.FILE else None

@@ -81,7 +81,7 @@ class TextPanel(QWidget):
         self._talking, self._texts = talking, talking.text
         self.field = TextField()
         self.language = QComboBox()
-        self.voice = VoiceButton(self._texts.voice, theme)
+        self.voice = VoiceButton(self._texts.voice, self._texts.drivers, theme)
         self.lexicon = _button("Lexicon…", "A file that says how words are pronounced; without one, the voice knows")
         self.align = _button("Align", "Find the words of the text in the sound (Ctrl+Shift+Return)")
         self.say = _button("Say", "Have a voice say the text (Ctrl+Return); Escape stops it")
@@ -91,6 +91,7 @@ class TextPanel(QWidget):
         self._connect()
         self._show_state()
         self._texts.voice.wake()
+        self._texts.drivers.performance.wake()
 
     def refresh(self) -> None:
         """Show where the sound is."""

@@ -1,9 +1,8 @@
-"""The voice that says texts: which one it is, how fast it speaks, and by what the mouth moves meanwhile."""
+"""The voice that says texts: which one it is, and how fast it speaks."""
 
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -20,14 +19,6 @@ SLOWEST, FASTEST = RATES[0][0], RATES[-1][0]
 """Syllables a second."""
 
 
-class TextDriver(StrEnum):
-    """By what the mouth moves where the words are known."""
-
-    AUTO = "auto"
-    PINYIN = "pinyin"
-    RULES = "rules"
-
-
 @dataclass(frozen=True)
 class VoiceChoice:
     """Who says texts, and how.
@@ -38,7 +29,6 @@ class VoiceChoice:
     rate : syllables a second, `SLOWEST`..`FASTEST`.
     program : a text-to-speech program of the user's own, as a command.
     by_program : whether that program speaks, at a rate of its own.
-    driver : by what the mouth moves.
     lexicon : how words are pronounced that the voice reads otherwise; None for none.
     """
 
@@ -46,7 +36,6 @@ class VoiceChoice:
     rate: float = USUAL_RATE
     program: str = ""
     by_program: bool = False
-    driver: TextDriver = TextDriver.AUTO
     lexicon: Lexicon | None = None
 
 

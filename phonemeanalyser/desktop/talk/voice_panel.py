@@ -1,12 +1,15 @@
-"""The voice that says texts, chosen below a button: who speaks, how fast, and by what the mouth moves."""
+"""The voice that says texts, and what moves the mouth meanwhile, chosen below a button."""
 
-from PySide6.QtCore import QPoint, QSignalBlocker, Qt
+from PySide6.QtCore import QPoint, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QFrame, QLabel, QLineEdit, QToolButton, QWidget
 
-from phonemeanalyser.desktop.talk.voice_model import FASTEST, SLOWEST, TextDriver, VoiceModel
+from phonemeanalyser.desktop.talk.driver_model import DriverModel, TextDriver
+from phonemeanalyser.desktop.talk.performance_model import name_of
+from phonemeanalyser.desktop.talk.voice_model import FASTEST, SLOWEST, VoiceModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.speech.program import OUTPUT, TEXT
 
 WIDTH = 420
@@ -14,10 +17,18 @@ OWN_VOICE, OWN_PROGRAM = "the language’s own", "a program of your own"
 KINDS = {"m": "man", "f": "woman"}
 """What the voices are that are a letter and a number."""
 DRIVERS = {
-    TextDriver.AUTO: "automatic: pinyin for Chinese",
+    TextDriver.AUTO: "automatic: recorded faces, pinyin, sounds",
     TextDriver.PINYIN: "letters of pinyin",
+    TextDriver.TABLE: "a table of recorded faces",
     TextDriver.RULES: "sounds, by the mouth table",
 }
+CHOICES = {
+    ExampleChoice.VITERBI: "those that fit and join best (Viterbi)",
+    ExampleChoice.NEAREST: "those of the nearest duration",
+    ExampleChoice.BAND: "any within 15 % of the duration",
+    ExampleChoice.RANDOM: "any",
+}
+NO_TABLE, OTHER_TABLE = "none", "open a table…"
 MEANING = (
     f"{OUTPUT} is the WAV file that it shall write, {TEXT} the text; without {TEXT}, the program reads the text from "
     "its standard input. A TextGrid that it writes beside the sound tells the times."
@@ -26,15 +37,22 @@ EXAMPLE = f"my-voice --file {OUTPUT} {TEXT}"
 
 
 class VoicePanel(QFrame):
-    """Pops up beside the button that it belongs to; Escape or a click elsewhere closes it."""
+    """Pops up beside the button that it belongs to; Escape or a click elsewhere closes it.
 
-    def __init__(self, voice: VoiceModel, theme: Theme, button: QWidget) -> None:
+    Signals
+    -------
+    table_asked : the user wants to open a table of recorded faces.
+    """
+
+    table_asked = Signal()
+
+    def __init__(self, voice: VoiceModel, drivers: DriverModel, theme: Theme, button: QWidget) -> None:
         super().__init__(button, Qt.WindowType.Popup)
-        self._voice, self._button = voice, button
+        self._voice, self._drivers, self._button = voice, drivers, button
         self.setObjectName("voice")
         self.setStyleSheet(f"#voice {{ background: {theme.window}; border: 1px solid {theme.line} }}")
         self.setAccessibleName("voice")
-        self.name, self.driver = QComboBox(), QComboBox()
+        self.name, self.driver, self.table, self.choice = QComboBox(), QComboBox(), QComboBox(), QComboBox()
         self.rate, self.program = NumberField(), QLineEdit()
         self._hint = QLabel(MEANING)
         self._hint.setWordWrap(True)
@@ -64,7 +82,8 @@ class VoicePanel(QFrame):
         self._list_voices()
         own = self.name.count() - 1
         self.name.setCurrentIndex(own if choice.by_program else max(0, self.name.findData(choice.name)))
-        self.driver.setCurrentIndex(self.driver.findData(choice.driver))
+        self.driver.setCurrentIndex(self.driver.findData(self._drivers.chosen))
+        self._show_tables()
         self.rate.setValue(choice.rate)
         self.rate.setEnabled(not choice.by_program)
         if self.program.text() != choice.program:
@@ -99,6 +118,12 @@ class VoicePanel(QFrame):
         self.driver.setToolTip("By what the mouth moves where the words are known, of a voice or of a recording")
         for driver, words in DRIVERS.items():
             self.driver.addItem(words, driver)
+        self.table.setAccessibleName("table of recorded faces")
+        self.table.setToolTip("Recorded faces that say new sentences: `phonemeanalyser performance build` makes one")
+        self.choice.setAccessibleName("choice among recordings")
+        self.choice.setToolTip("Which of several recordings of the same sounds are taken")
+        for choice, words in CHOICES.items():
+            self.choice.addItem(words, choice)
         self.program.setAccessibleName("command")
         self.program.setToolTip(f"The command that speaks, such as: {EXAMPLE}")
         self.program.setPlaceholderText(EXAMPLE)
@@ -108,7 +133,7 @@ class VoicePanel(QFrame):
         self._rows.setContentsMargins(10, 10, 10, 10)
         for words, widget in (
             ("Voice", self.name), ("Rate", self.rate), ("Command", self.program), ("", self._hint),
-            ("Mouth moves by", self.driver),
+            ("Mouth moves by", self.driver), ("Recorded faces", self.table), ("Of several, take", self.choice),
         ):  # fmt: skip
             self._rows.addRow(words, widget)
         self.setFixedWidth(WIDTH)
@@ -118,7 +143,12 @@ class VoicePanel(QFrame):
         self.name.activated.connect(self._choose_voice)
         self.rate.valueChanged.connect(lambda rate: voice.choose(rate=rate))
         self.program.editingFinished.connect(lambda: voice.choose(program=self.program.text().strip()))
-        self.driver.activated.connect(lambda k: voice.choose(driver=TextDriver(self.driver.itemData(k))))
+        drivers, performance = self._drivers, self._drivers.performance
+        self.driver.activated.connect(lambda k: drivers.choose(TextDriver(self.driver.itemData(k))))
+        self.table.activated.connect(self._choose_table)
+        self.choice.activated.connect(lambda k: performance.set_choice(ExampleChoice(self.choice.itemData(k))))
+        for part in (drivers, performance):
+            part.changed.connect(self.show_state)
         voice.changed.connect(self.show_state)
 
     def _choose_voice(self, place: int) -> None:
@@ -127,6 +157,27 @@ class VoicePanel(QFrame):
             self.program.setFocus()
         else:
             self._voice.choose(name=self.name.itemData(place), by_program=False)
+
+    def _choose_table(self, place: int) -> None:
+        if place == self.table.count() - 1:
+            self.close()
+            self.table_asked.emit()
+        else:
+            self._drivers.performance.choose(self.table.itemData(place))
+
+    def _show_tables(self) -> None:
+        """List the tables that were opened; those of synthetic performers are named so."""
+        performance = self._drivers.performance
+        wanted = [(NO_TABLE, None), *((name_of(about), path) for path, about in performance.tables.items())]
+        wanted.append((OTHER_TABLE, None))
+        if [(self.table.itemText(k), self.table.itemData(k)) for k in range(self.table.count())] != wanted:
+            self.table.clear()
+            for words, path in wanted:
+                self.table.addItem(words, path)
+        places = [path for _, path in wanted]
+        self.table.setCurrentIndex(0 if performance.chosen is None else places.index(performance.chosen))
+        self.choice.setCurrentIndex(self.choice.findData(performance.choice))
+        self._rows.setRowVisible(self.choice, performance.chosen is not None)
 
     def _list_voices(self) -> None:
         """List the voices, once they are known: those of men and women first."""
@@ -148,21 +199,25 @@ class VoiceButton(QToolButton):
     panel : what it opens.
     """
 
-    def __init__(self, voice: VoiceModel, theme: Theme) -> None:
+    def __init__(self, voice: VoiceModel, drivers: DriverModel, theme: Theme) -> None:
         super().__init__()
-        self._voice = voice
-        self.panel = VoicePanel(voice, theme, self)
-        self.setText("Voice…")
+        self._voice, self._drivers = voice, drivers
+        self.panel = VoicePanel(voice, drivers, theme, self)
+        self.setText("Voice && Face…")
         self.setAccessibleName("voice, rate and mouth of a spoken text")
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.clicked.connect(lambda _checked: self.panel.show_beside())
-        voice.changed.connect(self._show_state)
+        for part in (voice, drivers):
+            part.changed.connect(self._show_state)
         self._show_state()
 
     def _show_state(self) -> None:
         choice = self._voice.choice
         who = OWN_PROGRAM if choice.by_program else f"{choice.name or OWN_VOICE}, {choice.rate:g} syllables a second"
-        self.setToolTip(f"Who says the text, how fast, and what moves the mouth (now: {who})")
+        moved = (
+            self._drivers.performance.name if self._drivers.main is TextDriver.TABLE else DRIVERS[self._drivers.main]
+        )
+        self.setToolTip(f"Who says the text, how fast, and what moves the mouth (now: {who}; {moved})")
 
 
 def _kind_of(name: str) -> str:

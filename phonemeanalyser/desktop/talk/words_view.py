@@ -12,15 +12,24 @@ from phonemeanalyser.desktop.widgets.timeline import Chapter, Lane, Timeline, Ti
 from phonemeengine.arrays import UInt32Array
 from phonemeengine.labels.boundaries import LabelUnit
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
+from phonemeengine.performance.driver import UsedUnit
+from phonemeengine.performance.units import UnitKind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.plan import PlanKind, PlanRow
 from phonemeengine.speech.pinyin.track import PinyinTrack
 
 NAMES = ("words", "syllables", "phones")
-LETTERS = "letters"
+LETTERS, PERFORMED = "letters", "units"
 UNITS = (LabelUnit.WORD, LabelUnit.SYLLABLE, LabelUnit.PHONE)
 WORD_COLOUR, SYLLABLE_COLOUR, RIME_COLOUR = "#3d5a80", "#5c677d", "#7a8499"
 """Dark enough for white letters, in both looks."""
+UNIT_COLOURS = {
+    UnitKind.WORD: "#1b6e53", UnitKind.SYLLABLE: "#2f7f3c", UnitKind.VOWEL_TRIPHONE: "#2b6cb0",
+    UnitKind.CONSONANT_TRIPHONE: "#4f5bb5", UnitKind.BOUNDARY_TRIPHONE: "#6b4fa8", UnitKind.DIPHONE: "#a35a1c",
+    UnitKind.BOUNDARY_DIPHONE: "#8a6d1a", UnitKind.RIGHT_HALF: "#9c3d54", UnitKind.LEFT_HALF: "#7d3a6e",
+}  # fmt: skip
+"""Of the sets, from the longest units to the shortest."""
+HEARD = "Click to hear and see it as it was recorded, twice for the whole recording"
 SCALE = 2.0
 """Pixels of a frame to begin with: most phones have room for their names."""
 SHADE = 130
@@ -30,7 +39,8 @@ SHADE = 130
 class WordsTimeline(TimelineView):
     """The lanes of what is said in the sound in hand, with their scroll bar.
 
-    A click plays a word, a syllable or a phone; a boundary can be dragged.
+    A click plays a word, a syllable or a phone, or what a unit of a recorded face was taken from, and a double click
+    all of its recording; a boundary can be dragged.
     """
 
     def __init__(self, texts: TextModel, theme: Theme) -> None:
@@ -38,9 +48,11 @@ class WordsTimeline(TimelineView):
         self.lanes.scale = SCALE
         self._texts = texts
         self._shown: tuple[object, ...] = ()
+        self._units: list[UsedUnit] = []
         self.menu = PlotMenu(self.lanes, "what is said", lambda _at: table_of(self._columns()), self.show_whole)
         self.setAccessibleName("what is said when")
         self.span_clicked.connect(self._play)
+        self.span_double_clicked.connect(self._play_recording)
         self.boundary_moved.connect(self._move)
         texts.changed.connect(self.show_words)
         self.show_words()
@@ -48,7 +60,8 @@ class WordsTimeline(TimelineView):
     def show_words(self) -> None:
         """Show what is known now."""
         texts = self._texts
-        known = (texts.utterance, texts.letters, texts.editable)
+        letters, units = texts.drivers.letters, texts.drivers.performance.units
+        known = (texts.utterance, letters, units, texts.editable)
         if self._shown and all(one is other for one, other in zip(known, self._shown, strict=True)):
             self.lanes.drag = None
             self.lanes.update()
@@ -58,7 +71,9 @@ class WordsTimeline(TimelineView):
         if utterance is None:
             self.show_lanes([Lane(name) for name in NAMES], 0.0)
         else:
-            lanes = lanes_of(utterance, texts.letters, movable=texts.editable)
+            lanes = lanes_of(utterance, letters, movable=texts.editable)
+            self._units = _in_a_row(units)
+            lanes += [_lane_of_units(self._units)] if units else []
             self.show_lanes(lanes, utterance.duration, [Chapter(0.0, texts.summary)])
 
     def show_position(self, seconds: float) -> None:
@@ -69,7 +84,14 @@ class WordsTimeline(TimelineView):
 
     def _play(self, number: int, span: int) -> None:
         lane = self.lanes.lanes[number]
-        self._texts.play(float(lane.starts[span]), float(lane.ends[span]))
+        if lane.name == PERFORMED:
+            self._texts.play_original(self._units[span])
+        else:
+            self._texts.play(float(lane.starts[span]), float(lane.ends[span]))
+
+    def _play_recording(self, number: int, span: int) -> None:
+        if self.lanes.lanes[number].name == PERFORMED:
+            self._texts.play_original(self._units[span], whole=True)
 
     def _move(self, number: int, boundary: int, seconds: float) -> None:
         self._texts.move_boundary(UNITS[number], boundary, seconds)
@@ -115,6 +137,30 @@ def _lane_of_letters(letters: PinyinTrack) -> Lane:
     starts, ends = (np.array([part[k] for part in parts]) for k in (0, 1))
     colours = [SYLLABLE_COLOUR if part[3] else RIME_COLOUR for part in parts]
     return Lane(LETTERS, starts, ends, [part[2] for part in parts], _rgb(colours))
+
+
+def _in_a_row(units: Sequence[UsedUnit]) -> list[UsedUnit]:
+    """Return units without those that later ones hide: two sentences meet in a pause that both have."""
+    row: list[UsedUnit] = []
+    for unit in units:
+        while row and row[-1].start >= unit.start:
+            row.pop()
+        row.append(unit)
+    return row
+
+
+def _lane_of_units(units: Sequence[UsedUnit]) -> Lane:
+    starts = np.array([unit.start for unit in units])
+    ends = np.minimum([unit.end for unit in units], np.append(starts[1:], np.inf))
+    colours = _rgb([UNIT_COLOURS[unit.kind] for unit in units])
+    return Lane(
+        PERFORMED, starts, ends, [" ".join(unit.names) for unit in units], colours, tips=list(map(_tip_of, units))
+    )
+
+
+def _tip_of(unit: UsedUnit) -> str:
+    source = f"{unit.recording}, {unit.source_start:.2f} to {unit.source_end:.2f} s"
+    return f"{unit.kind} [{' '.join(unit.names)}] of {source}. {HEARD}"
 
 
 def _parts_of(row: PlanRow) -> list[tuple[float, float, str, bool]]:

@@ -6,9 +6,19 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QEvent, QRectF, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QImage, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QScrollBar, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QBrush,
+    QColor,
+    QHelpEvent,
+    QImage,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QScrollBar, QSizePolicy, QToolTip, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.painting import CENTRED, draw_text
 from phonemeanalyser.desktop.theme import Theme
@@ -45,6 +55,7 @@ class Lane:
     colours : of each span, RGB as ``QColor.rgb()`` has it, shape (n_spans,).
     marked : which spans are hatched and underlined, because they fit badly.
     movable : whether its boundaries can be dragged.
+    tips : what is told of each span under the mouse; of none, nothing.
     """
 
     name: str
@@ -54,6 +65,7 @@ class Lane:
     colours: UInt32Array = field(default_factory=lambda: np.zeros(0, np.uint32))
     marked: frozenset[int] = frozenset()
     movable: bool = False
+    tips: Sequence[str] = ()
 
     def span_at(self, seconds: float) -> int | None:
         """Return the number of the span at a time; None where there is none."""
@@ -297,13 +309,13 @@ class TimelineView(QWidget):
             return
         self.lanes.drag = self.lanes.boundary_at(event.position().x(), event.position().y())
         if self.lanes.drag is None:
-            for number, span in self._spans_at(event):
+            for number, span in self._spans_at(event.position()):
                 self.span_clicked.emit(number, span)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Tell which span it was."""
         if event.button() == Qt.MouseButton.LeftButton:
-            for number, span in self._spans_at(event):
+            for number, span in self._spans_at(event.position()):
                 self.span_double_clicked.emit(number, span)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -327,6 +339,22 @@ class TimelineView(QWidget):
         if drag.seconds != lanes.lanes[drag.lane].boundaries()[drag.boundary]:
             self.boundary_moved.emit(*drag)
 
+    def event(self, event: QEvent) -> bool:
+        """Tell of the span under the mouse what there is to tell."""
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            tip = next(
+                (
+                    self.lanes.lanes[n].tips[k]
+                    for n, k in self._spans_at(QPointF(event.pos()))
+                    if self.lanes.lanes[n].tips
+                ),
+                "",
+            )
+            if tip:
+                QToolTip.showText(event.globalPos(), tip, self)
+                return True
+        return super().event(event)
+
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Scroll, or zoom at the mouse."""
         turns = (event.angleDelta().y() or event.angleDelta().x()) / 120
@@ -348,12 +376,12 @@ class TimelineView(QWidget):
         """Show the usual cursor elsewhere."""
         self.unsetCursor()
 
-    def _spans_at(self, event: QMouseEvent) -> list[tuple[int, int]]:
-        """Return lane and number of the span under the mouse, if there is one."""
-        number = self.lanes.lane_at(event.position().y())
-        if number is None or event.position().x() < LEFT:
+    def _spans_at(self, place: QPointF) -> list[tuple[int, int]]:
+        """Return lane and number of the span at a pixel, if there is one."""
+        number = self.lanes.lane_at(place.y())
+        if number is None or place.x() < LEFT:
             return []
-        span = self.lanes.lanes[number].span_at(self.lanes.time_at(event.position().x()))
+        span = self.lanes.lanes[number].span_at(self.lanes.time_at(place.x()))
         return [] if span is None else [(number, span)]
 
     def _fit(self) -> None:

@@ -179,7 +179,7 @@ def test_nothing_is_moved_while_nobody_looks(
     stage.open(tmp_path)
     stage.play(0.9)
     assert stage.talking.face.morph_mesh is None
-    assert stage.talking.revision == 0
+    assert stage.talking.head.revision == 0
     stage.look()
     stage.play(0.1)
     assert stage.jaw > 5
@@ -341,20 +341,20 @@ def test_eyes_blink_unless_they_are_told_not_to(stage: Stage) -> None:
 
 def test_the_head_moves_unless_it_is_told_not_to(stage: Stage) -> None:
     poses = []
-    stage.play(1.0, lambda: poses.append(stage.talking.pose.pitch))
+    stage.play(1.0, lambda: poses.append(stage.talking.head.pose.pitch))
     assert max(poses) - min(poses) > 1
     stage.talking.set_head_motion(False)
     stage.wait(0.1)
-    assert stage.talking.pose == HeadPose()
+    assert stage.talking.head.pose == HeadPose()
 
 
 def test_a_still_face_is_not_drawn_anew(stage: Stage) -> None:
     stage.talking.set_blinks(False)
     stage.talking.set_head_motion(False)
     stage.wait(1.0)
-    revision = stage.talking.revision
+    revision = stage.talking.head.revision
     stage.wait(3.0)
-    assert stage.talking.revision == revision
+    assert stage.talking.head.revision == revision
 
 
 # -- whose face it is ---------------------------------------------------------------------------------

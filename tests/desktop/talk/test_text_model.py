@@ -2,19 +2,18 @@
 
 import shlex
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 import soundfile
-from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.scripts import words_beside
 from phonemeanalyser.desktop.talk.sound_words import KnownWords
-from phonemeanalyser.desktop.talk.text_model import POOR, TextModel, TextTools, fits_badly
-from phonemeanalyser.desktop.talk.voice_model import FASTEST, TextDriver, VoiceModel
+from phonemeanalyser.desktop.talk.text_model import POOR, TextTools, fits_badly
+from phonemeanalyser.desktop.talk.voice_model import FASTEST, VoiceModel
 from phonemeengine.errors import VoiceError
 from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.files import read_labels
@@ -22,12 +21,9 @@ from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Syllable, Uttera
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.phonemes import Phoneme
 from tests.desktop.sessions import settled
-from tests.desktop.stage import AN_A, Stage
-from tests.desktop.talk.voices import INSTALLED, SENTENCE, FakeAligner, FakeVoice, word
-from tests.fakes.outputs import Outputs
-
-DURATION = len(AN_A) / 44100
-SAID = Utterance((word("so", 0.6, 0.9, 0.1), word("oh", 0.9, 1.1, 3.0)), DURATION, "en-us")
+from tests.desktop.stage import AN_A
+from tests.desktop.talk.desk import DURATION, SAID, Desk
+from tests.desktop.talk.voices import SENTENCE, word
 
 
 def syllable(text: str, pinyin: str, start: float, end: float) -> Word:
@@ -35,61 +31,6 @@ def syllable(text: str, pinyin: str, start: float, end: float) -> Word:
     turn = (start + end) / 2
     phones = (Phone(start, turn, "x", Phoneme.UNIDENTIFIED), Phone(turn, end, "aʊ", Phoneme.A))
     return Word(text, (Syllable(phones, 0, pinyin),))
-
-
-class Desk:
-    """A stage whose texts a test writes."""
-
-    def __init__(self, session: Session, outputs: Outputs, qtbot: QtBot) -> None:
-        self.voice, self.aligner = FakeVoice(), FakeAligner(SAID)
-        known = VoiceModel(lambda: INSTALLED, lambda: None)
-        self.texts = TextModel(session, TextTools(self.aligner.align, self.voice.speak), known)
-        self.stage = Stage(session, outputs, qtbot, self.texts)
-        self.session, self.qtbot = session, qtbot
-        self.told: list[str] = []
-        self.texts.info.connect(self.told.append)
-
-    @property
-    def failed(self) -> list[str]:
-        """What was refused."""
-        return [sentence for sentence in self.stage.failed if sentence]
-
-    def open(self, folder: Path) -> None:
-        """Have a sound in hand, and look what lies beside it."""
-        self.stage.open(folder)
-        self.wait()
-
-    def wait(self) -> None:
-        """Wait until all work is done."""
-        texts = self.texts
-        self.qtbot.waitUntil(
-            lambda: not (texts.busy or texts._looking.busy or texts._saving.busy or texts.voice.busy)
-        )
-
-    def align(self, text: str = "so oh", language: str = "en-us") -> None:
-        """Align a text with the sound in hand."""
-        self.texts.set_text(text)
-        self.texts.set_language(language)
-        self.texts.align()
-        self.wait()
-
-    def say(self, text: str, language: str = "en-us") -> None:
-        """Have a text spoken."""
-        self.texts.set_text(text)
-        self.texts.set_language(language)
-        self.texts.say()
-        self.wait()
-
-    def words(self) -> list[str]:
-        """What is known to be said."""
-        return [] if self.texts.utterance is None else [said.text for said in self.texts.utterance.words]
-
-
-@pytest.fixture
-def desk(session: Session, outputs: Outputs, qtbot: QtBot) -> Iterator[Desk]:
-    desk = Desk(session, outputs, qtbot)
-    yield desk
-    desk.stage.talking.close()
 
 
 # -- labels and scripts beside a sound ----------------------------------------------------------------
@@ -446,8 +387,8 @@ def test_chinese_moves_the_mouth_by_letters_unless_sounds_are_chosen(desk, tmp_p
     drivers = (TextDriver.AUTO, TextDriver.RULES, TextDriver.PINYIN)
     by_letters = []
     for driver in drivers:
-        desk.texts.voice.choose(driver=driver)
-        by_letters.append(desk.texts.letters is not None)
+        desk.texts.drivers.choose(driver)
+        by_letters.append(desk.texts.drivers.letters is not None)
     assert by_letters == [True, False, True]
     assert desk.failed == []
 
@@ -455,8 +396,8 @@ def test_chinese_moves_the_mouth_by_letters_unless_sounds_are_chosen(desk, tmp_p
 def test_letters_of_pinyin_for_another_language_are_refused_and_its_sounds_move_the_mouth(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.texts.voice.choose(driver=TextDriver.PINYIN)
-    assert desk.texts.letters is None
+    desk.texts.drivers.choose(TextDriver.PINYIN)
+    assert desk.texts.drivers.letters is None
     assert "pinyin" in desk.failed[0].lower()
 
 

@@ -164,10 +164,10 @@ def test_a_theme_changes_the_colours_and_nothing_else(window, desktop, qtbot):
 
 def test_frozen_views_hold_the_head_still(window, desktop, qtbot):
     press(window, Qt.Key.Key_F)
-    revision = desktop.talking.revision
+    revision = desktop.talking.head.revision
     press(window, Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: desktop.session.position > 0.3)
-    assert desktop.talking.revision == revision
+    assert desktop.talking.head.revision == revision
 
 
 # -- looking at it ------------------------------------------------------------------------------------

@@ -1,7 +1,9 @@
 """The text below the head, as a user meets it: typed, aligned, said, clicked and dragged."""
 
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QSettings, Qt
 from PySide6.QtTest import QTest
@@ -10,19 +12,23 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.text_model import TextTools
 from phonemeanalyser.desktop.talk.text_panel import NO_LANGUAGE, TextPanel
-from phonemeanalyser.desktop.talk.voice_model import TextDriver, VoiceChoice
+from phonemeanalyser.desktop.talk.voice_model import VoiceChoice
 from phonemeanalyser.desktop.talk.voice_panel import OWN_PROGRAM, OWN_VOICE, VoicePanel
 from phonemeanalyser.desktop.widgets.timeline import HEADING
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.table_file import write_table
 from tests.desktop.hands import LEFT, answer, edits, press, shown, type_number, wav
 from tests.desktop.stage import AN_A
 from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoice, word
 from tests.desktop.test_window_sizes import SMALLEST, fits
+from tests.engine.performance.test_track import recorded
 
 DURATION = len(AN_A) / 44100
 SAID = Utterance((word("so", 0.2, 0.6, 0.1), word("oh", 0.6, 1.1, 3.0)), DURATION, "en-us")
@@ -218,8 +224,9 @@ def test_voice_rate_and_mouth_are_chosen_by_the_keyboard(window, desktop, qtbot)
     type_number(below.rate, "5.5")
     below.driver.setFocus()
     QTest.keyClick(below.driver, Qt.Key.Key_End)
-    choice = desktop.talking.text.voice.choice
-    assert (choice.name, choice.rate, choice.driver) == ("f2", 5.5, TextDriver.RULES)
+    texts = desktop.talking.text
+    assert (texts.voice.choice.name, texts.voice.choice.rate) == ("f2", 5.5)
+    assert texts.drivers.chosen is TextDriver.RULES
     assert "f2, 5.5 syllables a second" in panel(window).voice.toolTip()
     QTest.keyClick(below, Qt.Key.Key_Escape)
     assert not below.isVisible()
@@ -284,8 +291,9 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     (tmp_path / "mine.csv").write_text("word,ipa\nso,soʊ\n", encoding="utf-8")
     write(window, "so oh")
     choose(window, "German")
-    chosen = VoiceChoice("f2", 5.5, "mine {output} {text}", True, TextDriver.RULES)
+    chosen = VoiceChoice("f2", 5.5, "mine {output} {text}", True)
     desktop.talking.text.voice.choose(**vars(chosen))
+    desktop.talking.text.drivers.choose(TextDriver.RULES)
     desktop.talking.text.set_lexicon(tmp_path / "mine.csv")
     qtbot.waitUntil(lambda: desktop.talking.text.lexicon_path is not None)
     desktop.save()
@@ -294,4 +302,121 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     qtbot.waitUntil(lambda: texts.lexicon_path == tmp_path / "mine.csv")
     assert (texts.text, texts.language) == ("so oh", "de")
     assert texts.voice.choice == chosen
+    assert texts.drivers.chosen is TextDriver.RULES
+    again.close()
+
+
+# -- recorded faces -----------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def table(tmp_path: Path) -> Path:
+    """A table of a synthetic performer who says "so"."""
+    write_table(tmp_path / "ann.sqlite", [replace(recorded("so so.so"), synthetic=True)])
+    return tmp_path / "ann.sqlite"
+
+
+def performed(window: MainWindow, desktop: Desktop, table: Path, qtbot: QtBot) -> None:
+    """Have a face that is looked up."""
+    desktop.talking.text.drivers.performance.open(table)
+    aligned(window, qtbot)
+    qtbot.waitUntil(lambda: bool(desktop.talking.text.drivers.performance.units))
+
+
+def lane_named(window: MainWindow, name: str) -> int:
+    return [lane.name for lane in panel(window).lanes.lanes.lanes].index(name)
+
+
+def middle_of(window: MainWindow, lane: int, span: int) -> QPoint:
+    timeline = panel(window).lanes.lanes
+    spans = timeline.lanes[lane]
+    x = timeline.x_of(float(spans.starts[span] + spans.ends[span]) / 2)
+    return QPoint(round(x), timeline._top_of(lane) + 8)
+
+
+@popping_up
+def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(
+    window, desktop, qtbot, table, monkeypatch
+):
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_args: (str(table), ""))
+    aligned(window, qtbot)
+    below = opened(window, qtbot)
+    assert not below.choice.isVisible()
+    below.table.setFocus()
+    QTest.keyClick(below.table, Qt.Key.Key_End)
+    qtbot.waitUntil(lambda: desktop.talking.text.drivers.performance.chosen == table)
+    assert not below.isVisible()
+    panel(window).voice.click()
+    assert below.table.currentText() == "ann (synthetic performer)"
+    assert below.choice.isVisible()
+    assert "ann (synthetic performer)" in panel(window).voice.toolTip()
+    qtbot.waitUntil(lambda: window.talk.heads.main.caption.text() == "ann (synthetic performer)")
+    below.choice.setFocus()
+    QTest.keyClicks(below.choice, "any w")
+    assert desktop.talking.text.drivers.performance.choice is ExampleChoice.BAND
+    below.table.setFocus()
+    QTest.keyClick(below.table, Qt.Key.Key_Home)
+    assert desktop.talking.text.drivers.performance.chosen is None
+    assert not window.talk.heads.main.caption.isVisible()
+
+
+def test_units_tell_where_they_are_from_and_are_played_by_a_click(window, desktop, qtbot, table):
+    performed(window, desktop, table, qtbot)
+    timeline, lane = panel(window).lanes.lanes, lane_named(window, "units")
+    units = timeline.lanes[lane]
+    assert (np.diff(units.starts) > 0).all()
+    syllable = next(k for k, tip in enumerate(units.tips) if tip.startswith("syllable"))
+    assert "[s o] of so so.so, " in units.tips[syllable]
+    original = desktop.talking.text.original
+    QTest.mouseClick(timeline, LEFT, Qt.KeyboardModifier.NoModifier, middle_of(window, lane, syllable))
+    qtbot.waitUntil(lambda: original.face is not None)
+    assert "so so.so, as recorded" in window.talk.heads.main.caption.text()
+    window.talk.play.click()
+    assert original.face is None
+
+
+def test_two_heads_are_compared_and_looked_at_alike(window, desktop, qtbot, table):
+    performed(window, desktop, table, qtbot)
+    actions = {action.text(): action for action in window.talk.comparisons.actions()}
+    actions["With Sounds, by the Mouth Table"].trigger()
+    heads = window.talk.heads
+    assert heads.beside.isVisible()
+    assert heads.beside.caption.text() == "sounds, by the mouth table"
+    qtbot.waitUntil(lambda: heads.beside.view.camera is not None)
+    heads.beside.view.look(wireframe=True)
+    assert heads.main.view.wireframe
+    heads.main.view.move_light(0.3)
+    assert heads.beside.view.light == heads.main.view.light
+    window.resize(*SMALLEST)
+    qtbot.waitUntil(lambda: fits(window))
+    assert heads.main.view.width() > 100
+    actions["One Head"].trigger()
+    assert not heads.beside.isVisible()
+
+
+def test_a_table_can_be_compared_once_there_is_one(window, desktop, qtbot, table):
+    actions = {action.data(): action for action in window.talk.comparisons.actions()}
+    assert not actions[TextDriver.TABLE].isEnabled()
+    performed(window, desktop, table, qtbot)
+    assert actions[TextDriver.TABLE].isEnabled()
+
+
+def test_tables_are_there_again_at_the_next_start_unless_they_are_gone(
+    window, desktop, qapp, settings: QSettings, no_microphone, tmp_path, qtbot, table
+):
+    performance = desktop.talking.text.drivers.performance
+    write_table(tmp_path / "ben.sqlite", [recorded("so")])
+    for path in (tmp_path / "ben.sqlite", table):
+        performance.open(path)
+        qtbot.waitUntil(lambda path=path: performance.chosen == path)
+    performance.set_choice(ExampleChoice.NEAREST)
+    desktop.save()
+    (tmp_path / "ben.sqlite").unlink()
+    again = Desktop(qapp, settings, microphone=no_microphone)
+    restored = again.talking.text.drivers.performance
+    assert restored.opened == ((tmp_path / "ben.sqlite", table), table)
+    restored.wake()
+    qtbot.waitUntil(lambda: restored.chosen == table)
+    assert list(restored.tables) == [table]
+    assert restored.choice is ExampleChoice.NEAREST
     again.close()

@@ -104,3 +104,11 @@ def test_phones_win_over_those_of_pinyin_unless_nobody_knows_them(tmp_path: Path
     call(grid, "Save as text file...", str(tmp_path / "a.TextGrid"))
     with pytest.raises(UnknownPhonemeError, match="i˥˩"):
         read_utterance(tmp_path / "a.TextGrid", DURATION)
+
+
+def test_syllables_that_are_spelt_as_their_sounds_are_no_pinyin(tmp_path: Path) -> None:
+    phones = tuple(Phone(0.1 * k, 0.1 * (k + 1), x, ipa_phoneme(x)) for k, x in enumerate("misu"))
+    words = (Word("me", (Syllable(phones[:2]),)), Word("sue", (Syllable(phones[2:]),)))
+    path = tmp_path / "english.TextGrid"
+    path.write_text(format_utterance(Utterance(words, DURATION)), encoding="utf-8")
+    assert heard(read_utterance(path, DURATION)) == [("", 0.0, 0.2), ("", 0.2, 0.4)]
