@@ -8,7 +8,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from phonemeanalyser.cli.jobs import say_note
-from phonemeanalyser.cli.performing import Performing, add_performance, performing
+from phonemeanalyser.cli.performing import Performing, add_performance, performer_called, performing
 from phonemeengine import (
     Animation,
     EngineError,
@@ -142,7 +142,7 @@ class Driving:
         """Return what people call a chosen driver."""
         if driver is FaceDriver.TABLE and self.performer is not None:
             about = self.performer.table.about
-            return f"{about.name} (synthetic)" if about.synthetic else about.name
+            return performer_called(about.name, synthetic=about.synthetic)
         return {FaceDriver.PINYIN: "letters of pinyin"}.get(driver, driver.value)
 
     def _usual(self, utterance: Utterance | None, takes: Takes | None) -> FaceDriver:

@@ -11,7 +11,9 @@ from phonemeengine.files import printable
 STRIP, LETTERS = 1 / 12, 0.55
 """The height of captions as a share of the picture's, and of their letters as a share of that."""
 WIDEST = 0.94
-"""The share of a head's width that a caption takes at most; it becomes smaller, and then is cut off."""
+"""The share of a head's width that a caption takes at most; it becomes smaller, and then loses its middle."""
+LONGEST, END = 200, 12
+"""Characters of a caption, and those that stay of its end, which tells whether a performer is synthetic."""
 SMALLEST = 9.0
 """Pixels: smaller letters cannot be read."""
 
@@ -58,15 +60,18 @@ def _line_of(text: str, size: tuple[int, int], ink: str, background: str) -> UIn
     """Return the picture of a line of text in its middle."""
     image = Image.new("RGB", size, background)
     text, letters, room = printable(text), max(LETTERS * size[1], 1.0), WIDEST * size[0]
-    letters = max(min(letters, letters * room / _length(text, letters)), min(letters, SMALLEST))
-    while len(text) > 1 and _length(text, letters) > room:
-        text = f"{text.removesuffix('…')[:-1]}…"
+    length = ImageFont.load_default(letters).getlength(text[:LONGEST])
+    font = ImageFont.load_default(max(letters * min(room / max(length, 1.0), 1.0), min(letters, SMALLEST)))
     middle = (size[0] / 2, size[1] / 2)
-    ImageDraw.Draw(image).text(middle, text, ink, ImageFont.load_default(letters), anchor="mm")
+    ImageDraw.Draw(image).text(middle, _fitting(text, font, room), ink, font, anchor="mm")
     return np.array(image)
 
 
-def _length(text: str, letters: float) -> float:
-    """Return how long a text is, pixels; 1 at least."""
-    font = ImageFont.load_default(letters)
-    return max(font.getlength(text), 1.0)
+def _fitting(text: str, font: ImageFont.FreeTypeFont | ImageFont.ImageFont, room: float) -> str:
+    """Return a text without what is too much of it before its end."""
+    if len(text) <= LONGEST and font.getlength(text) <= room:
+        return text
+    begin, end = text[:LONGEST][:-END], text[-END:]
+    while begin and font.getlength(f"{begin}…{end}") > room:
+        begin = begin[:-1]
+    return f"{begin}…{end}"

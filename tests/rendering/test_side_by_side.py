@@ -45,7 +45,7 @@ def test_the_middle_of_a_caption_is_that_of_its_head() -> None:
         assert (columns.min() + columns.max()) / 2 == pytest.approx(99.5, abs=1.5)
 
 
-def test_a_long_caption_becomes_smaller_and_then_is_cut_off() -> None:
+def test_a_long_caption_becomes_smaller_and_then_is_shortened() -> None:
     def letters(text: str) -> tuple[int, int]:
         rows, columns = np.nonzero(whole((text, ""), (400, 480))[440:, :200].min(axis=2) < 128)
         assert 0 < columns.min() < columns.max() < 199
@@ -54,6 +54,12 @@ def test_a_long_caption_becomes_smaller_and_then_is_cut_off() -> None:
     (tall, _), (small, _), (least, wide), (cut, _) = (letters(n * "H") for n in (3, 15, 60, 900))
     assert tall > small > least == cut
     assert wide > 150
+
+
+def test_a_caption_that_is_shortened_keeps_its_end() -> None:
+    synthetic, other = (whole((100 * "H" + end, "")) for end in (" (synthetic)", " (authentic)"))
+    assert np.array_equal(synthetic, whole((9999 * "H" + " (synthetic)", "")))
+    assert not np.array_equal(synthetic, other)
 
 
 def test_a_caption_is_one_line() -> None:
