@@ -1,6 +1,7 @@
 """Several heads in one picture, side by side, each with a caption below it."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
@@ -16,6 +17,14 @@ LONGEST, END = 200, 12
 """Characters of a caption, and those that stay of its end, which tells whether a performer is synthetic."""
 SMALLEST = 9.0
 """Pixels: smaller letters cannot be read."""
+FONTS = (
+    "DejaVuSans.ttf", "NotoSansCJK-Regular.ttc", "wqy-microhei.ttc", "DroidSansFallback.ttf", "segoeui.ttf",
+    "msyh.ttc", "Arial Unicode.ttf",
+)  # fmt: skip
+"""Of Linux, Windows and macOS, for what the font that Pillow brings lacks: it has the letters of English alone."""
+NO_LETTER = "\U0010ffff"
+
+Font = ImageFont.FreeTypeFont | ImageFont.ImageFont
 
 
 class SideBySide:
@@ -59,15 +68,31 @@ class SideBySide:
 def _line_of(text: str, size: tuple[int, int], ink: str, background: str) -> UInt8Array:
     """Return the picture of a line of text in its middle."""
     image = Image.new("RGB", size, background)
-    text, letters, room = printable(text), max(LETTERS * size[1], 1.0), WIDEST * size[0]
-    length = ImageFont.load_default(letters).getlength(text[:LONGEST])
-    font = ImageFont.load_default(max(letters * min(room / max(length, 1.0), 1.0), min(letters, SMALLEST)))
-    middle = (size[0] / 2, size[1] / 2)
+    letters, room, middle = max(LETTERS * size[1], 1.0), WIDEST * size[0], (size[0] / 2, size[1] / 2)
+    text, name = _with_font(printable(text))
+    length = max(_font(name, letters).getlength(text[:LONGEST]), 1.0)
+    font = _font(name, max(letters * min(room / length, 1.0), min(letters, SMALLEST)))
     ImageDraw.Draw(image).text(middle, _fitting(text, font, room), ink, font, anchor="mm")
     return np.array(image)
 
 
-def _fitting(text: str, font: ImageFont.FreeTypeFont | ImageFont.ImageFont, room: float) -> str:
+def _with_font(text: str) -> tuple[str, str]:
+    """Return a text, and a font of the system that has all its letters; with ? for those that none has."""
+    if text.isascii():
+        return text, ""
+    for name in FONTS:
+        with suppress(OSError):
+            font = ImageFont.truetype(name, SMALLEST)
+            if bytes(font.getmask(NO_LETTER)) not in {bytes(font.getmask(letter)) for letter in {*text}}:
+                return text, name
+    return text.encode("ascii", "replace").decode(), ""
+
+
+def _font(name: str, letters: float) -> Font:
+    return ImageFont.truetype(name, letters) if name else ImageFont.load_default(letters)
+
+
+def _fitting(text: str, font: Font, room: float) -> str:
     """Return a text without what is too much of it before its end."""
     if len(text) <= LONGEST and font.getlength(text) <= room:
         return text

@@ -62,5 +62,9 @@ def test_a_caption_that_is_shortened_keeps_its_end() -> None:
     assert not np.array_equal(synthetic, other)
 
 
+def test_letters_that_no_font_has_are_question_marks() -> None:
+    assert np.array_equal(whole(("\U0001e2c0nna", "c")), whole(("?nna", "c")))
+
+
 def test_a_caption_is_one_line() -> None:
     assert np.array_equal(whole(("a\nb", "c")), whole(("a?b", "c")))
