@@ -37,7 +37,7 @@ class CaptionedHead(QWidget):
     def show_state(self) -> None:
         """Say what moves it."""
         self.caption.setText(self._head.caption)
-        self.caption.setToolTip(self._head.caption)
+        self.caption.setToolTip("\n".join((self._head.caption, *self._head.notes)))
         self.caption.setVisible(bool(self._head.caption))
 
 

@@ -266,9 +266,11 @@ class TalkModel(QObject):
         shown, beside = (self._track_of(head) for head in (self.head, self.beside))
         by_table = shown is not None and drivers.main is TextDriver.TABLE
         self.head.caption = drivers.caption_of(drivers.main, shown) if self.comparing or by_table else ""
+        self.head.notes = drivers.performance.notes if by_table else ()
         if original.face is not None:
-            self.head.caption = original.caption
+            self.head.caption, self.head.notes = original.caption, ()
         self.beside.caption = "" if drivers.compared is None else drivers.caption_of(drivers.compared, beside)
+        self.beside.notes = drivers.performance.notes if drivers.compared is TextDriver.TABLE else ()
 
     def _track_of(self, head: MovingHead) -> MouthTrack | None:
         """Return what moves a head, if it knows all movestates of the mouth table."""

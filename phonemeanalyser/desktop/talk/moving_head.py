@@ -22,6 +22,7 @@ class MovingHead:
     pose : how the head is turned.
     revision : another number whenever it looks different.
     caption : what moves it, in words; empty where that goes without saying.
+    notes : what it lacks for what is said, a sentence each.
     """
 
     def __init__(self, face: FaceModel, table: MouthTable, idle: IdleMotion) -> None:
@@ -30,6 +31,7 @@ class MovingHead:
         self.pose = HeadPose()
         self.revision = 0
         self.caption = ""
+        self.notes: tuple[str, ...] = ()
         self._seen: Float32Array = np.zeros(0, np.float32)
 
     def configure(self, table: MouthTable, idle: IdleMotion) -> None:

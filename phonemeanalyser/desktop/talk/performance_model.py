@@ -104,6 +104,7 @@ class PerformanceModel(QObject):
     choice : among the examples of a unit.
     face : what the performer shows of the sound in hand; None where nothing is looked up.
     units : of which it is made; they come later than the face.
+    notes : what the table lacks for it, a sentence each.
     """
 
     changed = Signal()
@@ -118,6 +119,7 @@ class PerformanceModel(QObject):
         self.choice = ExampleChoice.VITERBI
         self.face: FaceInHand | None = None
         self.units: tuple[UsedUnit, ...] = ()
+        self.notes: tuple[str, ...] = ()
         self._table: PerformanceTable | None = None
         self._measured: tuple[MeasuredSound, Prosody] | None = None
         self._kept: tuple[tuple[Path, ...], Path | None] = (), None
@@ -200,10 +202,10 @@ class PerformanceModel(QObject):
         def take(found: tuple[Prosody, PerformanceTrack, PerformedMouth]) -> None:
             prosody, track, mouth = found
             self._measured = sound, prosody
-            self._show(FaceInHand(mouth), self.units)
-            for note in track.notes[:1]:
-                self.info.emit(f"{table.about.name}: {note}.")
-            self._work.submit(lambda progress: _units_of(track, progress), lambda units: self._show(self.face, units))
+            self._show(FaceInHand(mouth), self.units, track.notes)
+            self._work.submit(
+                lambda progress: _units_of(track, progress), lambda units: self._show(self.face, units, track.notes)
+            )
 
         self._work.replace(act, take)
 
@@ -216,15 +218,15 @@ class PerformanceModel(QObject):
         """Show a text that is being spoken, as far as it is; call it again when there is more of it."""
         if self.face is None or not self.face.shows(face):
             self._work.cancel()
-            self._show(FaceInHand(face), face.units)
+            self._show(FaceInHand(face), face.units, face.notes)
         elif face.units != self.units:
-            self._show(self.face, face.units)
+            self._show(self.face, face.units, face.notes)
 
     def forget(self) -> None:
         """Show nothing, as another sound is in hand."""
         self._work.cancel()
         if self.face is not None:
-            self._show(None, ())
+            self._show(None, (), ())
 
     def tick(self, position: float) -> None:
         """Look up what comes after a time of the sound, seconds; and say if the table failed."""
@@ -257,10 +259,14 @@ class PerformanceModel(QObject):
         self.tables[table.path] = table.about
         self.changed.emit()
 
-    def _show(self, face: FaceInHand | None, units: tuple[UsedUnit, ...]) -> None:
+    def _show(self, face: FaceInHand | None, units: tuple[UsedUnit, ...], notes: tuple[str, ...]) -> None:
         if face is not self.face:
             self._ready = 0.0, 0.0
         self.face, self.units = face, units
+        if notes and notes != self.notes and self._table is not None:
+            more = f"; and {len(notes) - 1} more, below the head" if len(notes) > 1 else ""
+            self.info.emit(f"{self._table.about.name}: {notes[0]}{more}.")
+        self.notes = notes
         self.looked_up.emit()
 
     def _fail(self, sentence: str) -> None:

@@ -128,6 +128,17 @@ def test_a_table_that_comes_while_a_text_is_spoken_is_for_the_next_one(desk: Des
     assert desk.stage.talking.head.caption == CAPTIONS[TextDriver.RULES] or not desk.stage.talking.head.caption
 
 
+def test_what_the_table_lacks_is_said(desk: Desk, tmp_path: Path) -> None:
+    write_table(tmp_path / "few.sqlite", [recorded("ma")])
+    use(desk, tmp_path / "few.sqlite")
+    desk.stage.look()
+    desk.say("So. So so.")
+    desk.stage.play(0.1)
+    assert desk.told[0].startswith("few: nobody says [")
+    assert len(desk.stage.talking.head.notes) == 2
+    assert len(desk.told) == 1
+
+
 def test_a_stopped_head_is_at_rest(desk: Desk, table: Path, tmp_path: Path) -> None:
     labelled(desk, tmp_path)
     use(desk, table)
