@@ -98,10 +98,10 @@ _PAGE = {
     "labels.utterance_files": "format_utterance read_utterance",
     "mouth.transcript": "Transcript transcript_of_utterance",
     "mouth.lip_sync": "cues export export_transcript transcribe",
-    "mouth.cues": "Cue",
+    "mouth.cues": "Cue cues_of",
     "mouth.exports.exporter": "ExportOptions",
     "mouth.exports.formats": "FORMATS",
-    "mouth.animation": "Animation",
+    "mouth.animation": "Animation animation_of",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
     "mouth.expression.channels": "ExpressionChannels load_channels",
@@ -118,6 +118,7 @@ _PAGE = {
     "mouth.osc": "OscAddress OscMouth",
     # A mouth that says a text
     "speech.pinyin.track": "PinyinTrack pinyin_track",
+    "speech.pinyin.timing": "has_pinyin",
     "speech.pinyin.table": "PinyinTable load_pinyin_table",
     "speech.pinyin.driver": "PinyinMouth",
     "speech.pinyin.spring": "Spring",

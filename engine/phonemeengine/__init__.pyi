@@ -49,9 +49,9 @@ from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.sound import Sound
 from phonemeengine.live.status import Status
-from phonemeengine.mouth.animation import Animation
+from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.blinks import Blinker
-from phonemeengine.mouth.cues import Cue
+from phonemeengine.mouth.cues import Cue, cues_of
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.expression.channels import ExpressionChannels, load_channels
@@ -124,6 +124,7 @@ from phonemeengine.speech.pinyin.driver import PinyinMouth
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow, format_plan
 from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
+from phonemeengine.speech.pinyin.timing import has_pinyin
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.spoken_text import SpokenText, spoken_text
@@ -302,9 +303,11 @@ __all__ = [
     "align",
     "aligned",
     "analyse_blocks",
+    "animation_of",
     "build_table",
     "calibrate",
     "cues",
+    "cues_of",
     "denoise",
     "devices",
     "export",
@@ -314,6 +317,7 @@ __all__ = [
     "format_plan",
     "format_units",
     "format_utterance",
+    "has_pinyin",
     "held_expression",
     "high_pass_gains",
     "languages",

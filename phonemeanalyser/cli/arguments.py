@@ -11,6 +11,9 @@ from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import MOST_CHANNELS
 
 PRESET = "preset (.toml) or PhonemeData file"
+SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
+"""Pixels along an edge of its pictures."""
+USUAL_CLIP_RATE = 30.0
 
 
 def add_preset(
@@ -44,6 +47,17 @@ def add_script(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--lexicon", type=Path, metavar="FILE", help="how words are pronounced, .toml or .csv")
 
 
+def add_clip(parser: argparse.ArgumentParser) -> None:
+    """Let the user say what clip is made."""
+    out = ".mp4, .gif or a folder for .png"
+    parser.add_argument("-o", "--out", type=Path, required=True, metavar="OUT", help=out)
+    usual = USUAL_CLIP_RATE
+    parser.add_argument("--fps", type=float, default=usual, metavar="N", help=f"frames per second ({usual:g})")
+    size = size_in((SMALLEST_CLIP, SMALLEST_CLIP), (LARGEST_CLIP, LARGEST_CLIP))
+    parser.add_argument("--size", type=size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
+    add_theme(parser)
+
+
 def add_theme(parser: argparse.ArgumentParser) -> None:
     """Let the user choose the colours of a picture."""
     parser.add_argument("--theme", choices=["light", "dark"], default="light")
@@ -65,7 +79,7 @@ def add_mouth(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
     parser.add_argument("--no-head", action="store_true", help="keep the head still")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="another number makes another face")
+    parser.add_argument("--seed", type=int, metavar="N", help="another number makes another face, and varies pinyin")
 
 
 def add_log(parser: argparse.ArgumentParser) -> None:

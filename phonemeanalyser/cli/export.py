@@ -12,14 +12,16 @@ from phonemeanalyser.cli.arguments import (
     add_sounds,
     number,
 )
+from phonemeanalyser.cli.driving import Driving, add_driver, driving
 from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
-from phonemeanalyser.cli.performing import Performing, add_performance, performing
 from phonemeanalyser.cli.scripts import SpokenTexts, spoken_texts
 from phonemeengine import FORMATS, Channel, EngineError, ExportOptions, Preset, load_preset
+from phonemeengine.files import printable_name
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.mouth.transcript import transcript_of
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -34,7 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
     add_mouth(parser)
     add_expression(parser)
-    add_performance(parser)
+    add_driver(parser)
     parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
     add_channel(parser)
     add_overwrite(parser)
@@ -53,10 +55,10 @@ def run(options: argparse.Namespace) -> int:
     if options.units is not None and len(jobs) > 1:
         raise EngineError("--units tells of one sound, and there are several; leave it out, or name one alone")
     texts = spoken_texts(options, [job.source for job in jobs])
-    with performing(options) as performer:
+    with driving(options) as moved:
 
         def act(job: Job) -> None:
-            _export(job, options.channel, preset, texts, exporter, guard, performer)
+            _export(job, options.channel, preset, texts, exporter, guard, moved)
 
         return 1 if run_all(jobs, act) else 0
 
@@ -68,18 +70,17 @@ def _export(
     texts: SpokenTexts,
     exporter: Exporter,
     guard: Guard,
-    performer: Performing | None,
+    moved: Driving,
 ) -> None:
     guard.check(job.target)
     with open_sound(job, channel) as reader:
-        pitch = performer is not None or (exporter.format.moves_head and exporter.idle.head)
+        pitch = moved.performer is not None or (exporter.format.moves_head and exporter.idle.head)
         analyses = analyse_with_progress(reader, preset, pitch=pitch)
-        movement = None
-        if performer is None:
-            speech = texts.transcript(reader, job.source, analyses)
-        else:
-            utterance, speech = texts.known(reader, job.source, analyses)
-            movement = performer.movement(utterance, speech, exporter)
+        name, found = printable_name(job.source), texts.aligned(reader, job.source, analyses)
+        utterance = None if found is None else found[0]
+        driver = moved.chosen(utterance, name, exporter.takes)
+        speech = transcript_of(analyses, name, reader.duration, job.source) if found is None else found[1]
+        movement = moved.movement(moved.track(driver, utterance, speech), speech, exporter)
     parts = exporter.chunks_of(speech, movement)
     if job.target is None:
         text = b"".join(parts).decode()

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from types import ModuleType
 
 from phonemeanalyser.cli.arguments import add_log
+from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.logs import logged_to
 from phonemeengine import EngineError
 
@@ -55,15 +56,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _module_of(command: str) -> ModuleType:
     """Import the module of a command, and no other: nobody should wait for them."""
-    try:
-        return importlib.import_module(f"phonemeanalyser.cli.{command}")
-    except ImportError as error:
-        if command != "preview":
-            raise
-        raise EngineError(
-            f"previews need packages that cannot be loaded ({error}); install them with: pip install "
-            "'phonemeanalyser[preview]'"
-        ) from error
+    if command == "preview":
+        return module_that_draws(command)
+    return importlib.import_module(f"phonemeanalyser.cli.{command}")
 
 
 def _parser_of(command: str) -> ArgumentParser:

@@ -8,7 +8,8 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_overwrite, number_in, whole_in
+from phonemeanalyser.cli.arguments import add_clip, add_overwrite, number, number_in, whole_in
+from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import Guard, print_whole
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
@@ -38,6 +39,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     info = kinds.add_parser("info", help="say what a table holds")
     info.add_argument("table", type=Path, metavar="T.sqlite")
     info.set_defaults(act=_info)
+    show = kinds.add_parser("show", help="make a clip of a recording: the face as it was tracked, with its sound")
+    show.add_argument("table", type=Path, metavar="T.sqlite")
+    show.add_argument("recording", metavar="RECORDING", help="its name, as --units has it")
+    show.add_argument("--from", dest="start", type=number, metavar="S", help="seconds (default: its beginning)")
+    show.add_argument("--to", dest="end", type=number, metavar="S", help="seconds (default: its end)")
+    add_clip(show)
+    show.set_defaults(act=_show)
     make = kinds.add_parser("make", help="have a synthetic performer read sentences, for demonstration and tests")
     make.add_argument("folder", type=Path, metavar="FOLDER", help="a new folder for its recordings")
     minutes = number_in(0.01, MOST_MINUTES, "minutes")
@@ -73,6 +81,11 @@ def _info(options: argparse.Namespace) -> Iterator[str]:
         yield f"{len(about.channels)} channels at {about.rate:g} frames a second"
         for kind, n in table.n_units().items():
             yield f"{kind.value:<20}  {n:8} units of {len(table.names(kind))} kinds"
+
+
+def _show(options: argparse.Namespace) -> Iterator[str]:
+    module_that_draws("recording_clip").write_recording_clip(options)
+    yield from ()
 
 
 def _make(options: argparse.Namespace) -> Iterator[str]:

@@ -9,7 +9,6 @@ from pathlib import Path
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import Guard, write_whole
 from phonemeengine import (
-    Animation,
     EngineError,
     ExampleChoice,
     PerformanceOptions,
@@ -25,8 +24,6 @@ from phonemeengine import (
     transcribe,
 )
 from phonemeengine.labels.utterance_files import read_utterance
-from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.performance.track import owns
 
 PARTS = ",".join(PerformancePart)
@@ -76,29 +73,12 @@ class Performing:
             write_whole(self.units, lambda file: file.writelines([format_units(track.units())]), self.guard)
         return track
 
-    def movement(self, utterance: Utterance, speech: Transcript, exporter: Exporter | None) -> Animation | None:
-        """Return the movement of a face for an export; None where the format has its own shapes, which is said.
-
-        The units that are asked for are written also without an export.
-        """
-        track = self.track(utterance, speech)
-        if exporter is None:
-            return None
-        if exporter.takes(ARKIT):
-            return track.animation(speech, exporter.rate, exporter.idle)
-        say_note(exporter.name, "it has shapes of its own, which follow the phones")
-        return None
-
 
 @contextmanager
-def performing(options: argparse.Namespace, driver: str = "table") -> Iterator[Performing | None]:
+def performing(options: argparse.Namespace) -> Iterator[Performing | None]:
     """Open the table that a command line asks for, and say if no person, but a model of one, moved in it.
 
-    Where none is named, or another driver moves the face, there is None.
-
-    Parameters
-    ----------
-    driver : what ``--text-driver`` says, where a command has that.
+    Where none is named, there is None.
 
     Raises
     ------
@@ -106,7 +86,6 @@ def performing(options: argparse.Namespace, driver: str = "table") -> Iterator[P
     """
     if options.performance is None:
         _check_unused(options)
-    if options.performance is None or driver not in {"auto", "table"}:
         yield None
         return
     guard = Guard(owns, getattr(options, "overwrite", False))
@@ -133,6 +112,11 @@ def _chosen(tables: list[PerformanceTable], name: str | None) -> PerformanceTabl
     if named[0].about.synthetic:
         say_note(named[0].about.name, "the performer is synthetic: no person moved, but a model of one")
     return named[0]
+
+
+def performer_called(name: str, *, synthetic: bool) -> str:
+    """Return what people call the performer of a table of this name."""
+    return f"{name} (synthetic)" if synthetic else name
 
 
 def labelled(options: argparse.Namespace) -> tuple[Utterance, Transcript]:

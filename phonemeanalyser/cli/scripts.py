@@ -26,7 +26,6 @@ from phonemeengine.alignment.align import is_other_text
 from phonemeengine.calibration.scores.evaluation import WordsOf
 from phonemeengine.files import printable, printable_name
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
-from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.text.espeak import languages
 from phonemeengine.text.script import load_script, script_beside
 
@@ -86,28 +85,6 @@ class SpokenTexts:
         found = scripted_transcript_of(analyses, script, printable_name(sound), reader.duration, sound)
         say_misfits(printable_name(sound), found[0])
         return found
-
-    def known(
-        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]
-    ) -> tuple[Utterance, Transcript]:  # fmt: skip
-        """Return what is said in an open sound, which must be known, and as a mouth needs it; see `aligned`.
-
-        Raises
-        ------
-        EngineError : it is not known, or another text is said; its text cannot be spoken, or its labels be read.
-        """
-        found = self.aligned(reader, sound, analyses)
-        if found is None or is_other_text(found[0]):
-            raise EngineError(
-                f"{printable_name(sound)}: recorded faces are looked up by the phones that are said, which nobody "
-                "knows; give the text with --text, or the text or labels with --script"
-            )
-        return found
-
-    def transcript(self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]) -> Transcript:
-        """Return what is said in an open sound, with its text where that is known; see `aligned`."""
-        found = self.aligned(reader, sound, analyses)
-        return found[1] if found else transcript_of(analyses, printable_name(sound), reader.duration, sound)
 
 
 NO_TEXTS = SpokenTexts({}, None, None, None)

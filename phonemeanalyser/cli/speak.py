@@ -10,16 +10,16 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, number
+from phonemeanalyser.cli.driving import add_driver, driving, pinyin_table_of
 from phonemeanalyser.cli.expression import add_expression
 from phonemeanalyser.cli.jobs import say_note
-from phonemeanalyser.cli.performing import add_performance, labelled, performing
+from phonemeanalyser.cli.performing import labelled
 from phonemeanalyser.cli.scripts import say_misfits
-from phonemeanalyser.cli.speech_files import SpeechFiles, pinyin_table_of
+from phonemeanalyser.cli.speech_files import SpeechFiles
 from phonemeengine import (
     FORMATS,
     EngineError,
     Lexicon,
-    SoundReader,
     SpokenSentence,
     TextError,
     Utterance,
@@ -28,9 +28,7 @@ from phonemeengine import (
     load_preset,
     notes_on,
     pinyin_track,
-    read_utterance,
     speak_by_program,
-    transcribe,
 )
 from phonemeengine.files import printable, read_text_file
 from phonemeengine.live.player import Player
@@ -57,8 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     _add_voice(parser)
     _add_files(parser)
-    _add_pinyin(parser)
-    add_performance(parser)
+    add_driver(parser)
     add_expression(parser)
     add_preset(parser)
     add_channel(parser)
@@ -67,11 +64,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Speak as the command line asks."""
-    if options.text_driver == "table" and options.performance is None:
-        raise EngineError("--text-driver table needs a table of recorded faces; name it with --performance")
     text = _text_of(options)
-    with performing(options, options.text_driver) as performer:
-        files = SpeechFiles.of(options, performer)
+    with driving(options) as moved:
+        files = SpeechFiles.of(options, moved)
         if options.silent or options.recording is not None:
             _check_without_voice(options, files)
             _move_without_voice(options, files, text)
@@ -102,14 +97,7 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: the format's)")
     parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
     parser.add_argument("--no-head", action="store_true", help="keep the head still")
-
-
-def _add_pinyin(parser: argparse.ArgumentParser) -> None:
-    driver = "what moves a face (auto: a table of --performance, pinyin for Chinese, else rules)"
-    parser.add_argument("--text-driver", choices=["auto", "pinyin", "table", "rules"], default="auto", help=driver)
-    parser.add_argument("--pinyin-table", type=Path, metavar="T", help="a pinyin table (.toml) of yours")
-    parser.add_argument("--seed", type=int, metavar="N", help="vary onsets, and make another face (default: neither)")
-    parser.add_argument("--spring", metavar="M,K,D", help="a spring moves the mouth: mass, stiffness, damping")
+    parser.add_argument("--seed", type=int, metavar="N", help="another number makes another face, and varies pinyin")
     parser.add_argument("--plan", type=Path, metavar="OUT", help="write syllables and pauses as CSV; - prints it")
 
 
@@ -184,21 +172,12 @@ def _check_without_voice(options: argparse.Namespace, files: SpeechFiles) -> Non
 
 def _move_without_voice(options: argparse.Namespace, files: SpeechFiles, text: str) -> None:
     """Write the mouth of a text without sound, or of a recording with its labels."""
-    if options.recording is not None and files.performer is not None:
-        files.write_said(*labelled(options), None)
+    if options.recording is not None:
+        files.write_said(*labelled(options))
         return
-    if options.recording is None:
-        track = pinyin_track(text, files.table, rate=options.rate, seed=options.seed)
-        files.write_said(
-            track.utterance, track.silent_transcript(options.file.name if options.file else "text"), track
-        )
-    else:
-        with SoundReader(options.recording, options.channel) as reader:
-            duration = reader.duration
-        said = read_utterance(options.recording.with_suffix(".TextGrid"), duration)
-        track, preset = pinyin_track(said, files.table, seed=options.seed), load_preset(options.preset)
-        speech = transcribe(options.recording, preset, channel=options.channel, pitch=True, script=said)
-        files.write_said(said, speech, track)
-    if skipped := track.utterance.skipped:
+    letters = pinyin_track(text, files.driving.table, rate=options.rate, seed=options.seed)
+    speech = letters.silent_transcript(options.file.name if options.file else "text")
+    files.write_said(letters.utterance, speech, letters)
+    if skipped := letters.utterance.skipped:
         named = ", ".join(repr(word[:20]) for word in skipped[:SHOWN]) + (" ..." if len(skipped) > SHOWN else "")
         say_note("the text", f"{named} is no Chinese, and so not said without a voice")

@@ -68,9 +68,9 @@ def why_no_gif(n_frames: int, rate: float) -> str:
 
 
 def write_film(
-    file: BinaryIO, pictures: Iterable[UInt8Array], size: tuple[int, int], rate: float, sound: SoundTrack
+    file: BinaryIO, pictures: Iterable[UInt8Array], size: tuple[int, int], rate: float, sound: SoundTrack | None
 ) -> None:
-    """Write H.264 and AAC as .mp4.
+    """Write H.264, and AAC where there is a sound, as .mp4.
 
     Raises
     ------
@@ -80,8 +80,7 @@ def write_film(
     try:
         with av.open(file, "w", format="mp4") as film:
             seen = _picture_stream(film, size, rate)
-            heard = film.add_stream("aac", rate=sound.rate, layout=("mono", "stereo")[sound.n_channels - 1])
-            heard.bit_rate = SOUND_BIT_RATE
+            heard = None if sound is None else _sound_stream(film, sound)
             for packet in _packets(av, seen, heard, pictures, sound):
                 film.mux(packet)
     except av.error.FFmpegError as error:
@@ -129,22 +128,29 @@ def _picture_stream(film: Any, size: tuple[int, int], rate: float) -> Any:
     return stream
 
 
+def _sound_stream(film: Any, sound: SoundTrack) -> Any:
+    stream = film.add_stream("aac", rate=sound.rate, layout=("mono", "stereo")[sound.n_channels - 1])
+    stream.bit_rate = SOUND_BIT_RATE
+    return stream
+
+
 def _packets(
-    av: ModuleType, seen: Any, heard: Any, pictures: Iterable[UInt8Array], sound: SoundTrack
+    av: ModuleType, seen: Any, heard: Any, pictures: Iterable[UInt8Array], sound: SoundTrack | None
 ) -> Iterator[Any]:
-    """Encode pictures and sound, always what comes next."""
-    blocks = _frames_of_sound(av, sound)
+    """Encode pictures and sound, where there is one, always what comes next."""
+    blocks = iter(()) if sound is None else _frames_of_sound(av, sound)
     rate = float(seen.codec_context.framerate)
     time = 0.0
     for number, picture in enumerate(pictures):
         yield from seen.encode(av.VideoFrame.from_ndarray(np.ascontiguousarray(picture), format="rgb24"))
         while time <= number / rate and (frame := next(blocks, None)) is not None:
-            time += frame.samples / sound.rate
+            time += frame.samples / frame.sample_rate
             yield from heard.encode(frame)
     for frame in blocks:
         yield from heard.encode(frame)
     yield from seen.encode()
-    yield from heard.encode()
+    if heard is not None:
+        yield from heard.encode()
 
 
 def _frames_of_sound(av: ModuleType, sound: SoundTrack) -> Iterator[Any]:

@@ -172,7 +172,7 @@ def test_a_text_that_turns_out_unspeakable_leaves_no_file(tmp_path: Path, capsys
     out = [("-o", "o.wav"), ("--labels", "o.TextGrid"), ("--plan", "p.csv")]
     written = [word for option, name in out for word in (option, str(tmp_path / name))]
     said = refused(capsys, "speak", "Hallo", "--language", "de", "--text-driver", "pinyin", *written)
-    assert said == "there is no syllable of pinyin in what is said; choose another driver"
+    assert said == "o.wav: there is no syllable of pinyin in what is said; choose another driver"
     assert list(tmp_path.iterdir()) == []
 
 

@@ -2,10 +2,27 @@
 
 from pathlib import Path
 
+import av
+import numpy as np
 import pytest
+from PIL import Image
 
 from phonemeanalyser.cli.main import main
+from phonemeengine.arrays import UInt8Array
+from phonemeengine.performance.building import build_table
+from phonemeengine.settings import SAMPLE_RATE
 from tests.engine.performance.corpora import write_recording
+from tests.graphics import context_or_skip
+from tests.tables import refused
+
+
+@pytest.fixture
+def recorded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the recording "mami", and a table of it."""
+    monkeypatch.chdir(tmp_path)
+    write_recording(tmp_path)
+    build_table(tmp_path, tmp_path / "ann.sqlite", name="Ann")
+    return tmp_path
 
 
 def test_a_table_of_a_synthetic_performer_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -42,6 +59,69 @@ def test_a_table_takes_the_place_of_a_table_only(tmp_path: Path, capsys: pytest.
     assert table.read_text(encoding="utf-8") == "my notes"
     assert main([*build, "--overwrite"]) == 0
     assert main(build) == 0
+
+
+def shown(table: Path, out: Path, *words: str) -> UInt8Array:
+    show = ["performance", "show", str(table), "mami", "-o", str(out), "--size", "96x96", "--fps", "10", *words]
+    assert main(show) == 0
+    if out.suffix:
+        with av.open(out) as film:
+            return np.concatenate([frame.to_ndarray()[0] for frame in film.decode(audio=0)])
+    return np.stack([np.asarray(Image.open(path)) for path in sorted(out.iterdir())])
+
+
+def test_a_recording_is_shown_as_it_was_tracked_and_a_part_of_it_is_that_part(recorded: Path) -> None:
+    context_or_skip().release()
+    whole = shown(recorded / "ann.sqlite", recorded / "whole")
+    assert whole.shape == (11, 96, 96, 3)
+    moving = np.abs(np.diff(whole[:, :88].astype(int), axis=0)).max(axis=(1, 2, 3))
+    assert moving.min() > 20, "the jaw opens and the head turns from frame to frame"
+    assert (whole[:, 88:] == whole[0, 88:]).all()
+    assert whole[0, 88:].min() < 128, "a caption stands below"
+    part = shown(recorded / "ann.sqlite", recorded / "part", "--from", "0.5", "--to", "0.8")
+    assert np.array_equal(part, whole[5:9])
+
+
+def test_a_film_of_a_recording_has_its_sound_where_that_is_found(
+    recorded: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    context_or_skip().release()
+    table = recorded / "ann.sqlite"
+    heard = shown(table, recorded / "tone.mp4", "--from", "0.3", "--to", "0.5")
+    assert len(heard) == pytest.approx(0.2 * SAMPLE_RATE, abs=2048)
+    assert np.square(heard).mean() == pytest.approx(0.5**2 / 2, rel=0.1)
+    assert np.abs(shown(table, recorded / "silence.mp4", "--from", "0.6")).max() < 0.01
+    assert capsys.readouterr().err == ""
+    (recorded / "mami.wav").unlink()
+    assert main(["performance", "show", str(table), "mami", "-o", str(recorded / "still.mp4")]) == 0
+    assert "Ann: note: the sound of mami is not where it was" in capsys.readouterr().err
+    with av.open(recorded / "still.mp4") as film:
+        assert [stream.type for stream in film.streams] == ["video"]
+
+
+SHOW = ["performance", "show", "ann.sqlite", "mami", "-o", "out"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (
+            ["performance", "show", "ann.sqlite", "momi", "-o", "out"],
+            "Ann: there is no recording 'momi' in this",
+        ),
+        (["performance", "show", "mami.wav", "mami", "-o", "out"], "mami.wav: this is no table of performances"),
+        ([*SHOW, "--from", "0.5", "--to", "0.4"], "mami: --from and --to must lie in 0..1.000 s, the second behind"),
+        ([*SHOW, "--from", "-1"], "mami: --from and --to must lie in 0..1.000 s"),
+        ([*SHOW, "--to", "1.1"], "mami: --from and --to must lie in 0..1.000 s"),
+        ([*SHOW, "--fps", "500"], "the frame rate must lie in 1..240 frames per second, got 500; choose another"),
+        ([*SHOW[:-1], "out.avi"], "out.avi: a preview is an .mp4, a .gif or a folder"),
+    ],
+)
+def test_a_recording_that_cannot_be_shown_is_refused_in_a_sentence(
+    recorded: Path, words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert refused(capsys, *words).startswith(sentence)
+    assert not [path for path in recorded.iterdir() if path.name.startswith("out")]
 
 
 @pytest.mark.parametrize(

@@ -215,18 +215,22 @@ def test_without_the_library_for_films_a_folder_is_offered(
     )
 
 
+@pytest.mark.parametrize(
+    ("module", "words"),
+    [("preview", ["preview", "a.wav"]), ("recording_clip", ["performance", "show", "a.sqlite", "one"])],
+)
 def test_without_the_packages_of_previews_one_sentence_says_which_extra_has_them(
-    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    module: str, words: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ):
     real = importlib.import_module
 
     def missing(name: str, package: str | None = None) -> object:
-        if name == "phonemeanalyser.cli.preview":
+        if name == f"phonemeanalyser.cli.{module}":
             raise ModuleNotFoundError("No module named 'moderngl'")
         return real(name, package)
 
     monkeypatch.setattr(importlib, "import_module", missing)
-    said = refused(capsys, "preview", sound, "-o", tmp_path / "a")
+    said = refused(capsys, *words, "-o", "a")
     assert said == (
         "previews need packages that cannot be loaded (No module named 'moderngl'); install them with: pip install "
         "'phonemeanalyser[preview]'"

@@ -139,8 +139,12 @@ class Exporter:
             )
 
     def takes(self, movestates: tuple[str, ...]) -> bool:
-        """Return whether a file can hold a movement of these movestates; it leaves out those that it has none for."""
-        return self.format.moves_head and {*self.format.movestates} <= {*movestates}
+        """Return whether a file can hold a movement of these movestates; it leaves out those that it has none for.
+
+        It needs all that the format has, or a table that was asked for.
+        """
+        asked = () if self._options.table is None else self._table.movestates
+        return self.format.moves_head and {*self.format.movestates, *asked} <= {*movestates}
 
     def _held(self, movement: Animation) -> Animation:
         """Return what the format holds of a movement."""

@@ -1,0 +1,79 @@
+"""``phonemeanalyser performance show``: a recording as a clip: the face as it was tracked, with its sound."""
+
+import argparse
+from contextlib import ExitStack
+
+from phonemeanalyser.cli.clips import check_clip, sound_track, write_clip
+from phonemeanalyser.cli.jobs import Job, open_sound, say_note
+from phonemeanalyser.cli.performing import performer_called
+from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeanalyser.rendering.video import SoundTrack
+from phonemeengine import (
+    Animation,
+    Channel,
+    EngineError,
+    IdleMotion,
+    Performance,
+    PerformanceTable,
+    Performer,
+    RecordedFace,
+    Transcript,
+    face_table,
+    load_head,
+    original_sound,
+)
+from phonemeengine.files import printable
+from phonemeengine.mouth.animation import animation_by
+
+MILLISECOND = 0.001
+"""The times of units are written as exactly."""
+
+
+def write_recording_clip(options: argparse.Namespace) -> None:
+    """Write the clip that the command line asks for.
+
+    Raises
+    ------
+    EngineError : the table has no such recording, or the clip cannot be made.
+    """
+    check_clip(options.out, options.size)
+    with PerformanceTable.open(options.table) as table, ExitStack() as stack:
+        performance = table.recording_called(options.recording)
+        start, end = _part_of(performance, options)
+        animation = _animation_of(performance, start, end, options.fps)
+        performer = performer_called(table.about.name, synthetic=performance.synthetic)
+        caption = f"{performance.name}, as recorded: {performer}"
+        sound = _sound_of(table, start, end, options, stack)
+        write_clip(options, subdivided(load_head()), [animation], [caption], sound)
+
+
+def _part_of(performance: Performance, options: argparse.Namespace) -> tuple[float, float]:
+    """Return from when to when the recording is shown, seconds."""
+    duration, start = performance.duration, options.start or 0.0
+    end = duration if options.end is None else options.end
+    if not 0 <= start < end <= duration + MILLISECOND:
+        raise EngineError(
+            f"{printable(performance.name)}: --from and --to must lie in 0..{duration:.3f} s, the second behind the "
+            f"first, got {start:g} and {end:g}; choose others"
+        )
+    return start, end
+
+
+def _animation_of(performance: Performance, start: float, end: float, rate: float) -> Animation:
+    face = RecordedFace(performance)
+    performer = Performer(face_table(), IdleMotion(blinks=False, head=face.head(start) is not None))
+    performer.play(face, -start)
+    return animation_by(performer, Transcript(performance.name, end - start), rate)
+
+
+def _sound_of(
+    table: PerformanceTable, start: float, end: float, options: argparse.Namespace, stack: ExitStack
+) -> SoundTrack | None:
+    """Return what is heard of a recording, for a film; None, which is said, where its sound is not found."""
+    if options.out.suffix.lower() != ".mp4":
+        return None
+    path = original_sound(table, options.recording)
+    if path is None:
+        say_note(table.about.name, f"the sound of {printable(options.recording)} is not where it was; there is none")
+        return None
+    return sound_track(stack.enter_context(open_sound(Job(path, options.out), Channel.MIX)), start, end)
