@@ -167,6 +167,7 @@ _PAGE = {
     # A sentence that they say
     "performance.track": "PerformanceTrack PerformedMouth face_table format_units",
     "performance.head_driver": "HeadDriver",
+    "mouth.face_driver": "FaceDriver usual_driver",
     "performance.expression_file": "read_expression",
     "performance.original": "RecordedFace original_sound",
     "performance.spoken_face": "SpokenFace",

@@ -63,6 +63,7 @@ from phonemeengine.mouth.expression.streams import (
     held_expression,
     recorded_expression,
 )
+from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
@@ -173,6 +174,7 @@ __all__ = [
     "Expression",
     "ExpressionChannels",
     "ExpressionStream",
+    "FaceDriver",
     "FaceState",
     "Features",
     "Filter",
@@ -360,6 +362,7 @@ __all__ = [
     "transcribe",
     "transcript_of_utterance",
     "units_of",
+    "usual_driver",
     "voices",
     "words_of",
     "write_table",

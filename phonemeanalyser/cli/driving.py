@@ -4,14 +4,14 @@ import argparse
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from pathlib import Path
 
 from phonemeanalyser.cli.jobs import say_note
-from phonemeanalyser.cli.performing import Performing, add_performance, performer_called, performing
+from phonemeanalyser.cli.performing import Performing, add_performance, performing
 from phonemeengine import (
     Animation,
     EngineError,
+    FaceDriver,
     PerformanceTrack,
     PinyinTable,
     PinyinTrack,
@@ -21,19 +21,10 @@ from phonemeengine import (
     has_pinyin,
     load_pinyin_table,
     pinyin_track,
+    usual_driver,
 )
 from phonemeengine.alignment.align import is_other_text
 from phonemeengine.mouth.exports.exporter import Exporter
-
-
-class FaceDriver(StrEnum):
-    """What moves a face where the words are known; `AUTO` is a table, or pinyin for Chinese, else rules."""
-
-    AUTO = "auto"
-    PINYIN = "pinyin"
-    TABLE = "table"
-    RULES = "rules"
-
 
 DRIVERS = [driver.value for driver in FaceDriver]
 FaceTrack = PerformanceTrack | PinyinTrack
@@ -141,17 +132,13 @@ class Driving:
     def caption(self, driver: FaceDriver) -> str:
         """Return what people call a chosen driver."""
         if driver is FaceDriver.TABLE and self.performer is not None:
-            about = self.performer.table.about
-            return performer_called(about.name, synthetic=about.synthetic)
-        return {FaceDriver.PINYIN: "letters of pinyin"}.get(driver, driver.value)
+            return self.performer.table.about.title
+        return driver.caption
 
     def _usual(self, utterance: Utterance | None, takes: Takes | None) -> FaceDriver:
-        if self.performer is not None:
-            return FaceDriver.TABLE
         letters = utterance is not None and has_pinyin(utterance)
-        if letters and (takes is None or takes(self.table.mouth.movestates)):
-            return FaceDriver.PINYIN
-        return FaceDriver.RULES
+        moves = takes is None or takes(self.table.mouth.movestates)
+        return usual_driver(has_table=self.performer is not None, has_letters=letters and moves)
 
 
 @contextmanager

@@ -114,11 +114,6 @@ def _chosen(tables: list[PerformanceTable], name: str | None) -> PerformanceTabl
     return named[0]
 
 
-def performer_called(name: str, *, synthetic: bool) -> str:
-    """Return what people call the performer of a table of this name."""
-    return f"{name} (synthetic)" if synthetic else name
-
-
 def labelled(options: argparse.Namespace) -> tuple[Utterance, Transcript]:
     """Return what is said in ``--recording``, as the TextGrid beside it has it, and how loud and high."""
     with SoundReader(options.recording, options.channel) as reader:

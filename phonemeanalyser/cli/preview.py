@@ -8,7 +8,7 @@ from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_clip, add_mouth, add_preset, add_script
 from phonemeanalyser.cli.clips import check_clip, sound_track, write_clip
-from phonemeanalyser.cli.driving import DRIVERS, Driving, FaceDriver, add_driver, driving
+from phonemeanalyser.cli.driving import DRIVERS, Driving, add_driver, driving
 from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, open_sound
 from phonemeanalyser.cli.scripts import spoken_texts
@@ -17,6 +17,7 @@ from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeengine import (
     Animation,
     EngineError,
+    FaceDriver,
     IdleMotion,
     MorphMesh,
     MouthTable,

@@ -5,7 +5,6 @@ from contextlib import ExitStack
 
 from phonemeanalyser.cli.clips import check_clip, sound_track, write_clip
 from phonemeanalyser.cli.jobs import Job, open_sound, say_note
-from phonemeanalyser.cli.performing import performer_called
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeanalyser.rendering.video import SoundTrack
 from phonemeengine import (
@@ -41,8 +40,7 @@ def write_recording_clip(options: argparse.Namespace) -> None:
         performance = table.recording_called(options.recording)
         start, end = _part_of(performance, options)
         animation = _animation_of(performance, start, end, options.fps)
-        performer = performer_called(table.about.name, synthetic=performance.synthetic)
-        caption = f"{performance.name}, as recorded: {performer}"
+        caption = f"{performance.name}, as recorded: {table.about.title}"
         sound = _sound_of(table, start, end, options, stack)
         write_clip(options, subdivided(load_head()), [animation], [caption], sound)
 

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
-from phonemeanalyser.cli.driving import Driving, FaceDriver, FaceTrack
+from phonemeanalyser.cli.driving import Driving, FaceTrack
 from phonemeanalyser.cli.expression import idle_of
 from phonemeanalyser.cli.output_files import Guard, print_whole, whole_file
 from phonemeengine import (
     EngineError,
     ExportOptions,
+    FaceDriver,
     PinyinTrack,
     SpokenSentence,
     Transcript,

@@ -91,6 +91,11 @@ class TableAbout:
     rate: float
     folder: str = ""
 
+    @property
+    def title(self) -> str:
+        """What people call it: a table of a synthetic performer is named so wherever it is shown."""
+        return f"{self.name} (synthetic performer)" if self.synthetic else self.name
+
 
 @dataclass(frozen=True)
 class Example:

@@ -8,10 +8,10 @@ from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
-from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeengine.files import free_path
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
@@ -223,7 +223,7 @@ class TalkDialogs(QObject):
     def _restore_drivers(self) -> None:
         drivers = self._talking.text.drivers
         driver, choice = self._kept("talk/text_driver", ""), self._kept("talk/performance_choice", "")
-        drivers.choose(next((known for known in TextDriver if known.value == driver), drivers.chosen))
+        drivers.choose(next((known for known in FaceDriver if known.value == driver), drivers.chosen))
         performance = drivers.performance
         performance.set_choice(next((known for known in ExampleChoice if known.value == choice), performance.choice))
         kept = self._settings.value("talk/performances") or []

@@ -1,31 +1,14 @@
 """By what the mouth moves where the words are known: the rules of the mouth table, letters of pinyin, or a table."""
 
-from enum import StrEnum
-
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.talk.performance_model import MeasuredSound, PerformanceModel
 from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
 from phonemeengine.mouth.performer import MouthTrack
 from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
-
-
-class TextDriver(StrEnum):
-    """By what the mouth moves where the words are known."""
-
-    AUTO = "auto"
-    PINYIN = "pinyin"
-    TABLE = "table"
-    RULES = "rules"
-
-
-CAPTIONS = {
-    TextDriver.PINYIN: "letters of pinyin",
-    TextDriver.TABLE: "recorded faces",
-    TextDriver.RULES: "sounds, by the mouth table",
-}
 
 
 class DriverModel(QObject):
@@ -53,8 +36,8 @@ class DriverModel(QObject):
     def __init__(self, performance: PerformanceModel | None = None) -> None:
         super().__init__()
         self.performance = performance or PerformanceModel()
-        self.chosen = TextDriver.AUTO
-        self.compared: TextDriver | None = None
+        self.chosen = FaceDriver.AUTO
+        self.compared: FaceDriver | None = None
         self.letters: PinyinTrack | None = None
         self._utterance: Utterance | None = None
         self._text = ""
@@ -68,26 +51,24 @@ class DriverModel(QObject):
         self.performance.info.connect(self.info)
 
     @property
-    def main(self) -> TextDriver:
+    def main(self) -> FaceDriver:
         """What moves the mouth: automatically, a table that is open, letters for Chinese, else the rules."""
-        if self.chosen is not TextDriver.AUTO:
+        if self.chosen is not FaceDriver.AUTO:
             return self.chosen
-        if self.performance.table is not None:
-            return TextDriver.TABLE
-        return TextDriver.PINYIN if self.letters is not None else TextDriver.RULES
+        return usual_driver(has_table=self.performance.table is not None, has_letters=self.letters is not None)
 
     @property
     def wants_table(self) -> bool:
         """Whether a table is open, and a head is to move by it."""
-        return self.performance.table is not None and TextDriver.TABLE in {self.main, self.compared}
+        return self.performance.table is not None and FaceDriver.TABLE in {self.main, self.compared}
 
-    def choose(self, driver: TextDriver) -> None:
+    def choose(self, driver: FaceDriver) -> None:
         """Move the mouth by this."""
         if driver is not self.chosen:
             self.chosen = driver
             self._choose_again()
 
-    def compare(self, driver: TextDriver | None) -> None:
+    def compare(self, driver: FaceDriver | None) -> None:
         """Show a second head that moves by this, or none."""
         if driver is not self.compared:
             self.compared = driver
@@ -109,17 +90,17 @@ class DriverModel(QObject):
         self._utterance, self._text, self._sound, self._spoken = utterance, text, sound, spoken
         self._follow_again()
 
-    def track_by(self, driver: TextDriver) -> MouthTrack | None:
+    def track_by(self, driver: FaceDriver) -> MouthTrack | None:
         """Return what moves a mouth by a driver now; None where that goes by what is heard."""
-        if driver is TextDriver.PINYIN and self.letters is not None:
+        if driver is FaceDriver.PINYIN and self.letters is not None:
             return self.letters.mouth()
-        return self.performance.face if driver is TextDriver.TABLE else None
+        return self.performance.face if driver is FaceDriver.TABLE else None
 
-    def caption_of(self, driver: TextDriver, track: MouthTrack | None) -> str:
+    def caption_of(self, driver: FaceDriver, track: MouthTrack | None) -> str:
         """Return in words what moves a mouth: by a driver that has nothing for it, its sounds do."""
         if track is None:
-            return CAPTIONS[TextDriver.RULES]
-        return self.performance.name if driver is TextDriver.TABLE else CAPTIONS[driver]
+            return FaceDriver.RULES.caption
+        return self.performance.name if driver is FaceDriver.TABLE else driver.caption
 
     def close(self) -> None:
         """End all work."""
@@ -163,14 +144,14 @@ class DriverModel(QObject):
     def _letters_of(self, utterance: Utterance) -> PinyinTrack | None:
         """Return how the mouth says Chinese; None for other languages, and where no mouth goes by letters."""
         wanted = {self.chosen, self.compared}
-        usual = self.chosen is TextDriver.AUTO and self.performance.table is None
+        usual = self.chosen is FaceDriver.AUTO and self.performance.table is None
         in_pinyin = any(syllable.text for word in utterance.words for syllable in word.syllables)
-        if TextDriver.PINYIN not in wanted and not (usual and in_pinyin):
+        if FaceDriver.PINYIN not in wanted and not (usual and in_pinyin):
             return None
         try:
             return pinyin_track(utterance, text=self._text)
         except TextError:
-            if TextDriver.PINYIN in wanted:
+            if FaceDriver.PINYIN in wanted:
                 self.error.emit(
                     "Nobody speaks Chinese here, so that there are no letters of pinyin; choose another driver."
                 )

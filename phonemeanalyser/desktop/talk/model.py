@@ -8,7 +8,6 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.face_model import FaceModel
 from phonemeanalyser.desktop.talk.moving_head import MovingHead
@@ -17,6 +16,7 @@ from phonemeanalyser.desktop.talk.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import (
@@ -266,13 +266,13 @@ class TalkModel(QObject):
         """Say below the heads what moves them, unless there is one head, and its mouth table does."""
         drivers, original = self.text.drivers, self.text.original
         shown, beside = (self._track_of(head) for head in (self.head, self.beside))
-        by_table = shown is not None and drivers.main is TextDriver.TABLE
+        by_table = shown is not None and drivers.main is FaceDriver.TABLE
         self.head.caption = drivers.caption_of(drivers.main, shown) if self.comparing or by_table else ""
         self.head.notes = drivers.performance.notes if by_table else ()
         if original.face is not None:
             self.head.caption, self.head.notes = original.caption, ()
         self.beside.caption = "" if drivers.compared is None else drivers.caption_of(drivers.compared, beside)
-        self.beside.notes = drivers.performance.notes if drivers.compared is TextDriver.TABLE else ()
+        self.beside.notes = drivers.performance.notes if drivers.compared is FaceDriver.TABLE else ()
 
     def _track_of(self, head: MovingHead) -> MouthTrack | None:
         """Return what moves a head, if it knows all movestates of the mouth table."""

@@ -7,7 +7,6 @@ from contextlib import suppress
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.talk.performance_model import name_of
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
@@ -76,7 +75,7 @@ class OriginalModel(QObject):
                 )
             start, end = (0.0, duration) if whole else (unit.source_start - AROUND, unit.source_end + AROUND)
             self._begin(face, reader, max(0.0, start), min(duration, end))
-            self.caption = f"{printable(unit.recording)}, as recorded: {name_of(table.about)}"
+            self.caption = f"{printable(unit.recording)}, as recorded: {table.about.title}"
             self.changed.emit()
 
         self._work.replace(act, take)

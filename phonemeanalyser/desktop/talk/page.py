@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.talk.choices_panel import ChoicesPanel
-from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.expression_panel import ExpressionPanel
 from phonemeanalyser.desktop.talk.head_pair import HeadPair
 from phonemeanalyser.desktop.talk.head_view import HINT, LIGHT_STEP
@@ -31,13 +30,14 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.heading import heading
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
+from phonemeengine.mouth.face_driver import FaceDriver
 
 PANEL_WIDTH = 480
 COMPARISONS = {
     None: "One Head",
-    TextDriver.RULES: "With Sounds, by the Mouth Table",
-    TextDriver.PINYIN: "With Letters of Pinyin",
-    TextDriver.TABLE: "With a Table of Recorded Faces",
+    FaceDriver.RULES: "With Sounds, by the Mouth Table",
+    FaceDriver.PINYIN: "With Letters of Pinyin",
+    FaceDriver.TABLE: "With a Table of Recorded Faces",
 }
 """What a second head can be moved by."""
 BARS_EVERY = 2
@@ -132,7 +132,7 @@ class TalkPage(QWidget):
 
     def _choose_comparison(self, action: QAction) -> None:
         driver = action.data()
-        self._talking.text.drivers.compare(None if driver is None else TextDriver(driver))
+        self._talking.text.drivers.compare(None if driver is None else FaceDriver(driver))
 
     def _connect(self) -> None:
         session = self._talking.session
@@ -156,7 +156,7 @@ class TalkPage(QWidget):
         compared = texts.drivers.compared
         for action in self.comparisons.actions():
             action.setChecked(action.data() == compared)
-            by_table = action.data() == TextDriver.TABLE
+            by_table = action.data() == FaceDriver.TABLE
             action.setEnabled(not by_table or texts.drivers.performance.table is not None)
         self.save_words.setEnabled(texts.editable and texts.utterance is not None)
         self.save_speech.setEnabled(bool(texts.text.strip()))

@@ -27,7 +27,6 @@ from phonemeengine.settings import FRAME_PERIOD, Channel
 
 AHEAD = 20.0
 """Seconds of a sound that are looked up before they are heard."""
-SYNTHETIC = "synthetic performer"
 
 
 @dataclass(frozen=True)
@@ -144,7 +143,7 @@ class PerformanceModel(QObject):
     @property
     def name(self) -> str:
         """What the chosen table is called, and whether no person moved for it."""
-        return "" if self._table is None else name_of(self._table.about)
+        return "" if self._table is None else self._table.about.title
 
     # -- what is chosen -----------------------------------------------------------------------------------
 
@@ -272,11 +271,6 @@ class PerformanceModel(QObject):
     def _fail(self, sentence: str) -> None:
         self.forget()
         self.error.emit(sentence)
-
-
-def name_of(about: TableAbout) -> str:
-    """Return what a table is called where people read it: one of a synthetic performer says so."""
-    return f"{about.name} ({SYNTHETIC})" if about.synthetic else about.name
 
 
 def _found(paths: Sequence[Path]) -> dict[Path, TableAbout]:

@@ -4,11 +4,11 @@ from PySide6.QtCore import QPoint, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QFrame, QLabel, QLineEdit, QToolButton, QWidget
 
-from phonemeanalyser.desktop.talk.driver_model import DriverModel, TextDriver
-from phonemeanalyser.desktop.talk.performance_model import name_of
+from phonemeanalyser.desktop.talk.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.voice_model import FASTEST, SLOWEST, VoiceModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.speech.program import OUTPUT, TEXT
 
@@ -17,10 +17,10 @@ OWN_VOICE, OWN_PROGRAM = "the language’s own", "a program of your own"
 KINDS = {"m": "man", "f": "woman"}
 """What the voices are that are a letter and a number."""
 DRIVERS = {
-    TextDriver.AUTO: "automatic: recorded faces, pinyin, sounds",
-    TextDriver.PINYIN: "letters of pinyin",
-    TextDriver.TABLE: "a table of recorded faces",
-    TextDriver.RULES: "sounds, by the mouth table",
+    FaceDriver.AUTO: "automatic: recorded faces, pinyin, sounds",
+    FaceDriver.PINYIN: FaceDriver.PINYIN.caption,
+    FaceDriver.TABLE: "a table of recorded faces",
+    FaceDriver.RULES: FaceDriver.RULES.caption,
 }
 CHOICES = {
     ExampleChoice.VITERBI: "those that fit and join best (Viterbi)",
@@ -144,7 +144,7 @@ class VoicePanel(QFrame):
         self.rate.valueChanged.connect(lambda rate: voice.choose(rate=rate))
         self.program.editingFinished.connect(lambda: voice.choose(program=self.program.text().strip()))
         drivers, performance = self._drivers, self._drivers.performance
-        self.driver.activated.connect(lambda k: drivers.choose(TextDriver(self.driver.itemData(k))))
+        self.driver.activated.connect(lambda k: drivers.choose(FaceDriver(self.driver.itemData(k))))
         self.table.activated.connect(self._choose_table)
         self.choice.activated.connect(lambda k: performance.set_choice(ExampleChoice(self.choice.itemData(k))))
         for part in (drivers, performance):
@@ -168,7 +168,7 @@ class VoicePanel(QFrame):
     def _show_tables(self) -> None:
         """List the tables that were opened; those of synthetic performers are named so."""
         performance = self._drivers.performance
-        wanted = [(NO_TABLE, None), *((name_of(about), path) for path, about in performance.tables.items())]
+        wanted = [(NO_TABLE, None), *((about.title, path) for path, about in performance.tables.items())]
         wanted.append((OTHER_TABLE, None))
         if [(self.table.itemText(k), self.table.itemData(k)) for k in range(self.table.count())] != wanted:
             self.table.clear()
@@ -215,7 +215,7 @@ class VoiceButton(QToolButton):
         choice = self._voice.choice
         who = OWN_PROGRAM if choice.by_program else f"{choice.name or OWN_VOICE}, {choice.rate:g} syllables a second"
         moved = (
-            self._drivers.performance.name if self._drivers.main is TextDriver.TABLE else DRIVERS[self._drivers.main]
+            self._drivers.performance.name if self._drivers.main is FaceDriver.TABLE else DRIVERS[self._drivers.main]
         )
         self.setToolTip(f"Who says the text, how fast, and what moves the mouth (now: {who}; {moved})")
 

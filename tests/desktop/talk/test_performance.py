@@ -5,12 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.talk.driver_model import CAPTIONS, TextDriver
 from phonemeanalyser.desktop.talk.performance_model import FaceInHand
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.scripted_transcript import scripted_transcript_of
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.building import build_table
@@ -67,7 +67,7 @@ def test_a_table_that_is_opened_moves_the_head_and_is_named(desk: Desk, table: P
     labelled(desk, tmp_path)
     assert desk.stage.talking.head.caption == ""
     use(desk, table)
-    assert desk.texts.drivers.main is TextDriver.TABLE
+    assert desk.texts.drivers.main is FaceDriver.TABLE
     desk.stage.play(0.8)
     assert shown(desk)[JAW] == pytest.approx(0.4, abs=LOUDER)
     assert desk.stage.talking.head.caption == "ann"
@@ -105,7 +105,7 @@ def test_shoulders_and_tongue_are_moved_and_sent_where_a_table_moves_the_face(
     talking = desk.stage.talking
     assert {talking.performer.table.movestates, talking.osc.performer.table.movestates} == {FACE}
     assert talking.performer.table.shapes == face_table().shapes
-    desk.texts.drivers.choose(TextDriver.RULES)
+    desk.texts.drivers.choose(FaceDriver.RULES)
     assert talking.osc.performer.table.movestates == ARKIT
 
 
@@ -125,7 +125,7 @@ def test_a_table_that_comes_while_a_text_is_spoken_is_for_the_next_one(desk: Des
     desk.stage.play(0.1)
     use(desk, table)
     assert any("once more" in sentence for sentence in desk.told)
-    assert desk.stage.talking.head.caption == CAPTIONS[TextDriver.RULES] or not desk.stage.talking.head.caption
+    assert desk.stage.talking.head.caption == FaceDriver.RULES.caption or not desk.stage.talking.head.caption
 
 
 def test_what_the_table_lacks_is_said(desk: Desk, tmp_path: Path) -> None:
@@ -152,19 +152,19 @@ def test_two_heads_say_the_same_in_step_by_other_means(desk: Desk, table: Path, 
     labelled(desk, tmp_path)
     use(desk, table)
     talking, drivers = desk.stage.talking, desk.texts.drivers
-    drivers.compare(TextDriver.RULES)
-    assert (talking.head.caption, talking.beside.caption) == ("ann", CAPTIONS[TextDriver.RULES])
+    drivers.compare(FaceDriver.RULES)
+    assert (talking.head.caption, talking.beside.caption) == ("ann", FaceDriver.RULES.caption)
     desk.stage.play(0.8)
     one, other = (head.performer.at(desk.stage.now - START) for head in (talking.head, talking.beside))
     assert one.weights[JAW] == pytest.approx(0.4, abs=LOUDER)
     assert one.weights[JAW] != other.weights[JAW] > 0
     assert one.blink == other.blink
     assert talking.beside.revision > 0
-    drivers.choose(TextDriver.RULES)
-    drivers.compare(TextDriver.TABLE)
+    drivers.choose(FaceDriver.RULES)
+    drivers.compare(FaceDriver.TABLE)
     settle(desk)
     desk.stage.play(0.1)
-    assert (talking.head.caption, talking.beside.caption) == (CAPTIONS[TextDriver.RULES], "ann")
+    assert (talking.head.caption, talking.beside.caption) == (FaceDriver.RULES.caption, "ann")
     drivers.compare(None)
     assert (talking.comparing, talking.head.caption) == (False, "")
     assert desk.failed == []
@@ -173,10 +173,10 @@ def test_two_heads_say_the_same_in_step_by_other_means(desk: Desk, table: Path, 
 def test_letters_have_nothing_to_go_by_where_nobody_speaks_chinese(desk: Desk, table: Path, tmp_path: Path) -> None:
     labelled(desk, tmp_path)
     use(desk, table)
-    desk.texts.drivers.compare(TextDriver.PINYIN)
+    desk.texts.drivers.compare(FaceDriver.PINYIN)
     (sentence,) = desk.failed
     assert "Chinese" in sentence
-    assert desk.stage.talking.beside.caption == CAPTIONS[TextDriver.RULES]
+    assert desk.stage.talking.beside.caption == FaceDriver.RULES.caption
 
 
 def test_another_choice_of_examples_is_looked_up_anew(desk: Desk, tmp_path: Path) -> None:
@@ -195,10 +195,10 @@ def test_no_table_leaves_the_head_to_the_sounds_again(desk: Desk, table: Path, t
     use(desk, table)
     performance = desk.texts.drivers.performance
     performance.choose(None)
-    assert (desk.texts.drivers.main, performance.units, performance.name) == (TextDriver.RULES, (), "")
+    assert (desk.texts.drivers.main, performance.units, performance.name) == (FaceDriver.RULES, (), "")
     performance.choose(table)
     settle(desk)
-    assert desk.texts.drivers.main is TextDriver.TABLE
+    assert desk.texts.drivers.main is FaceDriver.TABLE
 
 
 # -- bad tables ---------------------------------------------------------------------------------------

@@ -9,7 +9,6 @@ import pytest
 import soundfile
 
 from phonemeanalyser.desktop.session.session import SoundSource
-from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.scripts import words_beside
 from phonemeanalyser.desktop.talk.sound_words import KnownWords
 from phonemeanalyser.desktop.talk.text_model import POOR, TextTools, fits_badly
@@ -19,6 +18,7 @@ from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.phonemes import Phoneme
 from tests.desktop.sessions import settled
 from tests.desktop.stage import AN_A
@@ -384,7 +384,7 @@ def test_the_voice_that_is_chosen_speaks_at_the_rate_that_is_chosen(desk):
 def test_chinese_moves_the_mouth_by_letters_unless_sounds_are_chosen(desk, tmp_path):
     desk.open(tmp_path)
     desk.texts.words.put(KnownWords(Utterance((syllable("好", "hao3", 0.6, 1.1),), DURATION, "cmn")))
-    drivers = (TextDriver.AUTO, TextDriver.RULES, TextDriver.PINYIN)
+    drivers = (FaceDriver.AUTO, FaceDriver.RULES, FaceDriver.PINYIN)
     by_letters = []
     for driver in drivers:
         desk.texts.drivers.choose(driver)
@@ -396,7 +396,7 @@ def test_chinese_moves_the_mouth_by_letters_unless_sounds_are_chosen(desk, tmp_p
 def test_letters_of_pinyin_for_another_language_are_refused_and_its_sounds_move_the_mouth(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.texts.drivers.choose(TextDriver.PINYIN)
+    desk.texts.drivers.choose(FaceDriver.PINYIN)
     assert desk.texts.drivers.letters is None
     assert "pinyin" in desk.failed[0].lower()
 

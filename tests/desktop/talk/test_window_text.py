@@ -12,7 +12,6 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.session import SoundSource
-from phonemeanalyser.desktop.talk.driver_model import TextDriver
 from phonemeanalyser.desktop.talk.text_model import TextTools
 from phonemeanalyser.desktop.talk.text_panel import NO_LANGUAGE, TextPanel
 from phonemeanalyser.desktop.talk.voice_model import VoiceChoice
@@ -22,6 +21,7 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.table_file import write_table
 from tests.desktop.hands import LEFT, answer, edits, press, shown, type_number, wav
@@ -226,7 +226,7 @@ def test_voice_rate_and_mouth_are_chosen_by_the_keyboard(window, desktop, qtbot)
     QTest.keyClick(below.driver, Qt.Key.Key_End)
     texts = desktop.talking.text
     assert (texts.voice.choice.name, texts.voice.choice.rate) == ("f2", 5.5)
-    assert texts.drivers.chosen is TextDriver.RULES
+    assert texts.drivers.chosen is FaceDriver.RULES
     assert "f2, 5.5 syllables a second" in panel(window).voice.toolTip()
     QTest.keyClick(below, Qt.Key.Key_Escape)
     assert not below.isVisible()
@@ -293,7 +293,7 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     choose(window, "German")
     chosen = VoiceChoice("f2", 5.5, "mine {output} {text}", True)
     desktop.talking.text.voice.choose(**vars(chosen))
-    desktop.talking.text.drivers.choose(TextDriver.RULES)
+    desktop.talking.text.drivers.choose(FaceDriver.RULES)
     desktop.talking.text.set_lexicon(tmp_path / "mine.csv")
     qtbot.waitUntil(lambda: desktop.talking.text.lexicon_path is not None)
     desktop.save()
@@ -302,7 +302,7 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     qtbot.waitUntil(lambda: texts.lexicon_path == tmp_path / "mine.csv")
     assert (texts.text, texts.language) == ("so oh", "de")
     assert texts.voice.choice == chosen
-    assert texts.drivers.chosen is TextDriver.RULES
+    assert texts.drivers.chosen is FaceDriver.RULES
     again.close()
 
 
@@ -396,9 +396,9 @@ def test_two_heads_are_compared_and_looked_at_alike(window, desktop, qtbot, tabl
 
 def test_a_table_can_be_compared_once_there_is_one(window, desktop, qtbot, table):
     actions = {action.data(): action for action in window.talk.comparisons.actions()}
-    assert not actions[TextDriver.TABLE].isEnabled()
+    assert not actions[FaceDriver.TABLE].isEnabled()
     performed(window, desktop, table, qtbot)
-    assert actions[TextDriver.TABLE].isEnabled()
+    assert actions[FaceDriver.TABLE].isEnabled()
 
 
 def test_tables_are_there_again_at_the_next_start_unless_they_are_gone(
