@@ -13,11 +13,13 @@ from phonemeengine.mouth.blendshape_names import EYELIDS
 
 ROW, COLUMNS, GAP = 16, 2, 14
 NAME_SHARE, NUMBER_WIDTH = 0.5, 36
+LEAST = 1.0
+"""Percent by which a movestate that the table does not move has to be on to be listed."""
 LEFT, RIGHT = "Left", "Right"
 
 
 class MovestateBars(QWidget):
-    """Paints a bar for each movestate that the table moves; the two sides of a face share one.
+    """Paints a bar for each movestate that the table moves, or that has moved; the two sides of a face share one.
 
     Attributes
     ----------
@@ -29,6 +31,7 @@ class MovestateBars(QWidget):
         self._talking = talking
         self._theme = theme
         self._shown: tuple[float, ...] = ()
+        self._listed: tuple[str, ...] = ()
         self.rows: list[tuple[str, tuple[str, ...]]] = []
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setToolTip(
@@ -40,6 +43,9 @@ class MovestateBars(QWidget):
     def refresh(self) -> None:
         """Show how it is now."""
         percentages = self._talking.percentages
+        others = [name for name, percent in percentages.items() if abs(percent) >= LEAST and name not in self._listed]
+        if others:
+            self._list(*self._listed, *others)
         shown = tuple(round(percentages.get(name, 0.0)) for _, names in self.rows for name in names)
         if shown != self._shown:
             self._shown = shown
@@ -88,9 +94,14 @@ class MovestateBars(QWidget):
 
     def _list_states(self) -> None:
         face = self._talking.face
-        moved = list(face.moved_by(self._talking.table)) if face.states is not None else []
-        moved += [lid for lid in EYELIDS if face.states is not None and lid in face.states and lid not in moved]
-        self.rows = _paired(moved)
+        mine = () if face.states is None else face.states.names
+        moved = [*face.moved_by(self._talking.table)] if mine else []
+        moved += [lid for lid in EYELIDS if lid in mine and lid not in moved]
+        kept = [name for name in self._listed if name in mine and name not in moved]
+        self._list(*moved, *kept)
+
+    def _list(self, *names: str) -> None:
+        self._listed, self.rows = names, _paired(list(names))
         self._shown = ()
         self.updateGeometry()
         self.update()

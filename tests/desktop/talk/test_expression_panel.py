@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.expression_panel import ExpressionPanel
+from phonemeanalyser.desktop.talk.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.theme import LIGHT
 from phonemeengine.mouth.exports.livelink import lines_of
 from tests.desktop.stage import Stage
@@ -207,3 +208,19 @@ def test_recording_and_address_are_there_again_at_the_next_start(
     qtbot.waitUntil(lambda: restored.path == tmp_path / "brow.csv" and restored.input.stream is not None)
     assert restored.input.address == address
     again.close()
+
+
+def test_bars_show_what_an_expression_moves_though_no_shape_of_the_table_does(
+    stage: Stage, panel: ExpressionPanel, qtbot: QtBot, tmp_path: Path
+) -> None:
+    bars = MovestateBars(stage.talking, LIGHT)
+    qtbot.addWidget(bars)
+    before = [name for name, _ in bars.rows]
+    assert "eyeWide" not in before
+    panel.sliders["surprise"].setValue(100)
+    stage.wait(0.1)
+    bars.refresh()
+    assert [name for name, _ in bars.rows if name not in before] != []
+    assert ("eyeWide", ("eyeWideLeft", "eyeWideRight")) in bars.rows
+    stage.talking.set_speed(2.0, 2.0)
+    assert ("eyeWide", ("eyeWideLeft", "eyeWideRight")) in bars.rows
