@@ -34,6 +34,8 @@ TALK = {
     "talk-dark.png": ("1920", "1080", "dark", "0.75"),
 }
 """The page of the head, while it says the demo."""
+COMPARE = {"compare-light.png": ("1280", "800", "light", "1.02")}
+"""Two heads that say a text in step, a recorded face and the rules."""
 HEAD = {"head-visemes.png": "light"}
 """The head that says a, e, i, o, u and m."""
 
@@ -46,9 +48,11 @@ def main() -> None:
     for name, (width, height, theme) in CALIBRATE.items():
         command = [sys.executable, "-m", "tools.screenshots.calibrate", str(_place(name)), theme, width, height]
         subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
-    for name, (width, height, theme, at) in TALK.items():
-        command = [sys.executable, "-m", "tools.screenshots.talk", str(_place(name)), theme, width, height, at]
-        subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
+    for module, pictures in (("talk", TALK), ("compare", COMPARE)):
+        for name, (width, height, theme, at) in pictures.items():
+            place = str(_place(name))
+            command = [sys.executable, "-m", f"tools.screenshots.{module}", place, theme, width, height, at]
+            subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
     for name, theme in HEAD.items():
         subprocess.run(
             [sys.executable, "-m", "tools.screenshots.head", str(_place(name)), theme], check=True, cwd=ROOT

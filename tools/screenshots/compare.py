@@ -1,0 +1,61 @@
+"""Takes a picture of two heads that say the same in step: run by screenshots.py."""
+
+import sys
+import tempfile
+from pathlib import Path
+
+from PySide6.QtCore import QSettings
+
+from phonemeanalyser.desktop.app import Desktop, make_application
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeengine import FaceDriver, Voice, build_table, make_corpus, speak
+from phonemeengine.audio.output import ClockOutput
+from phonemeengine.performance.sentences import sentences
+from tools.bench.desktop import live_for
+
+TALK, MINUTES = 2, 4
+LANGUAGE, TEXT = "en-us", "Please bring my blue bowl to the old farmer. Yes, the sheep are happy."
+
+
+def main(out: Path, theme: str, width: int, height: int, at: float) -> None:
+    """Have a recorded face say a text up to a time, beside the rules, and save what the page shows then."""
+    with tempfile.TemporaryDirectory() as folder:
+        table = _table_in(Path(folder))
+        settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
+        settings.setValue("theme", theme)
+        microphone = Microphone(journal=Path(folder) / "journal", folder=Path(folder) / "Recordings")
+        desktop = Desktop(make_application(), settings, lambda _n: ClockOutput(), microphone)
+        desktop.window.resize(width, height)
+        desktop.window.show()
+        desktop.window.show_page(TALK)
+        texts, drivers = desktop.talking.text, desktop.talking.text.drivers
+        desktop.talking.set_blinks(False)
+        drivers.performance.open(table)
+        while desktop.talking.face.states is None or drivers.performance.table is None:
+            live_for(0.1)
+        drivers.compare(FaceDriver.RULES)
+        texts.set_text(TEXT)
+        texts.set_language(LANGUAGE)
+        texts.say()
+        while desktop.session.position < at:
+            live_for(0.01)
+        desktop.session.pause()
+        live_for(0.5)
+        desktop.window.redraw.timer.stop()  # for a picture without jagged edges
+        live_for(1.0)
+        desktop.window.banner.show_error("")
+        desktop.talking.set_blinks(True)
+        desktop.window.grab().save(str(out), "PNG")
+        desktop.close()
+
+
+def _table_in(folder: Path) -> Path:
+    """Have a synthetic performer read, and build a table of that."""
+    voice = Voice(LANGUAGE)
+    make_corpus(folder / "corpus", sentences(1), lambda text: speak(text, voice), seconds=60 * MINUTES)
+    build_table(folder / "corpus", folder / "synthia.sqlite", name="Synthia")
+    return folder / "synthia.sqlite"
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4]), float(sys.argv[5]))
