@@ -200,7 +200,6 @@ class TalkModel(QObject):
             self._last = None
             return
         now = self._now()
-        self.expression.follow(now - self.session.position)
         self._listen(heard, now)
         self._play_tracks(now)
         if self.watched:
@@ -240,11 +239,13 @@ class TalkModel(QObject):
         return (*both, self.beside.performer) if self.comparing else both
 
     def _play_tracks(self, now: float) -> None:
-        """Have the mouths move by what is known of the words, in step with the sound, where anything is."""
+        """Have mouths and recorded expressions go with the sound, where anything is known of it."""
         session, original = self.session, self.text.original
-        at_rest = not session.playing and session.position == 0
-        for performer, track in self._tracks.items():
-            performer.play(None if at_rest else track, now - session.position)
+        if self._tracks or self.expression.path is not None:
+            position = session.position
+            self.expression.follow(now - position)
+            for performer, track in self._tracks.items():
+                performer.play(track if session.playing or position else None, now - position)
         if original.face is not None:
             self.performer.play(original.face, now - original.position)
 

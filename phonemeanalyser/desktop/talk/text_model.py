@@ -279,7 +279,8 @@ class TextModel(QObject):
     def tick(self) -> None:
         """Follow what is spoken and looked up, and end what has lasted long enough."""
         self._follow_speech()
-        self.drivers.performance.tick(self._session.position)
+        if self.drivers.performance.face is not None:
+            self.drivers.performance.tick(self._session.position)
         self.original.tick()
         if self._until is not None:
             if not self._session.playing:
