@@ -60,7 +60,7 @@ def _counted(prediction: Predictions) -> tuple[FrameLabels, UInt8Array]:
         for label in prediction.utterance.labels
     )
     kept = frame_labels_of(trimmed).phonemes != Phoneme.UNIDENTIFIED
-    return FrameLabels(labels.phonemes[kept], labels.certain[kept]), prediction.phonemes[kept]
+    return labels.at(kept), prediction.phonemes[kept]
 
 
 def _parted(utterance: LabelledUtterance, part: int) -> tuple[LabelledUtterance, LabelledUtterance]:

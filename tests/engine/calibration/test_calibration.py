@@ -24,6 +24,7 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.settings import SAMPLE_RATE, Decimation
+from phonemeengine.visemes import NO_VISEME
 from tests.conftest import ROOT, SCORER
 from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel
@@ -39,7 +40,7 @@ def codes(*phonemes: Phoneme) -> np.ndarray:
 
 
 def certain(*phonemes: Phoneme) -> FrameLabels:
-    return FrameLabels(codes(*phonemes), np.ones(len(phonemes), bool))
+    return FrameLabels(codes(*phonemes), np.ones(len(phonemes), bool), np.full(len(phonemes), NO_VISEME, np.uint8))
 
 
 def write_corpus(folder: Path, n_speakers: int = 3) -> Path:

@@ -23,6 +23,7 @@ from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.rules import ThesisRules
 from phonemeengine.recognition.spec import BUILT_IN, RecogniserConfig, RecogniserSpec
 from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.visemes import NO_VISEME
 from tests.corpora import put, write_corpus
 from tests.sounds import silence, tone
 
@@ -36,7 +37,9 @@ CLASSES = ["silence", "sz", "sch", "m", "p", "a", "e", "i", "o", "u"]
 def answers(
     truth: list[Phoneme], guess: list[Phoneme], core: list[bool] | None = None, corpus: str = "x"
 ) -> Predictions:
-    labels = FrameLabels(np.array(truth, np.uint8), np.array(core or [True] * len(truth)))
+    labels = FrameLabels(
+        np.array(truth, np.uint8), np.array(core or [True] * len(truth)), np.full(len(truth), NO_VISEME, np.uint8)
+    )
     loud = np.linspace(0, 1, len(truth), dtype=np.float32)
     return Predictions(LabelledUtterance(Path("u.wav"), (), "s", corpus), labels, np.array(guess, np.uint8), loud)
 
