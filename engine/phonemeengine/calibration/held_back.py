@@ -42,7 +42,7 @@ def scores_on(cases: Iterable[tuple[Preset, Sequence[LabelledUtterance]]]) -> Sc
     """
     predictions = [predict(utterance, preset) for preset, utterances in cases for utterance in utterances]
     scores = scores_of([_counted(prediction) for prediction in predictions])
-    flicker = scores_of([prediction.pair for prediction in predictions])
+    flicker = scores_of([prediction.answers for prediction in predictions])
     return replace(
         scores, changes_per_s=flicker.changes_per_s, label_changes_per_s=flicker.label_changes_per_s
     )  # fmt: skip
