@@ -1,5 +1,7 @@
 """Small models whose answers are known, since they are built by hand."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from phonemeengine.dsp.log_mel import FLOOR, N_BANDS, log_mels
@@ -7,6 +9,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.settings import SAMPLE_RATE, WINDOW
+from phonemeengine.visemes import Viseme
 
 QUIET = np.float32(np.log10(FLOOR))
 HEARD = -6.0
@@ -19,8 +22,10 @@ def band_of(frequency: float) -> int:
     return int(log_mels(wave.astype(np.float32)[np.newaxis])[0].argmax())
 
 
-def tone_model(tones: dict[float, Phoneme], n_heads: int = 6) -> Model:
-    """Give a model that names tones: each frequency a phoneme, silence where none of them sounds.
+def tone_model(
+    tones: dict[float, Phoneme], n_heads: int = 6, visemes: dict[float, Viseme] | None = None
+) -> Model:  # fmt: skip
+    """Give a model that names tones: each frequency a phoneme, silence where none of them sounds; and maybe a viseme.
 
     Head k answers for the frame k before the newest one, which the network finds by a second layer that hands on
     what was heard 0, 1, ... frames ago.
@@ -32,21 +37,27 @@ def tone_model(tones: dict[float, Phoneme], n_heads: int = 6) -> Model:
     threshold = np.zeros(n_heads * len(tones), np.float32)
     threshold[: len(tones)] = -HEARD
     layers = [Layer(_wide(first, n_heads), threshold, 1)]
-    heads = []
     n = len(frequencies)
     for k in range(1, n_heads):
         weights = np.zeros((TAPS * n_heads * n, n_heads * n), np.float32)
         for channel in range(n):
             weights[n_heads * n + (k - 1) * n + channel, k * n + channel] = 1.0  # the middle tap: one frame ago
         layers.append(Layer(weights, np.zeros(n_heads * n, np.float32), 1))
+    heads = _heads([tones[f] for f in frequencies], len(Phoneme), n_heads)
+    viseme_heads = _heads([visemes[f] for f in frequencies], len(Viseme), n_heads) if visemes else ()
+    return Model(tuple(layers), heads, about={"name": "tones"}, viseme_heads=viseme_heads)
+
+
+def _heads(classes: Sequence[int], n_classes: int, n_heads: int) -> tuple[OutputHead, ...]:
+    """Give heads that name a class for each channel of their block, and the first one, silence, for none."""
+    heads, n = [], len(classes)
     for k in range(n_heads):
-        weights = np.zeros((n_heads * n, len(Phoneme)), np.float32)
-        for channel, frequency in enumerate(frequencies):
-            weights[k * n + channel, tones[frequency]] = 10.0
-        bias = np.zeros(len(Phoneme), np.float32)
-        bias[Phoneme.SILENCE] = 1.0
+        weights = np.zeros((n_heads * n, n_classes), np.float32)
+        weights[k * n + np.arange(n), classes] = 10.0
+        bias = np.zeros(n_classes, np.float32)
+        bias[0] = 1.0
         heads.append(OutputHead(weights, bias))
-    return Model(tuple(layers), tuple(heads), about={"name": "tones"})
+    return tuple(heads)
 
 
 def _wide(first: np.ndarray, n_heads: int) -> np.ndarray:

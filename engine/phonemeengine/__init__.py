@@ -90,6 +90,7 @@ _PAGE = {
     "live.microphone_analyser": "Latency",
     # What is said in it
     "analyser": "Analyser Analysis Reading analyse_blocks recognise_window",
+    "visemes": "NO_VISEME Viseme viseme_of",
     "phonemes": "MOUTH_SHAPES MouthShape Phoneme",
     "features.measure": "Features",
     "features.front_end": "FrameBlock",

@@ -134,6 +134,7 @@ from phonemeengine.text.espeak import Language, languages, voices
 from phonemeengine.text.lexicon import Lexicon, load_lexicon
 from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, notes_on, words_of
 from phonemeengine.text.syllables import SpokenSyllable
+from phonemeengine.visemes import NO_VISEME, Viseme, viseme_of
 
 __all__ = [
     "BIN_WIDTH",
@@ -141,6 +142,7 @@ __all__ = [
     "FRAME_PERIOD",
     "HOP",
     "MOUTH_SHAPES",
+    "NO_VISEME",
     "SAMPLE_RATE",
     "SENTENCES",
     "SOUND_SUFFIXES",
@@ -296,6 +298,7 @@ __all__ = [
     "UsedUnit",
     "Utterance",
     "Variable",
+    "Viseme",
     "VisemeOverride",
     "Voice",
     "VoiceError",
@@ -363,6 +366,7 @@ __all__ = [
     "transcript_of_utterance",
     "units_of",
     "usual_driver",
+    "viseme_of",
     "voices",
     "words_of",
     "write_table",

@@ -24,6 +24,7 @@ from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.smoothing import PhonemeSmoother
 from phonemeengine.recognition.spec import Recogniser, recogniser_of, spec_of
+from phonemeengine.recognition.viseme_smoothing import VisemeSmoother
 from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
 BLOCK = 512
@@ -48,6 +49,7 @@ class Analysis:
     frames : what was measured.
     recognised : uint8, shape (n_frames,): codes of `Phoneme`, as the recogniser says.
     phonemes : uint8, shape (n_frames,): the same after the statistics.
+    visemes : uint8, shape (n_frames,): codes of `Viseme` that go with the phonemes, or `NO_VISEME`.
     intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
     settings : with which all of this was found.
     """
@@ -56,6 +58,7 @@ class Analysis:
     frames: FrameBlock
     recognised: UInt8Array
     phonemes: UInt8Array
+    visemes: UInt8Array
     intensities: Float32Array
     settings: AnalysisSettings
 
@@ -96,6 +99,7 @@ class Analysis:
             frames=self.frames.part(slice(first, last)),
             recognised=self.recognised[first:last],
             phonemes=self.phonemes[first:last],
+            visemes=self.visemes[first:last],
             intensities=self.intensities[first:last],
         )
 
@@ -148,7 +152,7 @@ class Analyser:
         self._framer = Framer()
         self._path = self._path_of(preset)
         self._recogniser = recogniser_of(preset.recogniser, preset.config)
-        self._statistics = _statistics_of(preset)
+        self._statistics, self._visemes = _statistics_of(preset), VisemeSmoother()
         self._waiting = LookAheadBuffer()
         self._unasked = False
         self._next = start
@@ -222,7 +226,8 @@ class Analyser:
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         intensities *= phonemes != _SILENCE
         start, self._next = self._next, self._next + len(recognised)
-        return Analysis(start, measured, recognised, phonemes, intensities, settings)
+        visemes = self._visemes.follow(phonemes, recognition.visemes)
+        return Analysis(start, measured, recognised, phonemes, visemes, intensities, settings)
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
         if self._leaves_features_out(preset):
@@ -255,6 +260,7 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
         concatenate([a.frames for a in analyses]),
         recognised=np.concatenate([a.recognised for a in analyses]),
         phonemes=np.concatenate([a.phonemes for a in analyses]),
+        visemes=np.concatenate([a.visemes for a in analyses]),
         intensities=np.concatenate([a.intensities for a in analyses]),
         settings=analyses[-1].settings,
     )

@@ -58,7 +58,7 @@ def _group(group: GroupScores) -> dict[str, Any]:
 def _recording(heard: Predictions, report: Report) -> dict[str, Any]:
     utterance = heard.utterance
     names = {"file": report.name_of(utterance), "corpus": utterance.corpus, "speaker": utterance.speaker}
-    return {**names, **asdict(scores_of([heard.pair]))}
+    return {**names, **asdict(scores_of([heard.answers]))}
 
 
 def _comparison(comparison: PresetComparison, report: Report) -> dict[str, Any]:

@@ -42,7 +42,7 @@ def scores_on(cases: Iterable[tuple[Preset, Sequence[LabelledUtterance]]]) -> Sc
     """
     predictions = [predict(utterance, preset) for preset, utterances in cases for utterance in utterances]
     scores = scores_of([_counted(prediction) for prediction in predictions])
-    flicker = scores_of([prediction.pair for prediction in predictions])
+    flicker = scores_of([prediction.answers for prediction in predictions])
     return replace(
         scores, changes_per_s=flicker.changes_per_s, label_changes_per_s=flicker.label_changes_per_s
     )  # fmt: skip
@@ -60,7 +60,7 @@ def _counted(prediction: Predictions) -> tuple[FrameLabels, UInt8Array]:
         for label in prediction.utterance.labels
     )
     kept = frame_labels_of(trimmed).phonemes != Phoneme.UNIDENTIFIED
-    return FrameLabels(labels.phonemes[kept], labels.certain[kept]), prediction.phonemes[kept]
+    return labels.at(kept), prediction.phonemes[kept]
 
 
 def _parted(utterance: LabelledUtterance, part: int) -> tuple[LabelledUtterance, LabelledUtterance]:

@@ -30,6 +30,7 @@ from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.visemes import viseme_phones
 
 REMEMBERED = 100
 """Frames that are replayed when another table takes over: one second."""
@@ -123,7 +124,9 @@ def timed_frames(analysis: Analysis, end: float, known: Transcript | None = None
     """
     start = end - len(analysis) * FRAME_PERIOD
     columns = (analysis.phonemes, analysis.intensities, analysis.features.values[:, F0])
-    rows = zip(*(column.tolist() for column in columns), strict=True)
+    rows = zip(
+        *(column.tolist() for column in columns), viseme_phones(analysis.phonemes, analysis.visemes), strict=True
+    )
     frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(row[0]), *row[1:]) for k, row in enumerate(rows)]
     return frames if known is None else known_frames(frames, analysis.start, known)
 

@@ -20,6 +20,7 @@ from phonemeengine.labels.utterance import Phone, Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.visemes import viseme_phones
 
 NOTHING = np.zeros(0, np.float32)
 NUCLEUS = 0.6
@@ -103,7 +104,8 @@ def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path
     """Collect what was said from the consecutive analyses of a sound of `duration` seconds; `path` is its file."""
     joiner, runs, prosody = SegmentBuilder(), [], Prosody()
     for analysis in analyses:
-        runs += joiner.extend(analysis.phonemes, analysis.intensities)
+        phones = viseme_phones(analysis.phonemes, analysis.visemes)
+        runs += joiner.extend(analysis.phonemes, analysis.intensities, phones)
         prosody.add(analysis)
     runs += joiner.finish(duration)
     return Transcript(name, duration, tuple(runs), prosody.intensities, prosody.pitches, path)

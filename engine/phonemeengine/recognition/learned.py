@@ -8,7 +8,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.log_mel import N_BANDS, log_mels, silent_log_mels
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.model import Model
+from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Network
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import (
@@ -19,7 +19,7 @@ from phonemeengine.recognition.scores import (
     trace_of_scores,
 )
 from phonemeengine.recognition.trace import Trace
-from phonemeengine.recognition.vtln import VtlnMixer
+from phonemeengine.recognition.vtln import VtlnMixer, mixed
 from phonemeengine.settings import FRAME_PERIOD
 
 NOTHING = Recognition(np.zeros(0, np.uint8), np.zeros((0, len(SCORES)), np.float32))
@@ -43,7 +43,8 @@ class LearnedRecogniser:
         self, model: Model, look_ahead: float, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
     ) -> None:
         self.look_ahead = min(int(look_ahead / FRAME_PERIOD + 1e-6), len(model.heads) - 1)
-        self._head = model.heads[self.look_ahead]
+        heads = (model.heads, model.viseme_heads) if model.viseme_heads else (model.heads,)
+        self._heads = tuple(known[self.look_ahead] for known in heads)
         self._warps = model.warps
         self._network = Network(model.layers, silent_log_mels(len(model.warps)))
         self._mixer = VtlnMixer(len(model.warps))
@@ -60,13 +61,16 @@ class LearnedRecogniser:
             found, self._n_early = found[n_early:], self._n_early - n_early
         if not len(found):
             return NOTHING
-        scores = self._sensitivity.apply(self._mixer.combine(self._probabilities_of(found)))
-        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
+        shares, *others = (self._probabilities_of(found, head) for head in self._heads)
+        weights = self._mixer.weigh(shares)
+        scores = self._sensitivity.apply(mixed(shares, weights))
+        visemes = mixed(others[0], weights) if others else None
+        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)
 
-    def _probabilities_of(self, found: Float32Array) -> Float32Array:
-        """Return how likely each phoneme is with each vocal tract, shape (n, n_warps, n_phonemes)."""
-        scores: Float32Array = found.reshape(-1, found.shape[2]).dot(self._head.weights)
-        scores += self._head.bias
+    def _probabilities_of(self, found: Float32Array, head: OutputHead) -> Float32Array:
+        """Return how likely each class of a head is with each vocal tract, shape (n, n_warps, n_classes)."""
+        scores: Float32Array = found.reshape(-1, found.shape[2]).dot(head.weights)
+        scores += head.bias
         scores -= np.maximum.reduce(scores, axis=1, keepdims=True)
         np.exp(scores, out=scores)
         scores /= np.add.reduce(scores, axis=1, keepdims=True)

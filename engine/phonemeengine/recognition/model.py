@@ -17,12 +17,15 @@ from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.npz import read_npz
+from phonemeengine.visemes import Viseme
 
-FORMAT = 1
-"""The version of the file's layout; a newer one is refused."""
+FORMAT = 2
+"""The version of the file's layout; a newer one is refused. The first one knew no visemes."""
 LARGEST_FILE = 8 << 20
 MOST_LAYERS, MOST_CHANNELS, MOST_DILATION = 32, 1024, 256
 MOST_WARPS, LEAST_WARP, MOST_WARP = 8, 0.5, 2.0
+HEAD, VISEME_HEAD = "head", "viseme_head"
+"""What the names of the arrays of heads begin with."""
 MOST_FRAMES_AHEAD = 5
 """Frames of 10 ms that the longest look-ahead has."""
 
@@ -33,8 +36,8 @@ class OutputHead:
 
     Attributes
     ----------
-    weights : float32, shape (n_channels, n_phonemes).
-    bias : float32, shape (n_phonemes,).
+    weights : float32, shape (n_channels, n_classes): of the phonemes, or of the visemes.
+    bias : float32, shape (n_classes,).
     """
 
     weights: Float32Array
@@ -54,6 +57,7 @@ class Model:
     anchors : stretches of the speech that it was trained on, as `phonemeengine.dsp.log_mel` gives it,
         shape (n, n_frames, 40), so that an adaptation to one voice does not forget them; may be empty.
     about : what it was trained with, in words, for people: name, speakers, seed, figures.
+    viseme_heads : the same as `heads` for the fifteen visemes; empty where it knows none.
     """
 
     layers: tuple[Layer, ...]
@@ -61,6 +65,7 @@ class Model:
     warps: tuple[float, ...] = (1.0,)
     anchors: Float32Array = field(default_factory=lambda: np.zeros((0, 0, N_BANDS), np.float32))
     about: dict[str, Any] = field(default_factory=dict)
+    viseme_heads: tuple[OutputHead, ...] = ()
 
     @cached_property
     def digest(self) -> str:
@@ -73,8 +78,12 @@ class Model:
     def rounded(self) -> "Model":
         """Return the model with the precision of its file, so that saving it changes nothing."""
         layers = tuple(Layer(_halved(layer.weights), layer.bias, layer.dilation) for layer in self.layers)
-        heads = tuple(OutputHead(_halved(h.weights), h.bias) for h in self.heads)
-        return replace(self, layers=layers, heads=heads, anchors=_halved(self.anchors))
+        heads, viseme_heads = (
+            tuple(OutputHead(_halved(h.weights), h.bias) for h in known) for known in (self.heads, self.viseme_heads)
+        )
+        return replace(
+            self, layers=layers, heads=heads, viseme_heads=viseme_heads, anchors=_halved(self.anchors)
+        )  # fmt: skip
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and self.digest == other.digest
@@ -126,7 +135,7 @@ def load_model(path: Path) -> Model:
 
 def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
     arrays: dict[str, NDArray[Any]] = {
-        "format": np.array(FORMAT),
+        "format": np.array(FORMAT if model.viseme_heads else 1),
         "dilations": np.array([layer.dilation for layer in model.layers]),
         "n_heads": np.array(len(model.heads)),
         "warps": np.array(model.warps),
@@ -135,16 +144,17 @@ def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
     for k, layer in enumerate(model.layers):
         arrays[f"layer_{k}_weights"] = layer.weights.astype(np.float16)
         arrays[f"layer_{k}_bias"] = layer.bias.astype(np.float32)
-    for k, head in enumerate(model.heads):
-        arrays[f"head_{k}_weights"] = head.weights.astype(np.float16)
-        arrays[f"head_{k}_bias"] = head.bias.astype(np.float32)
+    for name, heads in ((HEAD, model.heads), (VISEME_HEAD, model.viseme_heads)):
+        for k, head in enumerate(heads):
+            arrays[f"{name}_{k}_weights"] = head.weights.astype(np.float16)
+            arrays[f"{name}_{k}_bias"] = head.bias.astype(np.float32)
     return arrays
 
 
 def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
-    if int(arrays["format"]) != FORMAT:
+    if not 1 <= int(arrays["format"]) <= FORMAT:
         raise ModelError(
-            f"the model is of version {int(arrays['format'])}, and this program reads version {FORMAT}; "
+            f"the model is of version {int(arrays['format'])}, and this program reads those up to {FORMAT}; "
             "update the program, or train the model again"
         )
     dilations, n_heads = arrays["dilations"], int(arrays["n_heads"])
@@ -159,15 +169,23 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
         if k and len(bias) != width:
             raise ModelError("its layers do not fit together; get it anew")
         width = len(bias)
-    heads = tuple(
+    heads = _heads_of(arrays, HEAD, n_heads, (width, len(Phoneme)))
+    knows_visemes = int(arrays["format"]) > 1
+    viseme_heads = _heads_of(arrays, VISEME_HEAD, n_heads, (width, len(Viseme))) if knows_visemes else ()
+    anchors = _checked(arrays["anchors"], (None, None, N_BANDS))
+    about = _about_of(arrays["about"])
+    return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, about, viseme_heads)
+
+
+def _heads_of(
+    arrays: dict[str, NDArray[Any]], name: str, n_heads: int, shape: tuple[int, int]
+) -> tuple[OutputHead, ...]:  # fmt: skip
+    return tuple(
         OutputHead(
-            _checked(arrays[f"head_{k}_weights"], (width, len(Phoneme))),
-            _checked(arrays[f"head_{k}_bias"], (len(Phoneme),)),
+            _checked(arrays[f"{name}_{k}_weights"], shape), _checked(arrays[f"{name}_{k}_bias"], shape[1:])
         )
         for k in range(n_heads)
-    )
-    anchors = _checked(arrays["anchors"], (None, None, N_BANDS))
-    return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, _about_of(arrays["about"]))
+    )  # fmt: skip
 
 
 def _warps_of(array: NDArray[Any]) -> tuple[float, ...]:

@@ -14,7 +14,9 @@ class Recognition:
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`.
     scores : float32, shape (n_frames, n_scores): the columns that the recogniser's `scores` names, or None where it
         names none.
+    visemes : float32, shape (n_frames, 15): how likely each `Viseme` is; None where the recogniser hears none.
     """
 
     phonemes: UInt8Array
     scores: Float32Array | None = None
+    visemes: Float32Array | None = None

@@ -1,6 +1,6 @@
 """Stretches of equal phonemes, as time lines and mouth cues need them."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -43,16 +43,24 @@ class SegmentBuilder:
     """Joins equal frames into segments, as the frames come."""
 
     def __init__(self) -> None:
-        self._code, self._first, self._frame, self._total = -1, 0, 0, 0.0
+        self._code, self._first, self._frame, self._total = (-1, ""), 0, 0, 0.0
 
-    def extend(self, phonemes: UInt8Array, intensities: Float32Array) -> list[Segment]:
-        """Take the next frames, both of shape (n_frames,), and give the segments that ended."""
+    def extend(
+        self, phonemes: UInt8Array, intensities: Float32Array, phones: Sequence[str] | None = None
+    ) -> list[Segment]:  # fmt: skip
+        """Take the next frames, all of shape (n_frames,), and give the segments that ended.
+
+        Parameters
+        ----------
+        phones : what is known of each frame besides its phoneme; segments of one phoneme are parted by them.
+        """
         ended = []
-        for code, intensity in zip(phonemes.tolist(), intensities.tolist(), strict=True):
-            if code != self._code and self._frame > self._first:
+        phones = [""] * len(phonemes) if phones is None else phones
+        for *code, intensity in zip(phonemes.tolist(), phones, intensities.tolist(), strict=True):
+            if tuple(code) != self._code and self._frame > self._first:
                 ended.append(self._segment(self._frame * FRAME_PERIOD))
                 self._first, self._total = self._frame, 0.0
-            self._code = code
+            self._code = tuple(code)
             self._total += intensity
             self._frame += 1
         return ended
@@ -63,7 +71,8 @@ class SegmentBuilder:
 
     def _segment(self, end: float) -> Segment:
         mean = self._total / (self._frame - self._first)
-        return Segment(self._first * FRAME_PERIOD, end, Phoneme(self._code), mean)
+        phoneme, phone = self._code
+        return Segment(self._first * FRAME_PERIOD, end, Phoneme(phoneme), mean, phone)
 
 
 def segments_of(blocks: Iterable[tuple[UInt8Array, Float32Array]], duration: float) -> Iterator[Segment]:

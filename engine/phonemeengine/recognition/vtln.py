@@ -22,8 +22,16 @@ the same."""
 _KEPT = math.exp(-FRAME_PERIOD / MEMORY)
 
 
+def mixed(shares: Float32Array, weights: Float32Array) -> Float32Array:
+    """Mix the probabilities of tracts, shape (n, n_tracts, n_classes), by weights (n, n_tracts): (n, n_classes)."""
+    if shares.shape[1] == 1:
+        return shares[:, 0]
+    found: Float32Array = np.matmul(weights[:, np.newaxis], shares)
+    return found[:, 0]
+
+
 class VtlnMixer:
-    """Mixes what was heard with several vocal tracts, and remembers which of them were sure.
+    """Weighs what was heard with several vocal tracts, and remembers which of them were sure.
 
     Parameters
     ----------
@@ -33,15 +41,18 @@ class VtlnMixer:
     def __init__(self, n_tracts: int) -> None:
         self._evidence = [0.0] * n_tracts
 
-    def combine(self, shares: Float32Array) -> Float32Array:
-        """Take the probabilities of the next frames, shape (n, n_tracts, n_phonemes); gives (n, n_phonemes)."""
+    def weigh(self, shares: Float32Array) -> Float32Array:
+        """Return how much each tract counts in the next frames, float32, shape (n, n_tracts); the sum is 1.
+
+        Parameters
+        ----------
+        shares : the probabilities of the phonemes, shape (n, n_tracts, n_phonemes).
+        """
         if shares.shape[1] == 1:
-            return shares[:, 0]
+            return np.ones(shares.shape[:2], np.float32)
         sure = np.maximum.reduce(shares, axis=2).tolist()
         silent = shares[:, :, Phoneme.SILENCE].tolist()
-        weights = np.array([self._weigh(*frame) for frame in zip(sure, silent, strict=True)], np.float32)
-        mixed: Float32Array = np.matmul(weights[:, np.newaxis], shares)
-        return mixed[:, 0]
+        return np.array([self._weigh(*frame) for frame in zip(sure, silent, strict=True)], np.float32)
 
     def _weigh(self, sure: list[float], silent: list[float]) -> list[float]:
         """Return how much each tract counts in a frame; silence tells nothing about them."""

@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.fitting import FitReport, fit_preset
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
-from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import EngineError
@@ -171,7 +171,7 @@ def _scores_of(preset: Preset, confusion: Confusion, utterances: tuple[LabelledU
     answers = []
     for k, utterance in enumerate(utterances):
         span = slice(int(confusion.edges[k]), int(confusion.edges[k + 1]))
-        labels = FrameLabels(confusion.labels.phonemes[span], confusion.labels.certain[span])
+        labels = confusion.labels.at(span)
         codes = confusion.predicted[span]
         answers.append(Predictions(utterance, labels, codes, np.zeros(len(codes), np.float32)))
     return CorpusScores(preset, 0, 0.0, tuple(answers), group_scores_of(answers), {}, {})

@@ -64,7 +64,7 @@ def sentence(tmp_path_factory: pytest.TempPathFactory) -> LabelledUtterance:
 
 
 def scores(preset: Preset, utterance: LabelledUtterance) -> Scores:
-    return scores_of([predict(utterance, preset).pair])
+    return scores_of([predict(utterance, preset).answers])
 
 
 @pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])

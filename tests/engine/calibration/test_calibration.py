@@ -24,6 +24,7 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.settings import SAMPLE_RATE, Decimation
+from phonemeengine.visemes import NO_VISEME, Viseme
 from tests.conftest import ROOT, SCORER
 from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel
@@ -39,7 +40,7 @@ def codes(*phonemes: Phoneme) -> np.ndarray:
 
 
 def certain(*phonemes: Phoneme) -> FrameLabels:
-    return FrameLabels(codes(*phonemes), np.ones(len(phonemes), bool))
+    return FrameLabels(codes(*phonemes), np.ones(len(phonemes), bool), np.full(len(phonemes), NO_VISEME, np.uint8))
 
 
 def write_corpus(folder: Path, n_speakers: int = 3) -> Path:
@@ -101,6 +102,15 @@ def test_right_answers_score_one():
     scores = scores_of([(labels, labels.phonemes)])
     assert astuple(scores)[:7] == (1, 1, 1, 1, 1, 1, 0)
     assert scores.changes_per_s == scores.label_changes_per_s == pytest.approx(10 / 0.11)
+
+
+def test_visemes_are_right_where_they_are_undisputed():
+    phonemes = (Phoneme.UNIDENTIFIED, Phoneme.UNIDENTIFIED, Phoneme.UNIDENTIFIED, Phoneme.M)
+    seen = np.array([Viseme.FF, Viseme.NN, NO_VISEME, Viseme.PP], np.uint8)
+    labels = replace(certain(*phonemes), visemes=seen)
+    heard = np.array([Viseme.FF, Viseme.KK, Viseme.KK, Viseme.PP], np.uint8)
+    assert scores_of([(labels, labels.phonemes, heard)]).fine_viseme_accuracy == pytest.approx(2 / 3)
+    assert scores_of([(labels, labels.phonemes)]).fine_viseme_accuracy == pytest.approx(1 / 3)  # m alone tells
 
 
 def test_figures_are_those_that_one_counts_by_hand():

@@ -23,11 +23,12 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.visemes import NO_VISEME, Viseme
 from tests.models import tone_model
 from tests.sounds import noise, tone, vowel
 
 FORMANTS = {Phoneme.A: (750, 1300), Phoneme.I: (280, 2300), Phoneme.U: (310, 800)}
-COURSE = TrainingConfig(width=24, dilations=(1, 2), n_epochs=12, batch_size=4, n_frames=100, rate=5e-3)
+COURSE = TrainingConfig(width=32, dilations=(1, 2), n_epochs=20, batch_size=4, n_frames=100, rate=5e-3)
 
 
 def said(phonemes: list[Phoneme], f0: float, tract: float, seconds: float = 0.3) -> TrainingExample:
@@ -71,8 +72,9 @@ def test_the_gradients_are_those_of_small_differences():
     network = TrainableNetwork(6, (1, 2), 0.0, generator)
     sound = generator.normal(-6, 2, (2, 16, N_BANDS)).astype(np.float32)
     truth = generator.integers(0, len(Phoneme), (2, 16)).astype(np.uint8)
+    visemes = generator.choice([NO_VISEME, *Viseme], (2, 16)).astype(np.uint8)
     weights = generator.random((2, 16)).astype(np.float32)
-    network.learn(sound, truth, weights)
+    network.learn(sound, truth, visemes, weights)
     gradients = [g.copy() for g in network.gradients]
     for value, gradient in zip(network.values, gradients, strict=True):
         direction = generator.standard_normal(value.shape).astype(np.float32)
@@ -80,7 +82,7 @@ def test_the_gradients_are_those_of_small_differences():
         losses = []
         for sign in (1, -2, 1):
             np.add(value, np.float32(sign) * direction, out=value)
-            losses.append(network.learn(sound, truth, weights))
+            losses.append(network.learn(sound, truth, visemes, weights))
         expected = (losses[0] - losses[1]) / 2  # the step is short, since a rectifier bends
         assert float(np.vdot(gradient, direction)) == pytest.approx(expected, rel=0.05, abs=2e-5)
 

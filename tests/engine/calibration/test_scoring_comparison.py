@@ -13,6 +13,7 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
+from phonemeengine.visemes import NO_VISEME
 from tests.corpora import write_corpus
 
 THESIS = load_preset(FACTORY / "thesis.toml")
@@ -27,7 +28,7 @@ def codes(line: str) -> np.ndarray:
 def scores(*lines: tuple[str, str]) -> CorpusScores:
     heard = []
     for k, (truth, guess) in enumerate(lines):
-        labels = FrameLabels(codes(truth), np.ones(len(truth), bool))
+        labels = FrameLabels(codes(truth), np.ones(len(truth), bool), np.full(len(truth), NO_VISEME, np.uint8))
         utterance = LabelledUtterance(Path(f"u{k}.wav"), (), "s", "c")
         heard.append(Predictions(utterance, labels, codes(guess), np.ones(len(truth), np.float32)))
     group = group_scores_of(heard)

@@ -10,16 +10,20 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses
 from phonemeengine.dsp.log_mel import N_BANDS, log_mels, warped_mel_bank
 from phonemeengine.errors import ModelError, PresetError
 from phonemeengine.features.variables import SCORES
+from phonemeengine.mouth.performer import MOUTH_ALONE, Performer, timed_frames
+from phonemeengine.mouth.table import load_table
+from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import FORMAT, Model, load_model, save_model
 from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
+from phonemeengine.visemes import NO_VISEME, Viseme
 from tests.models import band_of, tone_model
 from tests.sounds import silence, tone
 
@@ -228,7 +232,7 @@ def altered(path: Path, **changes: np.ndarray) -> Path:
 
 
 BAD = {
-    "a newer version": (lambda p: altered(p, format=np.array(FORMAT + 1)), "is of version 2, and this program reads"),
+    "a newer version": (lambda p: altered(p, format=np.array(FORMAT + 1)), "is of version 3, and this program reads"),
     "weights of another shape": (
         lambda p: altered(p, layer_0_weights=np.zeros((3, 2), np.float16)),
         "do not fit together",
@@ -299,3 +303,52 @@ def test_a_preset_names_no_model_elsewhere(model, tmp_path, name):
 
 def test_the_bands_are_those_that_models_were_trained_with():
     assert warped_mel_bank().shape[1] == N_BANDS == 40
+
+
+# -- visemes ------------------------------------------------------------------------------------------
+
+SOUNDS = {700.0: Phoneme.UNIDENTIFIED, 2500.0: Phoneme.UNIDENTIFIED}
+SEEN = {700.0: Viseme.FF, 2500.0: Viseme.NN}
+
+
+@pytest.mark.parametrize("look_ahead", [0.0, 0.05])
+def test_a_model_hears_which_viseme_an_unidentified_sound_has(look_ahead):
+    analyses = heard(preset_of(tone_model(SOUNDS, visemes=SEEN), look_ahead), [3000, 20_000])
+    visemes = np.concatenate([a.visemes for a in analyses])
+    middles = (np.arange(len(visemes)) + 0.5) * 0.01
+    expected = np.array([Viseme.SIL, Viseme.FF, Viseme.SIL, Viseme.NN, Viseme.SIL])[
+        np.searchsorted(EDGES, middles).clip(0, 4)
+    ]
+    clear = np.min(np.abs(middles[:, None] - EDGES[None]), axis=1) > 0.02
+    np.testing.assert_array_equal(visemes[clear], expected[clear])
+
+
+def test_a_model_without_such_ears_leaves_it_open(model):
+    visemes = np.concatenate([a.visemes for a in heard(preset_of(tone_model(SOUNDS)))])
+    assert set(visemes.tolist()) == {Viseme.SIL, NO_VISEME}
+    assert {Viseme.AA, Viseme.IH} <= set(np.concatenate([a.visemes for a in heard(preset_of(model))]).tolist())
+
+
+def test_the_file_of_a_model_keeps_its_visemes_and_that_of_one_without_is_as_it_was(model, tmp_path):
+    seeing = tone_model(SOUNDS, visemes=SEEN).rounded()
+    for name, one in (("seeing", seeing), ("plain", model.rounded())):
+        save_model(one, tmp_path / f"{name}.npz")
+        again = load_model(tmp_path / f"{name}.npz")
+        assert again == one
+        assert len(again.viseme_heads) == len(one.viseme_heads)
+    with np.load(tmp_path / "plain.npz") as file:
+        assert int(file["format"]) == 1
+
+
+def test_a_mouth_closes_teeth_on_lip_where_an_f_is_heard(tmp_path):
+    preset = preset_of(tone_model(SOUNDS, visemes=SEEN))
+    runs = transcript_of(heard(preset), "tones", len(SOUND) / SAMPLE_RATE).runs
+    assert [(run.phoneme, run.phone) for run in runs if run.end - run.start > 0.05] == [
+        (Phoneme.SILENCE, ""), (Phoneme.UNIDENTIFIED, "f"), (Phoneme.SILENCE, ""), (Phoneme.UNIDENTIFIED, "n"),
+        (Phoneme.SILENCE, ""),
+    ]  # fmt: skip
+    table = load_table("oculus")
+    performer = Performer(table, MOUTH_ALONE)
+    performer.hear(timed_frames(concatenate_analyses(heard(preset)), len(SOUND) / SAMPLE_RATE))
+    weights = performer.at(0.4).weights
+    assert weights.argmax() == table.movestates.index("FF")

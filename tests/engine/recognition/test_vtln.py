@@ -12,7 +12,7 @@ from phonemeengine.errors import ModelError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import load_model, save_model
-from phonemeengine.recognition.vtln import VtlnMixer
+from phonemeengine.recognition.vtln import VtlnMixer, mixed
 from phonemeengine.settings import WINDOW, AnalysisSettings
 from tests.models import tone_model
 from tests.sounds import noise, tone
@@ -28,39 +28,43 @@ def shares_of(*names: tuple[Phoneme, float], n: int = 1) -> np.ndarray:
     return np.tile(np.array(rows, np.float32), (n, 1, 1))
 
 
+def combined(judge: VtlnMixer, shares: np.ndarray) -> np.ndarray:
+    return mixed(shares, judge.weigh(shares))
+
+
 def test_what_a_sure_tract_says_counts_more_and_more():
     judge = VtlnMixer(2)
-    mixed = judge.combine(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=300))
-    assert mixed[0, Phoneme.A] < 0.6
-    assert mixed[-1, Phoneme.A] > 0.85
-    np.testing.assert_allclose(mixed.sum(axis=1), 1, rtol=1e-5)
+    found = combined(judge, shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=300))
+    assert found[0, Phoneme.A] < 0.6
+    assert found[-1, Phoneme.A] > 0.85
+    np.testing.assert_allclose(found.sum(axis=1), 1, rtol=1e-5)
 
 
 def test_silence_tells_nothing_about_a_speaker():
     judge = VtlnMixer(2)
-    judge.combine(shares_of((Phoneme.SILENCE, 0.99), (Phoneme.SILENCE, 0.6), n=500))
-    mixed = judge.combine(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.9)))
-    assert mixed[0, Phoneme.A] == pytest.approx(mixed[0, Phoneme.E], rel=1e-4)
+    combined(judge, shares_of((Phoneme.SILENCE, 0.99), (Phoneme.SILENCE, 0.6), n=500))
+    found = combined(judge, shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.9)))
+    assert found[0, Phoneme.A] == pytest.approx(found[0, Phoneme.E], rel=1e-4)
 
 
 def test_another_speaker_is_noticed_within_ten_seconds():
     judge = VtlnMixer(2)
-    judge.combine(shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=6000))
-    mixed = judge.combine(shares_of((Phoneme.A, 0.6), (Phoneme.E, 0.9), n=1000))
-    assert mixed[0].argmax() == Phoneme.A
-    assert mixed[-1].argmax() == Phoneme.E
+    combined(judge, shares_of((Phoneme.A, 0.9), (Phoneme.E, 0.6), n=6000))
+    found = combined(judge, shares_of((Phoneme.A, 0.6), (Phoneme.E, 0.9), n=1000))
+    assert found[0].argmax() == Phoneme.A
+    assert found[-1].argmax() == Phoneme.E
 
 
 def test_what_is_mixed_does_not_depend_on_how_frames_come():
     shares = np.random.default_rng(1).dirichlet(np.ones(N), (200, 3)).astype(np.float32)
     whole, parts = VtlnMixer(3), VtlnMixer(3)
-    pieces = [parts.combine(piece) for piece in np.split(shares, [1, 2, 50, 51, 120])]
-    np.testing.assert_array_equal(np.concatenate(pieces), whole.combine(shares))
+    pieces = [combined(parts, piece) for piece in np.split(shares, [1, 2, 50, 51, 120])]
+    np.testing.assert_array_equal(np.concatenate(pieces), combined(whole, shares))
 
 
 def test_one_tract_is_believed():
     shares = shares_of((Phoneme.A, 0.9), n=3)
-    np.testing.assert_array_equal(VtlnMixer(1).combine(shares), shares[:, 0])
+    np.testing.assert_array_equal(combined(VtlnMixer(1), shares), shares[:, 0])
 
 
 def test_a_voice_that_lies_higher_is_recognised_with_a_shorter_tract():

@@ -2,15 +2,20 @@
 
 import json
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from phonemeengine.calibration.learning.training_examples import TrainingExample, examples_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.dsp.log_mel import N_BANDS
 
+ARRAYS = {"log_powers": np.float16, "phonemes": np.uint8, "visemes": np.uint8, "certainties": np.float16}
+"""The arrays of an example, each in a file of its own."""
 Variations = tuple[tuple[TrainingExample, ...], ...]
 
 
@@ -49,16 +54,12 @@ def write_examples(
     EngineError : a sound cannot be read.
     """
     entries = []
-    with (
-        (folder / "powers").open("wb") as powers,
-        (folder / "phonemes").open("wb") as phonemes,
-        (folder / "certainties").open("wb") as certainties,
-    ):
+    with ExitStack() as stack:
+        files = {name: stack.enter_context((folder / name).open("wb")) for name in ARRAYS}
         for utterance, examples in zip(utterances, examples_of(utterances, n_variations, seed), strict=True):
             for example in examples:
-                powers.write(example.log_powers.tobytes())
-                phonemes.write(example.phonemes.tobytes())
-                certainties.write(example.certainties.tobytes())
+                for name, file in files.items():
+                    file.write(getattr(example, name).tobytes())
             entries.append(_Entry(utterance.voice, tuple(len(example) for example in examples)))
             progress(1)
     (folder / "index.json").write_text(json.dumps([asdict(entry) for entry in entries]))
@@ -66,16 +67,17 @@ def write_examples(
 
 def read_examples(folder: Path, weights: dict[str, float]) -> list[SpeakerExamples]:
     """Read the voices from a folder; their arrays stay on the disk. `weights` tells the weight of each by name."""
-    powers = np.memmap(folder / "powers", np.float16, "r").reshape(-1, N_BANDS)
-    phonemes = np.memmap(folder / "phonemes", np.uint8, "r")
-    certainties = np.memmap(folder / "certainties", np.float16, "r")
+    arrays: dict[str, NDArray[Any]] = {
+        name: np.memmap(folder / name, kind, "r") for name, kind in ARRAYS.items()
+    }  # fmt: skip
+    arrays["log_powers"] = arrays["log_powers"].reshape(-1, N_BANDS)
     recordings: dict[str, list[tuple[TrainingExample, ...]]] = {}
     first = 0
     for entry in json.loads((folder / "index.json").read_text()):
         examples = []
         for n in entry["lengths"]:
             part = slice(first, first + n)
-            examples.append(TrainingExample(powers[part], phonemes[part], certainties[part]))
+            examples.append(TrainingExample(**{name: array[part] for name, array in arrays.items()}))
             first += n
         recordings.setdefault(entry["voice"], []).append(tuple(examples))
     return [SpeakerExamples(name, tuple(sounds), weights.get(name, 1.0)) for name, sounds in recordings.items()]

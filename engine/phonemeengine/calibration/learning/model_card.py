@@ -14,6 +14,7 @@ KINDS = {"human": "people", "synthetic-formant": "formant synthesis"}
 HEADINGS = {
     "macro_f1": "macro F1 of ten classes",
     "viseme_accuracy": "mouth shapes right",
+    "fine_viseme_accuracy": "right of fifteen visemes",
     "vowel_accuracy": "clear vowels right",
     "silence_recall": "silence found",
     "false_silence": "speech called silence",

@@ -12,14 +12,13 @@ from typing import Any
 
 import numpy as np
 
-from phonemeengine.arrays import UInt8Array
 from phonemeengine.calibration.learning.example_cache import read_examples, write_examples
 from phonemeengine.calibration.learning.provenance import LabelSource, sources_of
 from phonemeengine.calibration.learning.training import TrainingConfig, train
 from phonemeengine.calibration.learning.validation import anchors_of, folds_of, predictions_of
-from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_corpus
+from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import Predictions
-from phonemeengine.calibration.scores.scoring import Scores, scores_of
+from phonemeengine.calibration.scores.scoring import Answers, Scores, scores_of
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
@@ -91,10 +90,10 @@ def train_and_validate(
         write_examples(Path(folder), utterances, n_variations, config.seed, count)
         groups = [[u for u in utterances if u.voice in names] for names in folds_of(list(weights), n_folds)]
         model, predictions = _train_all(Path(folder), weights, groups, config, on_progress)
-    everyone = scores_of(prediction.pair for prediction in predictions) if predictions else None
-    by_name: dict[str, list[tuple[FrameLabels, UInt8Array]]] = {}
+    everyone = scores_of(prediction.answers for prediction in predictions) if predictions else None
+    by_name: dict[str, list[Answers]] = {}
     for prediction in predictions:
-        by_name.setdefault(prediction.utterance.voice, []).append(prediction.pair)
+        by_name.setdefault(prediction.utterance.voice, []).append(prediction.answers)
     return TrainingResult(model, sources, {name: scores_of(pairs) for name, pairs in by_name.items()}, everyone)
 
 

@@ -7,12 +7,16 @@ from phonemeengine.calibration.learning.trainable_layer import TrainableLayer
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import MOST_FRAMES_AHEAD, Model, OutputHead
+from phonemeengine.visemes import NO_VISEME, Viseme
 
 N_HEADS = MOST_FRAMES_AHEAD + 1
 MEAN, SPREAD = -6.0, 2.0
 """What the logarithms of the bands are like, so that the network sees numbers about 1."""
 SMOOTHING = 0.05
 """Share of the certainty that is spread over all phonemes: labels lie a little beside the truth."""
+VISEME_SHARE = 0.5
+"""How much the visemes count, beside the phonemes."""
+N_CLASSES = len(Phoneme) + len(Viseme)
 HEAD_SHARES = np.array([0.11, 0.11, 0.15, 0.15, 0.15, 0.33], np.float32)
 """How much each look-ahead counts in the training."""
 
@@ -38,8 +42,8 @@ class TrainableNetwork:
         self._layers = [first, *others]
         spread = np.sqrt(1 / width)
         self._heads = {
-            "weights": generator.normal(0, spread, (width, N_HEADS * len(Phoneme))).astype(np.float32),
-            "bias": np.zeros(N_HEADS * len(Phoneme), np.float32),
+            "weights": generator.normal(0, spread, (width, N_HEADS * N_CLASSES)).astype(np.float32),
+            "bias": np.zeros(N_HEADS * N_CLASSES, np.float32),
         }
         self._head_gradients: dict[str, Float32Array] = {}
 
@@ -59,13 +63,16 @@ class TrainableNetwork:
         """The running statistics, which are followed, not learned."""
         return [array for layer in self._layers for array in (layer.mean, layer.variance)]
 
-    def learn(self, log_mels: Float32Array, truth: UInt8Array, weights: Float32Array) -> float:
+    def learn(
+        self, log_mels: Float32Array, truth: UInt8Array, visemes: UInt8Array, weights: Float32Array
+    ) -> float:  # fmt: skip
         """Go forth and back through a batch, and leave the gradients; returns the loss.
 
         Parameters
         ----------
         log_mels : float32, shape (n_batch, n_frames, 40).
         truth : codes of `Phoneme`, shape (n_batch, n_frames).
+        visemes : codes of `Viseme`, or `NO_VISEME`, shape (n_batch, n_frames).
         weights : how much each frame counts, shape (n_batch, n_frames).
         """
         hidden = (log_mels - np.float32(MEAN)) / np.float32(SPREAD)
@@ -73,8 +80,11 @@ class TrainableNetwork:
             hidden = layer.forward(hidden)
         flat = hidden.reshape(-1, hidden.shape[2])
         scores = (flat @ self._heads["weights"] + self._heads["bias"]).reshape(*truth.shape, N_HEADS, -1)
-        loss, gradient = _loss_of(scores, truth, weights)
-        sums = gradient.reshape(len(flat), -1)
+        n, seen = len(Phoneme), visemes != NO_VISEME
+        loss, gradient = _loss_of(scores[..., :n], truth, weights)
+        viseme_loss, viseme_gradient = _loss_of(scores[..., n:], np.where(seen, visemes, 0), weights * seen)
+        loss += VISEME_SHARE * viseme_loss
+        sums = np.concatenate((gradient, VISEME_SHARE * viseme_gradient), axis=3).reshape(len(flat), -1)
         self._head_gradients = {"weights": np.asarray(flat.T @ sums, np.float32), "bias": sums.sum(axis=0)}
         back = (sums @ self._heads["weights"].T).reshape(hidden.shape)
         for layer in reversed(self._layers):
@@ -87,17 +97,22 @@ class TrainableNetwork:
         weights, bias = layers[0].weights, layers[0].bias
         scaled = weights / np.float32(SPREAD)
         layers[0] = type(layers[0])(scaled, bias - np.float32(MEAN) * scaled.sum(axis=0), layers[0].dilation)
-        n = len(Phoneme)
-        heads = tuple(
-            OutputHead(self._heads["weights"][:, k * n : (k + 1) * n], self._heads["bias"][k * n : (k + 1) * n])
-            for k in range(N_HEADS)
-        )
-        return Model(tuple(layers), heads).rounded()
+        heads, viseme_heads = (tuple(self._head(k, first, last) for k in range(N_HEADS)) for first, last in _CLASSES)
+        return Model(tuple(layers), heads, viseme_heads=viseme_heads).rounded()
+
+    def _head(self, k: int, first: int, last: int) -> OutputHead:
+        """Return what the head of a look-ahead of k frames says of some classes."""
+        columns = slice(k * N_CLASSES + first, k * N_CLASSES + last)
+        return OutputHead(self._heads["weights"][:, columns], self._heads["bias"][columns])
+
+
+_CLASSES = ((0, len(Phoneme)), (len(Phoneme), N_CLASSES))
+"""First class and the end of the phonemes, and of the visemes."""
 
 
 def _loss_of(scores: Float32Array, truth: UInt8Array, weights: Float32Array) -> tuple[float, Float32Array]:
     """Return the cross-entropy of all heads and its gradient; head k answers at frame t for frame t - k."""
-    n_frames, n = truth.shape[1], len(Phoneme)
+    n_frames, n = truth.shape[1], scores.shape[3]
     gradient = np.zeros_like(scores)
     loss = 0.0
     for k in range(N_HEADS):

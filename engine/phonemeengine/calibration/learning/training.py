@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.calibration.learning.augment_spectrum import augment_spectra
-from phonemeengine.calibration.learning.example_cache import SpeakerExamples
+from phonemeengine.calibration.learning.example_cache import ARRAYS, SpeakerExamples
 from phonemeengine.calibration.learning.optimiser import ExponentialAverage, Optimiser
 from phonemeengine.calibration.learning.trainable_network import TrainableNetwork
 from phonemeengine.phonemes import Phoneme
@@ -55,9 +55,9 @@ def train(
     average = ExponentialAverage([*network.values, *network.statistics])
     step = 0
     while step < n_steps:
-        for log_powers, phonemes, certainties in _batches(voices, config, generator):
+        for log_powers, phonemes, visemes, certainties in _batches(voices, config, generator):
             augmented = augment_spectra(np.power(np.float32(10), log_powers.astype(np.float32)), generator)
-            loss = network.learn(augmented, phonemes, importance[phonemes] * certainties)
+            loss = network.learn(augmented, phonemes, visemes, importance[phonemes] * certainties)
             optimiser.step(network.gradients)
             average.update()
             step += 1
@@ -68,7 +68,7 @@ def train(
     return network.finished()
 
 
-Batch = tuple[NDArray[np.float16], UInt8Array, NDArray[np.float16]]
+Batch = tuple[NDArray[np.float16], UInt8Array, UInt8Array, NDArray[np.float16]]
 
 
 def _batches(
@@ -87,10 +87,7 @@ def _segments(voice: SpeakerExamples, n_frames: int, generator: np.random.Genera
     for _ in range(n_times):
         order = generator.permutation(len(voice.recordings))
         drawn = [voice.recordings[i][generator.integers(len(voice.recordings[i]))] for i in order]
-        arrays = [
-            np.concatenate([getattr(example, name) for example in drawn])
-            for name in ("log_powers", "phonemes", "certainties")
-        ]
+        arrays = [np.concatenate([getattr(example, name) for example in drawn]) for name in ARRAYS]
         first = int(generator.integers(0, n_frames // 2))
         for k in range(first, len(arrays[0]) - n_frames + 1, n_frames):
             yield tuple(array[k : k + n_frames] for array in arrays)  # type: ignore[misc]

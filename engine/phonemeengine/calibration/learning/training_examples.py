@@ -32,11 +32,13 @@ class TrainingExample:
     ----------
     log_powers : float16, shape (n_frames, 40): base-10 logarithms of the mel powers.
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`.
+    visemes : uint8, shape (n_frames,): codes of `Viseme`, or `NO_VISEME` where that is disputed.
     certainties : float16, shape (n_frames,): how much each frame counts, 0..1.
     """
 
     log_powers: NDArray[np.float16]
     phonemes: UInt8Array
+    visemes: UInt8Array
     certainties: NDArray[np.float16]
 
     def __len__(self) -> int:
@@ -78,8 +80,9 @@ def example_of(samples: Float32Array, labels: tuple[Label, ...], warp: float = 1
     powers = np.concatenate(parts) if parts else np.zeros((0, bank.shape[1]), np.float32)
     frames = frame_labels_of(labels) if labels else None
     n = min(len(powers), len(frames.phonemes)) if frames is not None else 0
-    phonemes = frames.phonemes[:n] if frames is not None else np.zeros(0, np.uint8)
-    return TrainingExample(powers[:n].astype(np.float16), phonemes, _certainties_of(labels, n))
+    nothing = np.zeros(0, np.uint8)
+    phonemes, visemes = (frames.phonemes[:n], frames.visemes[:n]) if frames is not None else (nothing, nothing)
+    return TrainingExample(powers[:n].astype(np.float16), phonemes, visemes, _certainties_of(labels, n))
 
 
 def _examples(task: tuple[LabelledUtterance, int, int]) -> tuple[TrainingExample, ...] | EngineError:

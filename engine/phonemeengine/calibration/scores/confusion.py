@@ -93,9 +93,7 @@ class Confusion:
         """Return all figures of agreement, of all recordings or of some; NaN where there is nothing to count."""
         chosen = range(self.n_recordings) if recordings is None else recordings
         spans = [self._frames_of(k) for k in chosen]
-        return scores_of(
-            (FrameLabels(self.labels.phonemes[s], self.labels.certain[s]), self.predicted[s]) for s in spans
-        )
+        return scores_of((self.labels.at(s), self.predicted[s]) for s in spans)
 
     def frames_in(self, truth: Phoneme, answer: Phoneme) -> tuple[ConfusedSegment, ...]:
         """Return where what was labelled `truth` was recognised as `answer`: the frames of a cell, in order."""

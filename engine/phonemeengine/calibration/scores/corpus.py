@@ -25,6 +25,7 @@ from phonemeengine.labels.table import rows_of
 from phonemeengine.labels.text_io import read_text
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, Channel
+from phonemeengine.visemes import NO_VISEME, viseme_of
 
 __all__ = [
     "FrameLabels",
@@ -89,10 +90,16 @@ class FrameLabels:
     ----------
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`.
     certain : bool, shape (n_frames,): whether the label is a core one.
+    visemes : uint8, shape (n_frames,): codes of `Viseme`, or `NO_VISEME` where nobody knows, or people disagree.
     """
 
     phonemes: UInt8Array
     certain: BoolArray
+    visemes: UInt8Array
+
+    def at(self, frames: slice | BoolArray) -> "FrameLabels":
+        """Return the labels of some frames."""
+        return FrameLabels(self.phonemes[frames], self.certain[frames], self.visemes[frames])
 
 
 @dataclass(frozen=True)
@@ -182,11 +189,14 @@ def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
     times = np.arange(FRAME_PERIOD / 2, labels[-1].end, FRAME_PERIOD)
     phonemes = np.full(len(times), Phoneme.SILENCE, np.uint8)
     certain = np.zeros(len(times), bool)
+    visemes = np.full(len(times), NO_VISEME, np.uint8)
     for label in labels:
         first, last = np.searchsorted(times, (label.start, label.end))
         phonemes[first:last] = label.phoneme
         certain[first:last] = label.certainty == CORE
-    return FrameLabels(phonemes, certain)
+        viseme = viseme_of(label.phone, label.phoneme) if label.certainty == CORE else None
+        visemes[first:last] = NO_VISEME if viseme is None else viseme
+    return FrameLabels(phonemes, certain, visemes)
 
 
 def _utterances_of(

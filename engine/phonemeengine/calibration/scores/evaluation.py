@@ -16,6 +16,7 @@ from phonemeengine.calibration.scores.added_noise import NoiseAdder
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, OnSkipped, frame_labels_of
 from phonemeengine.calibration.scores.scoring import (
     N_CODES,
+    Answers,
     Scores,
     confusion_of,
     macro_f1_of,
@@ -28,6 +29,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD, HOP
 from phonemeengine.text.pronunciation import ScriptWord
+from phonemeengine.visemes import NO_VISEME, Viseme, viseme_of
 
 WordsOf = Callable[[LabelledUtterance], Sequence[ScriptWord] | None]
 """Gives the words of a recording with their pronunciations; None where they are not known."""
@@ -47,17 +49,21 @@ class Predictions:
     labels : what was said.
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`; silence where the sound has ended before its labels.
     intensities : float32, shape (n_frames,): 0..1.
+    visemes : uint8, shape (n_frames,): codes of `Viseme`; None where they are those of the phonemes.
     """
 
     utterance: LabelledUtterance
     labels: FrameLabels
     phonemes: UInt8Array
     intensities: Float32Array
+    visemes: UInt8Array | None = None
 
     @property
-    def pair(self) -> tuple[FrameLabels, UInt8Array]:
+    def answers(self) -> Answers:
         """The labels and the answers, as `scores_of` wants them."""
-        return self.labels, self.phonemes
+        if self.visemes is None:
+            return self.labels, self.phonemes
+        return self.labels, self.phonemes, self.visemes
 
     @property
     def right(self) -> BoolArray:
@@ -178,28 +184,32 @@ def predict(
     with utterance.opened() as reader:
         blocks = reader.blocks(BLOCK * HOP) if noise is None else noise.blocks(utterance, BLOCK * HOP)
         analyses = analyse_blocks(blocks, preset)
-        phonemes, intensities = _answers(analyses, None if words is None else words(utterance), reader.duration)
+        found = _answers(analyses, None if words is None else words(utterance), reader.duration)
     late, n = math.floor(delay / FRAME_PERIOD + 0.5 + ROUNDING), len(labels.phonemes)
-    return Predictions(utterance, labels, _shifted(phonemes, late, n), _shifted(intensities, late, n))
+    phonemes, intensities, visemes = (_shifted(values, late, n) for values in found)
+    return Predictions(utterance, labels, phonemes, intensities, visemes)
 
 
 def _answers(
     analyses: Iterable[Analysis], words: Sequence[ScriptWord] | None, duration: float
-) -> tuple[UInt8Array, Float32Array]:
-    """Return the phonemes of a sound's frames, as they are recognised or aligned, and their intensities."""
+) -> tuple[UInt8Array, Float32Array, UInt8Array]:
+    """Return the phonemes of a sound's frames, as they are recognised or aligned, their intensities and visemes."""
     n_in_sound = math.ceil(duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
-    found = [(np.zeros(0, np.uint8), np.zeros(0, np.float32))]
+    nothing = np.zeros(0, np.uint8)
+    found = [(nothing, np.zeros(0, np.float32), nothing)]
 
     def heard() -> Iterator[Analysis]:
         for analysis in analyses:
-            found.append((analysis.phonemes, analysis.intensities))
+            found.append((analysis.phonemes, analysis.intensities, analysis.visemes))
             yield analysis
 
     aligned = align_analyses(heard(), words, duration) if words else None
     if aligned is None:
         deque(heard(), maxlen=0)
-    phonemes, intensities = (np.concatenate(part)[:n_in_sound] for part in zip(*found, strict=True))
-    return phonemes if aligned is None else frame_phonemes_of(aligned, n_in_sound), intensities
+    phonemes, intensities, visemes = (np.concatenate(part)[:n_in_sound] for part in zip(*found, strict=True))
+    if aligned is None:
+        return phonemes, intensities, visemes
+    return frame_phonemes_of(aligned, n_in_sound), intensities, frame_visemes_of(aligned, n_in_sound)
 
 
 def frame_phonemes_of(utterance: Utterance, n_frames: int) -> UInt8Array:
@@ -210,12 +220,22 @@ def frame_phonemes_of(utterance: Utterance, n_frames: int) -> UInt8Array:
     return phonemes
 
 
+def frame_visemes_of(utterance: Utterance, n_frames: int) -> UInt8Array:
+    """Return what is seen of what is said in frames, uint8, shape (n_frames,): codes of `Viseme`, or `NO_VISEME`."""
+    visemes = np.full(n_frames, Viseme.SIL, np.uint8)
+    for phone in utterance.phones:
+        seen = viseme_of(phone.ipa, phone.phoneme)
+        first, last = round(phone.start / FRAME_PERIOD), round(phone.end / FRAME_PERIOD)
+        visemes[first:last] = NO_VISEME if seen is None else seen
+    return visemes
+
+
 def group_scores_of(predictions: Sequence[Predictions]) -> GroupScores:
     """Score some recordings together; at least one has a frame."""
-    pairs = [prediction.pair for prediction in predictions]
+    pairs = [(prediction.labels, prediction.phonemes) for prediction in predictions]
     spoken = np.concatenate([p.intensities[p.labels.phonemes != Phoneme.SILENCE] for p in predictions], dtype=float)
     return GroupScores(
-        scores=scores_of(pairs),
+        scores=scores_of(prediction.answers for prediction in predictions),
         confusion=sum(
             (confusion_of(labels.phonemes, guess) for labels, guess in pairs), np.zeros((N_CODES, N_CODES), np.int64)
         ),

@@ -14,6 +14,7 @@ from phonemeengine.calibration.scores.corpus import FrameLabels
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.visemes import NO_VISEME, usual_visemes
 
 N_CODES = len(Phoneme)
 SCORED_PHONEMES = tuple(p for p in Phoneme if p is not Phoneme.UNIDENTIFIED)
@@ -45,6 +46,7 @@ class Scores:
     false_silence : share of spoken frames called silence.
     changes_per_s, label_changes_per_s : changes of the phoneme in a second, recognised and labelled.
     minutes : how much was scored.
+    fine_viseme_accuracy : share of right answers on frames of which nobody doubts which of fifteen visemes they show.
     """
 
     accuracy: float
@@ -57,14 +59,22 @@ class Scores:
     changes_per_s: float
     label_changes_per_s: float
     minutes: float
+    fine_viseme_accuracy: float
 
 
-def scores_of(pairs: Iterable[tuple[FrameLabels, UInt8Array]]) -> Scores:
-    """Score utterances: for each the labels and the recognised codes, shape (n_frames,).
+Answers = tuple[FrameLabels, UInt8Array] | tuple[FrameLabels, UInt8Array, UInt8Array]
+"""The labels of an utterance, the recognised codes, and maybe the visemes, each of shape (n_frames,)."""
+
+
+def scores_of(answers: Iterable[Answers]) -> Scores:
+    """Score utterances.
 
     A frame that was not recognised, at the end of a sound shorter than its labels, counts as silence.
     """
-    parts = [(labels, _fitted(guess, len(labels.phonemes))) for labels, guess in pairs]
+    given = [(labels, guess, visemes[0] if visemes else usual_visemes(guess)) for labels, guess, *visemes in answers]
+    parts = [(labels, _fitted(guess, len(labels.phonemes))) for labels, guess, _ in given]
+    visemes = np.concatenate([_fitted(seen, len(labels.phonemes)) for labels, _, seen in given])
+    shown = np.concatenate([labels.visemes for labels, _ in parts])
     truth = np.concatenate([labels.phonemes for labels, _ in parts])
     guess = np.concatenate([codes for _, codes in parts])
     certain = np.concatenate([labels.certain for labels, _ in parts])
@@ -83,6 +93,7 @@ def scores_of(pairs: Iterable[tuple[FrameLabels, UInt8Array]]) -> Scores:
         changes_per_s=sum(count_changes(codes) for _, codes in parts) / seconds,
         label_changes_per_s=sum(count_changes(labels.phonemes) for labels, _ in parts) / seconds,
         minutes=seconds / 60,
+        fine_viseme_accuracy=_share((shown == visemes)[shown != NO_VISEME]),
     )
 
 

@@ -79,7 +79,10 @@ class LabelledFeatures:
         labels = [frame_labels_of(u.labels) for u in self._utterances]
         lengths = [len(part.phonemes) for part in labels]
         self._edges = np.concatenate(([0], np.cumsum(lengths, dtype=np.intp))).astype(np.intp)
-        self._labels = FrameLabels(_joined([p.phonemes for p in labels]), _joined([p.certain for p in labels], bool))
+        self._labels = FrameLabels(
+            _joined([p.phonemes for p in labels]), _joined([p.certain for p in labels], bool),
+            _joined([p.visemes for p in labels]),
+        )  # fmt: skip
         # of the files as they are before they are measured: one that changes meanwhile is measured again
         self._stamps = [_stamp_of(u.path, n) for u, n in zip(self._utterances, lengths, strict=True)]
         self._smoother = BatchSmoother(self._edges)

@@ -1,0 +1,83 @@
+"""What is seen of sounds: which viseme a phone has, which ones a phoneme allows, and that none flickers."""
+
+import numpy as np
+import pytest
+
+from phonemeengine.labels.articulation import IPA_LETTERS
+from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.mouth.blendshape_names import OCULUS
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.viseme_smoothing import MARGIN, VisemeSmoother
+from phonemeengine.visemes import (
+    NO_VISEME,
+    PHONEME_VISEMES,
+    VISEME_PHONES,
+    Viseme,
+    usual_visemes,
+    viseme_of,
+    viseme_phones,
+)
+
+
+def test_visemes_are_called_as_avatars_call_them():
+    assert tuple(viseme.label for viseme in Viseme) == OCULUS
+
+
+@pytest.mark.parametrize(
+    ("phone", "viseme"),
+    [("v", Viseme.FF), ("tʰ", Viseme.DD), ("ð", Viseme.TH), ("ŋ", Viseme.KK), ("iː", Viseme.IH), ("ɹ", Viseme.RR),
+     ("h", None), ("ə", None), ("aɪ", None), ("tʃ", None), ("w", None)],
+)  # fmt: skip
+def test_a_phone_has_the_viseme_that_nobody_doubts(phone, viseme):
+    assert viseme_of(phone, ipa_phoneme(phone)) is viseme
+
+
+def test_what_is_seen_of_a_sound_is_something_that_its_phoneme_allows():
+    for letter in sorted(IPA_LETTERS):
+        phoneme = ipa_phoneme(letter)
+        viseme = viseme_of(letter, phoneme)
+        if viseme is not None and phoneme is not None:
+            assert viseme in PHONEME_VISEMES[phoneme], letter
+
+
+def test_a_mouth_table_shows_a_heard_viseme_as_that_viseme():
+    table = load_table("oculus")
+    for viseme, phone in VISEME_PHONES.items():
+        shape = table.shape_of(Phoneme.UNIDENTIFIED, phone)
+        shown = {name for name, percent in table.shapes[shape].items() if percent}
+        assert viseme.label in shown or viseme is Viseme.DD
+
+
+def test_without_ears_for_visemes_a_phoneme_has_its_own_and_an_unidentified_one_none():
+    phonemes = np.array([Phoneme.SILENCE, Phoneme.M, Phoneme.UNIDENTIFIED, Phoneme.A], np.uint8)
+    visemes = VisemeSmoother().follow(phonemes, None)
+    assert visemes.tolist() == [Viseme.SIL, Viseme.PP, NO_VISEME, Viseme.AA]
+    assert visemes.tolist() == usual_visemes(phonemes).tolist()
+    assert viseme_phones(phonemes, visemes) == ["", "", "", ""]
+
+
+def heard(*likely: tuple[Viseme, float]) -> np.ndarray:
+    """Probabilities of frames in each of which one viseme has so much."""
+    rows = np.zeros((len(likely), len(Viseme)), np.float32)
+    for row, (viseme, share) in zip(rows, likely, strict=True):
+        row[:] = (1 - share) / (len(Viseme) - 1)
+        row[viseme] = share
+    return rows
+
+
+def test_a_heard_viseme_is_one_that_the_phoneme_allows():
+    phonemes = np.array([Phoneme.UNIDENTIFIED, Phoneme.A], np.uint8)
+    found = VisemeSmoother().follow(phonemes, heard((Viseme.FF, 0.9), (Viseme.FF, 0.9)))
+    assert found.tolist() == [Viseme.FF, Viseme.AA]
+    assert viseme_phones(phonemes, found) == ["f", ""]
+
+
+def test_a_viseme_stays_until_another_is_far_likelier_however_the_sound_is_cut():
+    likely = [(Viseme.NN, 0.9), (Viseme.KK, 0.5 * (1 + MARGIN) - 0.1), (Viseme.NN, 0.5), (Viseme.KK, 0.9)]
+    phonemes = np.full(4, Phoneme.UNIDENTIFIED, np.uint8)
+    whole = VisemeSmoother().follow(phonemes, heard(*likely))
+    assert whole[[0, 2, 3]].tolist() == [Viseme.NN, Viseme.NN, Viseme.KK]
+    smoother = VisemeSmoother()
+    parts = [smoother.follow(phonemes[k : k + 1], heard(likely[k])) for k in range(4)]
+    assert np.concatenate(parts).tolist() == whole.tolist()
