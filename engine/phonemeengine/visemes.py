@@ -85,6 +85,9 @@ h takes the mouth of the next vowel, j and w are between a vowel and a consonant
 _BY_LETTER = {letter: viseme for viseme, letters in _LETTERS.items() for letter in letters.split()}
 ALLOWED = np.array([[viseme in PHONEME_VISEMES[phoneme] for viseme in Viseme] for phoneme in Phoneme])
 """Which visemes each phoneme may be shown by, shape (11, 15)."""
+_PHONES = np.array(
+    [VISEME_PHONES.get(Viseme(k), "") if k < len(Viseme) else "" for k in range(NO_VISEME + 1)], object
+)
 _USUAL = np.array(
     [PHONEME_VISEMES[p][0] if len(PHONEME_VISEMES[p]) == 1 else NO_VISEME for p in Phoneme], np.uint8
 )  # fmt: skip
@@ -104,12 +107,10 @@ def viseme_of(phone: str, phoneme: Phoneme) -> Viseme | None:
     return _BY_LETTER.get(letters[0]) if len(letters) == 1 else None
 
 
-def viseme_phones(phonemes: UInt8Array, visemes: UInt8Array) -> list[str]:
+def viseme_phones(visemes: UInt8Array) -> list[str]:
     """Return for each frame the symbol of a sound that looks as it does; empty where its phoneme says as much."""
-    return [
-        VISEME_PHONES.get(Viseme(viseme), "") if phoneme == Phoneme.UNIDENTIFIED and viseme != NO_VISEME else ""
-        for phoneme, viseme in zip(phonemes.tolist(), visemes.tolist(), strict=True)
-    ]
+    found: list[str] = _PHONES[visemes].tolist()
+    return found
 
 
 def usual_visemes(phonemes: UInt8Array) -> UInt8Array:

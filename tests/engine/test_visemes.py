@@ -54,7 +54,7 @@ def test_without_ears_for_visemes_a_phoneme_has_its_own_and_an_unidentified_one_
     visemes = VisemeSmoother().follow(phonemes, None)
     assert visemes.tolist() == [Viseme.SIL, Viseme.PP, NO_VISEME, Viseme.AA]
     assert visemes.tolist() == usual_visemes(phonemes).tolist()
-    assert viseme_phones(phonemes, visemes) == ["", "", "", ""]
+    assert viseme_phones(visemes) == ["", "", "", ""]
 
 
 def heard(*likely: tuple[Viseme, float]) -> np.ndarray:
@@ -70,7 +70,7 @@ def test_a_heard_viseme_is_one_that_the_phoneme_allows():
     phonemes = np.array([Phoneme.UNIDENTIFIED, Phoneme.A], np.uint8)
     found = VisemeSmoother().follow(phonemes, heard((Viseme.FF, 0.9), (Viseme.FF, 0.9)))
     assert found.tolist() == [Viseme.FF, Viseme.AA]
-    assert viseme_phones(phonemes, found) == ["f", ""]
+    assert viseme_phones(found) == ["f", ""]
 
 
 def test_a_viseme_stays_until_another_is_far_likelier_however_the_sound_is_cut():

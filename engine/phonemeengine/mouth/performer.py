@@ -124,9 +124,7 @@ def timed_frames(analysis: Analysis, end: float, known: Transcript | None = None
     """
     start = end - len(analysis) * FRAME_PERIOD
     columns = (analysis.phonemes, analysis.intensities, analysis.features.values[:, F0])
-    rows = zip(
-        *(column.tolist() for column in columns), viseme_phones(analysis.phonemes, analysis.visemes), strict=True
-    )
+    rows = zip(*(column.tolist() for column in columns), viseme_phones(analysis.visemes), strict=True)
     frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(row[0]), *row[1:]) for k, row in enumerate(rows)]
     return frames if known is None else known_frames(frames, analysis.start, known)
 

@@ -104,7 +104,7 @@ def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path
     """Collect what was said from the consecutive analyses of a sound of `duration` seconds; `path` is its file."""
     joiner, runs, prosody = SegmentBuilder(), [], Prosody()
     for analysis in analyses:
-        phones = viseme_phones(analysis.phonemes, analysis.visemes)
+        phones = viseme_phones(analysis.visemes)
         runs += joiner.extend(analysis.phonemes, analysis.intensities, phones)
         prosody.add(analysis)
     runs += joiner.finish(duration)

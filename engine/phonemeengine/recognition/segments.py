@@ -43,7 +43,7 @@ class SegmentBuilder:
     """Joins equal frames into segments, as the frames come."""
 
     def __init__(self) -> None:
-        self._code, self._first, self._frame, self._total = (-1, ""), 0, 0, 0.0
+        self._code, self._phone, self._first, self._frame, self._total = -1, "", 0, 0, 0.0
 
     def extend(
         self, phonemes: UInt8Array, intensities: Float32Array, phones: Sequence[str] | None = None
@@ -56,11 +56,11 @@ class SegmentBuilder:
         """
         ended = []
         phones = [""] * len(phonemes) if phones is None else phones
-        for *code, intensity in zip(phonemes.tolist(), phones, intensities.tolist(), strict=True):
-            if tuple(code) != self._code and self._frame > self._first:
+        for code, phone, intensity in zip(phonemes.tolist(), phones, intensities.tolist(), strict=True):
+            if (code != self._code or phone != self._phone) and self._frame > self._first:
                 ended.append(self._segment(self._frame * FRAME_PERIOD))
                 self._first, self._total = self._frame, 0.0
-            self._code = tuple(code)
+            self._code, self._phone = code, phone
             self._total += intensity
             self._frame += 1
         return ended
@@ -71,8 +71,7 @@ class SegmentBuilder:
 
     def _segment(self, end: float) -> Segment:
         mean = self._total / (self._frame - self._first)
-        phoneme, phone = self._code
-        return Segment(self._first * FRAME_PERIOD, end, Phoneme(phoneme), mean, phone)
+        return Segment(self._first * FRAME_PERIOD, end, Phoneme(self._code), mean, self._phone)
 
 
 def segments_of(blocks: Iterable[tuple[UInt8Array, Float32Array]], duration: float) -> Iterator[Segment]:

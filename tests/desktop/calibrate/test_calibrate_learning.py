@@ -142,7 +142,7 @@ def test_where_only_what_costs_gains_the_preset_stays_as_it_was(
 
 
 def test_what_gets_worse_is_said_with_both_figures():
-    figures = Scores(0.5, 0.5, 0.5, 0.8, 0.5, 0.999, 0.02, 10, 10, 1)
+    figures = Scores(0.5, 0.5, 0.5, 0.8, 0.5, 0.999, 0.02, 10, 10, 1, 0.6)
     assert loss_of(figures, replace(figures, viseme_accuracy=0.7901, false_silence=0.0299)) == ""
     worse = replace(figures, silence_recall=0.397, false_silence=0.05)
     assert loss_of(figures, worse) == (
