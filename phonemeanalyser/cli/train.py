@@ -4,6 +4,7 @@ import argparse
 import sys
 from dataclasses import replace
 from pathlib import Path
+from shutil import rmtree
 
 from tqdm import tqdm
 
@@ -11,14 +12,18 @@ from phonemeanalyser.cli.arguments import add_channel, whole_in
 from phonemeanalyser.cli.output_files import write_whole
 from phonemeengine import ModelError, load_preset, save_preset
 from phonemeengine.calibration.learning.model_card import model_card
-from phonemeengine.calibration.learning.pipeline import TrainingResult, train_and_validate
+from phonemeengine.calibration.learning.pipeline import TrainedModel, TrainingResult, train_and_validate
 from phonemeengine.calibration.learning.training import TrainingConfig
 from phonemeengine.presets.files import DEFAULT_PRESET
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is learned from, and how long."""
-    parser.epilog = "Writes the model, a preset that uses it (the same name, .toml) and its card (.md)."
+    parser.epilog = (
+        "Writes the model, its twin for files (-files.npz), a preset that uses both (the same name, .toml) and the "
+        "card (.md). What is done so far lies in a folder beside them (.training): a training that was interrupted "
+        "goes on where it was."
+    )
     parser.add_argument("corpora", type=Path, nargs="+", metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="MODEL", help="the model's file, .npz")
     for name, least, usual, words in (
@@ -45,24 +50,34 @@ def run(options: argparse.Namespace) -> int:
             bar.set_description(what)
             bar.update(100 * share - bar.n)
 
-        result = train_and_validate(options.corpora, config, options.variations, options.folds, told, options.channel)
-    model = replace(result.model, about=_about(options.out.stem, result, config))
+        work = options.out.with_suffix(".training")
+        result = train_and_validate(
+            options.corpora, config, options.variations, options.folds, told, work, channel=options.channel
+        )
+    model, twin = (
+        replace(trained.model, about=_about(options.out.stem, result, trained))
+        for trained in (result.live, result.files)
+    )
     preset, card = options.out.with_suffix(".toml"), options.out.with_suffix(".md")
     notes = f"Trained by phonemeanalyser train; {card.name} tells on what, and how well it does."
     shipped = load_preset(DEFAULT_PRESET)
-    save_preset(replace(shipped, name=preset.stem, model=model, notes=notes, sensitivities={}), preset)
-    text = model_card(options.out.stem, result, config, options.variations)
+    named = replace(shipped, name=preset.stem, model=model, file_model=twin, notes=notes, sensitivities={})
+    save_preset(named, preset)
+    text = model_card(options.out.stem, result, options.variations)
     write_whole(card, lambda file: print(text, file=file, end=""))
+    rmtree(work)
     print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}; {preset} uses it")
-    if result.everyone is not None:
-        e = result.everyone
-        print(
-            f"speakers left out: macro F1 {e.macro_f1:.3f}, mouth shapes {e.viseme_accuracy:.3f}, "
-            f"vowels {e.vowel_accuracy:.3f}"
-        )
+    for what, trained in (("live", result.live), ("files", result.files)):
+        for group, e in trained.together.items():
+            print(
+                f"{what}, {group} left out: macro F1 {e.macro_f1:.3f}, mouth shapes {e.viseme_accuracy:.3f}, "
+                f"vowels {e.vowel_accuracy:.3f}, visemes {e.fine_viseme_accuracy:.3f}"
+            )
     return 0
 
 
-def _about(name: str, result: TrainingResult, config: TrainingConfig) -> dict[str, object]:
-    figures = {} if result.everyone is None else {"macro_f1": round(result.everyone.macro_f1, 3)}
-    return {"name": name, "seed": config.seed, "epochs": config.n_epochs, "speakers": len(result.sources), **figures}
+def _about(name: str, result: TrainingResult, trained: TrainedModel) -> dict[str, object]:
+    config = trained.config
+    figures = {group: round(scores.macro_f1, 3) for group, scores in trained.together.items()}
+    about = {"name": name, "seed": config.seed, "epochs": config.n_epochs, "speakers": len(result.sources)}
+    return about | ({"macro_f1": figures} if figures else {})

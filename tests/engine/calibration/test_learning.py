@@ -9,8 +9,10 @@ import pytest
 from phonemeengine.calibration.adaptation import adapt
 from phonemeengine.calibration.learning.augment_spectrum import augment_spectra
 from phonemeengine.calibration.learning.augment_waveform import Augmentation, augment
+from phonemeengine.calibration.learning.checkpoint import Checkpoint
 from phonemeengine.calibration.learning.example_cache import SpeakerExamples
 from phonemeengine.calibration.learning.optimiser import ExponentialAverage, Optimiser
+from phonemeengine.calibration.learning.targets import Targets, targets_of
 from phonemeengine.calibration.learning.trainable_layer import TrainableLayer
 from phonemeengine.calibration.learning.trainable_network import TrainableNetwork
 from phonemeengine.calibration.learning.training import TrainingConfig, train
@@ -23,7 +25,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.visemes import NO_VISEME, Viseme
+from phonemeengine.visemes import Viseme
 from tests.models import tone_model
 from tests.sounds import noise, tone, vowel
 
@@ -67,14 +69,16 @@ def model():
     return trained, voices
 
 
-def test_the_gradients_are_those_of_small_differences():
+@pytest.mark.parametrize("centred", [False, True])
+def test_the_gradients_are_those_of_small_differences(centred: bool):
     generator = np.random.default_rng(1)
-    network = TrainableNetwork(6, (1, 2), 0.0, generator)
+    network = TrainableNetwork(6, (1, 2), 0.0, generator, centred=centred)
     sound = generator.normal(-6, 2, (2, 16, N_BANDS)).astype(np.float32)
-    truth = generator.integers(0, len(Phoneme), (2, 16)).astype(np.uint8)
-    visemes = generator.choice([NO_VISEME, *Viseme], (2, 16)).astype(np.uint8)
-    weights = generator.random((2, 16)).astype(np.float32)
-    network.learn(sound, truth, visemes, weights)
+    phonemes, visemes = (
+        Targets(generator.dirichlet(np.ones(n), (2, 16)).astype(np.float32), generator.random((2, 16), np.float32))
+        for n in (len(Phoneme), len(Viseme))
+    )
+    network.learn(sound, phonemes, visemes)
     gradients = [g.copy() for g in network.gradients]
     for value, gradient in zip(network.values, gradients, strict=True):
         direction = generator.standard_normal(value.shape).astype(np.float32)
@@ -82,7 +86,7 @@ def test_the_gradients_are_those_of_small_differences():
         losses = []
         for sign in (1, -2, 1):
             np.add(value, np.float32(sign) * direction, out=value)
-            losses.append(network.learn(sound, truth, visemes, weights))
+            losses.append(network.learn(sound, phonemes, visemes))
         expected = (losses[0] - losses[1]) / 2  # the step is short, since a rectifier bends
         assert float(np.vdot(gradient, direction)) == pytest.approx(expected, rel=0.05, abs=2e-5)
 
@@ -120,6 +124,48 @@ def test_the_same_seed_trains_the_same_model():
     short = TrainingConfig(width=8, dilations=(1,), n_epochs=1, batch_size=2, n_frames=50)
     assert train(voices, short) == train(voices, short)
     assert train(voices, short) != train(voices, TrainingConfig(**{**short.__dict__, "seed": 2}))
+
+
+def test_an_interrupted_training_goes_on_and_ends_with_the_same_model(tmp_path: Path):
+    voices = [voice("one", 120, 1.0)]
+    config = TrainingConfig(width=8, dilations=(1,), n_epochs=3, batch_size=2, n_frames=50)
+
+    def interrupt(step: int, n_steps: int, _loss: float) -> None:
+        if step > n_steps / 2:
+            raise KeyboardInterrupt
+
+    steps = []
+    checkpoint = Checkpoint(tmp_path / "state.npz")
+    with pytest.raises(KeyboardInterrupt):
+        train(voices, config, interrupt, checkpoint)
+    resumed = train(voices, config, lambda step, _n, _loss: steps.append(step), checkpoint)
+    assert steps[0] > 1
+    assert resumed == train(voices, config)
+
+
+# -- targets -----------------------------------------------------------------------------------------------
+
+
+def targets(code: int, certainty: float, heard: list[float]) -> tuple[list[float], float]:
+    found = targets_of(
+        np.array([[code]], np.uint8), np.array([[heard]], np.float32), np.array([1, 1, 2], np.float32),
+        np.array([[certainty]], np.float32),
+    )  # fmt: skip
+    return found.wanted[0, 0].tolist(), float(found.weights[0, 0])
+
+
+def test_a_label_and_a_teacher_count_alike_and_each_alone_where_the_other_is_silent():
+    nothing, teacher = [0.0, 0.0, 0.0], [0.1, 0.2, 0.7]
+    wanted, weight = targets(0, 1.0, nothing)
+    assert wanted == pytest.approx([0.95 + 0.05 / 3, 0.05 / 3, 0.05 / 3])
+    assert weight == 1
+    both, weight = targets(0, 1.0, teacher)
+    assert both == pytest.approx([(a + b) / 2 for a, b in zip(wanted, teacher, strict=True)], abs=1e-6)
+    assert weight == 1
+    alone, weight = targets(255, 0.0, teacher)
+    assert alone == pytest.approx(teacher)
+    assert weight == 2  # what the teacher hears is a rare sound
+    assert targets(1, 0.0, nothing)[1] == 0
 
 
 # -- examples ----------------------------------------------------------------------------------------------

@@ -31,15 +31,20 @@ class Optimiser:
         self._second = [np.zeros_like(v) for v in values]
         self._n_steps = n_steps
         self._rate = rate
-        self._step = 0
+        self.n_done = 0
+
+    @property
+    def moments(self) -> list[Float32Array]:
+        """What it remembers of the gradients, besides `n_done`, the number of its steps."""
+        return [*self._first, *self._second]
 
     def step(self, gradients: list[Float32Array]) -> None:
         """Go one step down the gradients, which are clipped to a length of 1 together."""
         length = math.sqrt(sum(float(np.vdot(g, g)) for g in gradients))
         clip = min(1.0, CLIP / max(length, 1e-12))
-        self._step += 1
-        rate = self._rate * _cycle(self._step / self._n_steps)
-        debias = math.sqrt(1 - SECOND**self._step) / (1 - FIRST**self._step)
+        self.n_done += 1
+        rate = self._rate * _cycle(self.n_done / self._n_steps)
+        debias = math.sqrt(1 - SECOND**self.n_done) / (1 - FIRST**self.n_done)
         for value, first, second, gradient in zip(self._values, self._first, self._second, gradients, strict=True):
             clipped = gradient * np.float32(clip)
             np.add(first, np.float32(1 - FIRST) * (clipped - first), out=first)
@@ -56,12 +61,12 @@ class ExponentialAverage:
     def __init__(self, values: list[Float32Array]) -> None:
         self._values = values
         self.means = [v.copy() for v in values]
-        self._n = 0
+        self.n_done = 0
 
     def update(self) -> None:
         """Take in what the arrays are now."""
-        self._n += 1
-        share = np.float32(max(1 / AVERAGED, 10 / (self._n + 10)))
+        self.n_done += 1
+        share = np.float32(max(1 / AVERAGED, 10 / (self.n_done + 10)))
         for mean, value in zip(self.means, self._values, strict=True):
             np.add(mean, share * (value - mean), out=mean)
 

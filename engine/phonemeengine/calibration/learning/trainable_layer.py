@@ -24,6 +24,7 @@ class TrainableLayer:
     n_in, n_out : channels.
     dilation : frames from one tap to the next.
     residual : whether it adds what it finds to what came in.
+    centred : whether it looks as far ahead as back; if not, only back.
     dropout : share of the inputs that is dropped.
     generator : of the first weights, and of what is dropped.
 
@@ -35,8 +36,9 @@ class TrainableLayer:
     """
 
     def __init__(
-        self, n_in: int, n_out: int, dilation: int, *, residual: bool, dropout: float, generator: np.random.Generator
-    ) -> None:
+        self, n_in: int, n_out: int, dilation: int, *, residual: bool, centred: bool = False, dropout: float,
+        generator: np.random.Generator,
+    ) -> None:  # fmt: skip
         spread = np.sqrt(2 / (TAPS * n_in))  # K. He et al., arXiv:1502.01852
         self.values = {
             "weights": generator.normal(0, spread, (TAPS * n_in, n_out)).astype(np.float32),
@@ -46,6 +48,7 @@ class TrainableLayer:
         self.gradients: dict[str, Float32Array] = {}
         self.mean, self.variance = np.zeros(n_out, np.float32), np.ones(n_out, np.float32)
         self.dilation = dilation
+        self._first = dilation if centred else (TAPS - 1) * dilation
         self._residual = residual
         self._dropout = dropout
         self._generator = generator
@@ -56,7 +59,7 @@ class TrainableLayer:
         self._kept = self._keep(block.shape)
         inputs = block if self._kept is None else block * self._kept
         padded = np.zeros((n_batch, n_frames + (TAPS - 1) * self.dilation, n_in), np.float32)
-        padded[:, (TAPS - 1) * self.dilation :] = inputs
+        padded[:, self._first : self._first + n_frames] = inputs
         starts = [k * self.dilation for k in range(TAPS)]
         self._taps = np.concatenate([padded[:, s : s + n_frames] for s in starts], axis=2).reshape(-1, TAPS * n_in)
         sums = self._taps @ self.values["weights"]
@@ -83,10 +86,10 @@ class TrainableLayer:
         sums = normal / self._spread
         self.gradients["weights"] = self._taps.T @ sums
         taps = (sums @ self.values["weights"].T).reshape(n_batch, n_frames, TAPS, -1)
-        block: Float32Array = taps[:, :, TAPS - 1].copy()
-        for k in range(TAPS - 1):
-            delay = (TAPS - 1 - k) * self.dilation
-            block[:, : n_frames - delay] += taps[:, delay:, k]
+        padded = np.zeros((n_batch, n_frames + (TAPS - 1) * self.dilation, taps.shape[3]), np.float32)
+        for k in range(TAPS):
+            padded[:, k * self.dilation : k * self.dilation + n_frames] += taps[:, :, k]
+        block = padded[:, self._first : self._first + n_frames]
         if self._kept is not None:
             block *= self._kept
         if self._residual:

@@ -34,8 +34,13 @@ def predictions_of(model: Model, utterances: Iterable[LabelledUtterance]) -> lis
     ------
     AudioError : a sound cannot be read.
     """
-    preset = Preset(recogniser=LEARNED.name, model=model, settings=SETTINGS, successors=UNREPLACED)
+    preset = preset_of(model)
     return [predict(utterance, preset) for utterance in utterances]
+
+
+def preset_of(model: Model) -> Preset:
+    """Return the preset by which a trained model is used."""
+    return Preset(recogniser=LEARNED.name, model=model, settings=SETTINGS, successors=UNREPLACED)
 
 
 def anchors_of(voices: Sequence[SpeakerExamples], seed: int) -> Float32Array:
