@@ -65,3 +65,24 @@ def _wide(first: np.ndarray, n_heads: int) -> np.ndarray:
     wide = np.zeros((first.shape[0], n_heads * first.shape[1]), np.float32)
     wide[:, : first.shape[1]] = first
     return wide
+
+
+def centred_model(
+    width: int = 12, dilations: Sequence[int] = (1, 2, 4, 3), warps: tuple[float, ...] = (1.0,), seed: int = 1
+) -> Model:
+    """Give a centred model of random weights: nobody knows what it says, but it says it of every sound alike."""
+    chance = np.random.default_rng(seed)
+    inputs = [N_BANDS, *[width] * (len(dilations) - 1)]
+    layers = [_random_layer(chance, n, width, dilation) for n, dilation in zip(inputs, dilations, strict=True)]
+    heads, viseme_heads = ((_random_head(chance, width, n),) for n in (len(Phoneme), len(Viseme)))
+    return Model(tuple(layers), heads, warps, viseme_heads=viseme_heads, centred=True).rounded()
+
+
+def _random_layer(chance: np.random.Generator, n_in: int, n_out: int, dilation: int) -> Layer:
+    weights = chance.normal(0, (2 / (TAPS * n_in)) ** 0.5, (TAPS * n_in, n_out)).astype(np.float32)
+    return Layer(weights, chance.normal(0, 0.1, n_out).astype(np.float32), dilation)
+
+
+def _random_head(chance: np.random.Generator, n_in: int, n_classes: int) -> OutputHead:
+    weights = chance.normal(0, 0.5, (n_in, n_classes)).astype(np.float32)
+    return OutputHead(weights, chance.normal(0, 0.5, n_classes).astype(np.float32))

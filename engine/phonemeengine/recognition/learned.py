@@ -9,7 +9,7 @@ from phonemeengine.dsp.log_mel import N_BANDS, log_mels, silent_log_mels
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
-from phonemeengine.recognition.network import Network
+from phonemeengine.recognition.network import CentredNetwork, Network
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import (
     NO_SENSITIVITIES,
@@ -20,7 +20,6 @@ from phonemeengine.recognition.scores import (
 )
 from phonemeengine.recognition.trace import Trace
 from phonemeengine.recognition.vtln import VtlnMixer, mixed
-from phonemeengine.settings import FRAME_PERIOD
 
 NOTHING = Recognition(np.zeros(0, np.uint8), np.zeros((0, len(SCORES)), np.float32))
 """What is said of no frames."""
@@ -32,7 +31,8 @@ class LearnedRecogniser:
     Parameters
     ----------
     model : what it knows.
-    look_ahead : seconds that it may wait for what comes after a frame; rounded down to what the model has.
+    look_ahead : seconds that it may wait for what comes after a frame; rounded down to what the model has. A centred
+        model waits for as much as it hears.
     sensitivities : log-odds that are added to those of phonemes, nats.
     """
 
@@ -42,14 +42,16 @@ class LearnedRecogniser:
     def __init__(
         self, model: Model, look_ahead: float, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
     ) -> None:
-        self.look_ahead = min(int(look_ahead / FRAME_PERIOD + 1e-6), len(model.heads) - 1)
+        self.look_ahead = model.frames_ahead(look_ahead)
+        self._n_early = 0 if model.centred else self.look_ahead  # a centred network itself holds its answers back
         heads = (model.heads, model.viseme_heads) if model.viseme_heads else (model.heads,)
-        self._heads = tuple(known[self.look_ahead] for known in heads)
+        self._heads = tuple(known[self._n_early] for known in heads)
         self._warps = model.warps
-        self._network = Network(model.layers, silent_log_mels(len(model.warps)))
+        self._network = (CentredNetwork if model.centred else Network)(
+            model.layers, silent_log_mels(len(model.warps))
+        )
         self._mixer = VtlnMixer(len(model.warps))
         self._sensitivity = Sensitivity(sensitivities)
-        self._n_early = self.look_ahead
 
     def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
         """Recognise the next frames; the answers are about those `look_ahead` frames before."""

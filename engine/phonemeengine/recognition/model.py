@@ -17,17 +17,20 @@ from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.npz import read_npz
+from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.visemes import Viseme
 
-FORMAT = 2
-"""The version of the file's layout; a newer one is refused. The first one knew no visemes."""
+FORMAT = 3
+"""The version of the file's layout; a newer one is refused. The first knew no visemes, the second no centred ones."""
 LARGEST_FILE = 8 << 20
 MOST_LAYERS, MOST_CHANNELS, MOST_DILATION = 32, 1024, 256
 MOST_WARPS, LEAST_WARP, MOST_WARP = 8, 0.5, 2.0
 HEAD, VISEME_HEAD = "head", "viseme_head"
 """What the names of the arrays of heads begin with."""
 MOST_FRAMES_AHEAD = 5
-"""Frames of 10 ms that the longest look-ahead has."""
+"""Frames of 10 ms that the longest look-ahead of a causal model has."""
+MOST_FRAMES_AROUND = 100
+"""Frames of 10 ms that a centred model hears before and after each, at most."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,7 @@ class Model:
         shape (n, n_frames, 40), so that an adaptation to one voice does not forget them; may be empty.
     about : what it was trained with, in words, for people: name, speakers, seed, figures.
     viseme_heads : the same as `heads` for the fifteen visemes; empty where it knows none.
+    centred : whether it hears as far ahead as back, for sounds that are wholly known; it has one head then.
     """
 
     layers: tuple[Layer, ...]
@@ -66,6 +70,16 @@ class Model:
     anchors: Float32Array = field(default_factory=lambda: np.zeros((0, 0, N_BANDS), np.float32))
     about: dict[str, Any] = field(default_factory=dict)
     viseme_heads: tuple[OutputHead, ...] = ()
+    centred: bool = False
+
+    def frames_ahead(self, look_ahead: float) -> int:
+        """Return for how many frames after a frame it waits, where it may wait for so many seconds.
+
+        A centred model always waits for the sum of its dilations.
+        """
+        if self.centred:
+            return sum(layer.dilation for layer in self.layers)
+        return min(int(look_ahead / FRAME_PERIOD + 1e-6), len(self.heads) - 1)
 
     @cached_property
     def digest(self) -> str:
@@ -135,11 +149,12 @@ def load_model(path: Path) -> Model:
 
 def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
     arrays: dict[str, NDArray[Any]] = {
-        "format": np.array(FORMAT if model.viseme_heads else 1),
+        "format": np.array(FORMAT if model.centred else 2 if model.viseme_heads else 1),
         "dilations": np.array([layer.dilation for layer in model.layers]),
         "n_heads": np.array(len(model.heads)),
         "warps": np.array(model.warps),
         "anchors": model.anchors.astype(np.float16),
+        **({"centred": np.array(True)} if model.centred else {}),
     }
     for k, layer in enumerate(model.layers):
         arrays[f"layer_{k}_weights"] = layer.weights.astype(np.float16)
@@ -170,11 +185,14 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
             raise ModelError("its layers do not fit together; get it anew")
         width = len(bias)
     heads = _heads_of(arrays, HEAD, n_heads, (width, len(Phoneme)))
-    knows_visemes = int(arrays["format"]) > 1
+    knows_visemes = f"{VISEME_HEAD}_0_weights" in arrays
     viseme_heads = _heads_of(arrays, VISEME_HEAD, n_heads, (width, len(Viseme))) if knows_visemes else ()
     anchors = _checked(arrays["anchors"], (None, None, N_BANDS))
     about = _about_of(arrays["about"])
-    return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, about, viseme_heads)
+    centred = bool(arrays.get("centred", False))
+    if centred and (n_heads > 1 or dilations.sum() > MOST_FRAMES_AROUND):
+        raise ModelError(f"a centred model has one head and hears {MOST_FRAMES_AROUND} frames around; get it anew")
+    return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, about, viseme_heads, centred)
 
 
 def _heads_of(

@@ -1,8 +1,9 @@
-"""A causal convolutional network over time, evaluated with NumPy alone, as the sound comes.
+"""A convolutional network over time, evaluated with NumPy alone, as the sound comes.
 
 The architecture is that of S. Bai, J. Kolter and V. Koltun, "An Empirical Evaluation of Generic Convolutional and
-Recurrent Networks for Sequence Modeling" (arXiv:1803.01271), reduced: each layer looks at three frames, the newest
-one and those one and two dilations back, and adds what it finds to what came in.
+Recurrent Networks for Sequence Modeling" (arXiv:1803.01271), reduced: each layer looks at three frames and adds what
+it finds to what came in. In a causal network they are the newest frame and those one and two dilations back; in a
+centred one, which is for sounds that are wholly known, the frame itself and those one dilation before and after it.
 """
 
 from dataclasses import dataclass
@@ -92,6 +93,36 @@ def _taps_of(seen: Float32Array, step: int) -> Float32Array:
     return as_strided(seen, shape, (frame, *lanes, step * frame, value), writeable=False)
 
 
+class CentredLayer:
+    """One layer of a centred network at work: it waits for the frames after each, and so gives fewer at first.
+
+    Parameters
+    ----------
+    layer : the layer.
+    before : as of `StreamingLayer`.
+    adds : whether it adds what it finds to what came in.
+    """
+
+    def __init__(self, layer: Layer, before: Float32Array, *, adds: bool) -> None:
+        self._layer, self._adds = layer, adds
+        self._seen = np.repeat(before[np.newaxis], layer.dilation, axis=0)
+
+    def forward(self, block: Float32Array) -> Float32Array:
+        """Take the next n frames, and give the answers for the frames that lie `dilation` before them."""
+        layer, seen = self._layer, np.concatenate((self._seen, block))
+        n = max(0, len(seen) - layer.reach)
+        self._seen = seen[n:]
+        found = np.empty((n, *block.shape[1:-1], len(layer.bias)), np.float32)
+        if n:
+            taps = _taps_of(seen, layer.dilation).reshape(-1, len(layer.weights))
+            np.dot(taps, layer.weights, out=found.reshape(len(taps), -1))
+            found += layer.bias
+            np.maximum(found, ZERO, out=found)
+        if self._adds:
+            found += seen[layer.dilation : layer.dilation + n]
+        return found
+
+
 class Network:
     """A stack of layers at work; every layer but the first adds what it finds to what came in.
 
@@ -113,3 +144,26 @@ class Network:
             found += hidden
             hidden = found
         return hidden
+
+
+class CentredNetwork:
+    """The same of centred layers: it gives no answers for the sum of the dilations, then one for each frame.
+
+    Before the sound no layer has found anything, which is what the training pads with. After its end silence follows.
+
+    Parameters
+    ----------
+    layers, before : as of `Network`.
+    """
+
+    def __init__(self, layers: tuple[Layer, ...], before: Float32Array) -> None:
+        nothing = np.zeros((*before.shape[:-1], len(layers[0].bias)), np.float32)
+        self._stack = [
+            CentredLayer(layer, nothing if k else before, adds=k > 0) for k, layer in enumerate(layers)
+        ]  # fmt: skip
+
+    def forward(self, block: Float32Array) -> Float32Array:
+        """Take the next frames, shape (n, ..., n_in), and give what the last layer makes of earlier ones."""
+        for layer in self._stack:
+            block = layer.forward(block)
+        return block

@@ -232,7 +232,7 @@ def altered(path: Path, **changes: np.ndarray) -> Path:
 
 
 BAD = {
-    "a newer version": (lambda p: altered(p, format=np.array(FORMAT + 1)), "is of version 3, and this program reads"),
+    "a newer version": (lambda p: altered(p, format=np.array(FORMAT + 1)), "is of version 4, and this program reads"),
     "weights of another shape": (
         lambda p: altered(p, layer_0_weights=np.zeros((3, 2), np.float16)),
         "do not fit together",
