@@ -12,12 +12,14 @@ from phonemeengine.calibration.learning.augment_waveform import Augmentation, au
 from phonemeengine.calibration.learning.checkpoint import Checkpoint
 from phonemeengine.calibration.learning.example_cache import SpeakerExamples
 from phonemeengine.calibration.learning.optimiser import ExponentialAverage, Optimiser
+from phonemeengine.calibration.learning.soft_labels import N_HEARD, key_of
 from phonemeengine.calibration.learning.targets import Targets, targets_of
 from phonemeengine.calibration.learning.trainable_layer import TrainableLayer
 from phonemeengine.calibration.learning.trainable_network import TrainableNetwork
 from phonemeengine.calibration.learning.training import TrainingConfig, train
-from phonemeengine.calibration.learning.training_examples import TrainingExample, example_of
+from phonemeengine.calibration.learning.training_examples import NOT_SAID, TrainingExample, example_of, examples_of
 from phonemeengine.calibration.learning.validation import anchors_of, folds_of
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.label import Label
@@ -26,6 +28,7 @@ from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.visemes import Viseme
+from tests.corpora import put
 from tests.models import tone_model
 from tests.sounds import noise, tone, vowel
 
@@ -208,6 +211,31 @@ def test_trimmed_frames_count_for_nothing_and_ambiguous_ones_less():
     example = example_of(tone(500, 0.3), labels)
     np.testing.assert_allclose(example.certainties, np.repeat([1, 0.6, 0], 10), atol=1e-3)
     assert len(example) == len(example.log_powers) == 30
+
+
+def test_a_recording_without_labels_teaches_what_the_teacher_heard():
+    heard = np.zeros((30, N_HEARD), np.float16)
+    heard[:, Phoneme.A] = heard[:, len(Phoneme) + Viseme.AA] = 1
+    example = example_of(tone(500, 0.3), (), heard=heard)
+    assert len(example) == 30
+    assert set(example.phonemes.tolist()) == {NOT_SAID}
+    assert not example.certainties.any()
+    np.testing.assert_array_equal(example.heard, heard)
+    assert len(example_of(tone(500, 0.3), ())) == 0
+
+
+def test_what_the_teacher_heard_goes_along_with_another_tempo(tmp_path: Path):
+    """A sound of two halves, said faster: its examples change where the sound does, and so does what was heard."""
+    halves = np.concatenate((tone(300, 0.6, 0.3), tone(3000, 0.4, 0.3)))
+    put(tmp_path, "u", halves, (Label(0, 0.6, "a", Phoneme.A), Label(0.6, 1.0, "i", Phoneme.I)))
+    utterance = LabelledUtterance(tmp_path / "u.wav", (), "s", "c")
+    heard = np.zeros((100, N_HEARD), np.float16)
+    heard[:60, Phoneme.A] = heard[60:, Phoneme.I] = 1
+    (made,) = examples_of([utterance], 6, 1, {key_of(utterance): heard})
+    assert len({len(example) for example in made}) > 2
+    for example in made:
+        changes = np.flatnonzero(np.diff(example.heard[:, Phoneme.A]))
+        assert changes == pytest.approx([0.6 * len(example)], abs=2)
 
 
 @pytest.mark.parametrize("n_folds", [2, 3, 7])

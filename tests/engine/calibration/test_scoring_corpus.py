@@ -191,6 +191,17 @@ def test_a_sound_that_cannot_be_read_is_told_and_left_out(tmp_path: Path) -> Non
         score(THESIS, [utterances[1]], on_skipped=told.append)
 
 
+def test_recordings_without_labels_are_given_only_to_those_who_ask(tmp_path: Path) -> None:
+    write_corpus(tmp_path, THESIS)
+    with (tmp_path / "manifest.csv").open("a") as manifest:
+        manifest.write("human_one,ann,u1.wav,\n")
+    labelled = read_corpus(tmp_path)
+    assert len(labelled) == 3
+    *same, silent = read_corpus(tmp_path, unlabelled=True)
+    assert tuple(same) == labelled
+    assert (silent.labels, silent.voice) == ((), "human_one/ann")
+
+
 def test_labels_too_short_for_a_frame_are_nothing_to_score(tmp_path: Path) -> None:
     soundfile.write(tmp_path / "u.wav", silence(1), SAMPLE_RATE)
     utterance = LabelledUtterance(tmp_path / "u.wav", (Label(0, 0.004, "a", Phoneme.A),), "s", "c")

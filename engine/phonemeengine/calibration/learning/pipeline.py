@@ -84,7 +84,8 @@ def train_and_validate(
     CorpusError : a folder is none, there is too little speech for a batch, or `work` holds another training.
     EngineError : a sound cannot be read.
     """
-    utterances = [u for corpus in corpora for u in read_corpus(corpus, channel=channel)]
+    taught = soft_labels is not None
+    utterances = [u for corpus in corpora for u in read_corpus(corpus, channel=channel, unlabelled=taught)]
     scored = [u for u in utterances if u.labels]  # by the labels as they came
     sources = tuple(sources_of(corpora))
     if sum(source.minutes for source in sources) * 60 < config.batch_size * config.n_frames * 0.02:
@@ -92,7 +93,7 @@ def train_and_validate(
             "there is too little speech to train with; give at least ten minutes of it, of many speakers"
         )
     configs = (config, replace(config, centred=True, dilations=BOTH_WAYS))
-    _begin(work, repr((configs, n_variations, n_folds, channel, sources, soft_labels is not None)))
+    _begin(work, repr((configs, n_variations, n_folds, channel, sources, taught)))
     weights = {source.name: source.weight for source in sources}
     people = {source.name for source in sources if source.kind == HUMAN}
     groups = folds_of(list(weights), n_folds)

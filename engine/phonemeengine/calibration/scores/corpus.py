@@ -104,10 +104,10 @@ class FrameLabels:
 
 @dataclass(frozen=True)
 class _Pair:
-    """A sound, its label file, whose they are, the channel that counts, and what is said."""
+    """A sound, its label file if there is one, whose they are, the channel that counts, and what is said."""
 
     sound: Path
-    labels: Path
+    labels: Path | None
     speaker: str
     corpus: str
     channel: Channel
@@ -117,12 +117,13 @@ class _Pair:
 
 def read_corpus(
     folder: Path, mapping: PhonemeMap | None = None, *, channel: Channel = Channel.MIX,
-    on_skipped: OnSkipped | None = None,
+    on_skipped: OnSkipped | None = None, unlabelled: bool = False,
 ) -> tuple[LabelledUtterance, ...]:  # fmt: skip
     """Read the manifest and all label files of a folder; of the sounds only their lengths.
 
     `channel` is what will be analysed of sounds that have several. `on_skipped` is told of each sound that cannot be
-    read, which is then left out; None refuses it.
+    read, which is then left out; None refuses it. Rows that name no label file are left out too, unless `unlabelled`
+    asks for them: a teacher may know what is said there.
 
     Raises
     ------
@@ -133,10 +134,11 @@ def read_corpus(
     rows = rows_of(read_text(folder / MANIFEST), MANIFEST_COLUMNS, MANIFEST)
     pairs = (
         _Pair(
-            folder / row["wav"], folder / row["labels"], row["speaker"], row["corpus"], channel,
-            row.get("text", ""), row.get("language", ""),
+            folder / row["wav"], folder / row["labels"] if row["labels"] else None, row["speaker"], row["corpus"],
+            channel, row.get("text", ""), row.get("language", ""),
         )
         for _, row in rows
+        if row["labels"] or unlabelled
     )  # fmt: skip
     return _utterances_of(pairs, mapping or PhonemeMap(), folder.name or str(folder), on_skipped=on_skipped)
 
@@ -236,6 +238,8 @@ def _marks_of(pair: _Pair, mapping: PhonemeMap, tier: str | None) -> tuple[tuple
     """Read the marks of a sound, and what its file lacks."""
     with SoundReader(pair.sound, pair.channel) as reader:
         duration, cut_off = reader.duration, reader.cut_off
+    if pair.labels is None:
+        return (), cut_off
     return read_raw_labels(pair.labels, mapping, duration=duration, tier=tier), cut_off
 
 
