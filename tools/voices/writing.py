@@ -46,7 +46,7 @@ class Speaker(NamedTuple):
 
 
 class Utterance(NamedTuple):
-    """Speech of one sentence: (n,) samples in -1..1, their rate in hertz, the phones' times, the text."""
+    """Speech of one sentence: (n,) samples in -1..1, their rate in hertz, the phones' times if known, the text."""
 
     sound: np.ndarray
     sample_rate: int
@@ -72,15 +72,16 @@ class UtteranceWriter:
         (folder / self._place).mkdir(parents=True)
 
     def write(self, utterance: Utterance) -> None:
-        """Write sound and labels of one utterance."""
+        """Write the sound of one utterance, and its labels if its phones are known."""
         sound = _limited(soxr.resample(utterance.sound, utterance.sample_rate, SAMPLE_RATE, quality="VHQ"))
         base = self._place / f"{self._speaker.name}_{len(self.rows):04d}"
         soundfile.write(self._folder / f"{base}.flac", sound, SAMPLE_RATE, subtype="PCM_16")
-        labels = labels_of(utterance.segments, self._table, sound, SAMPLE_RATE, self._shift)
-        with (self._folder / f"{base}.csv").open("w", newline="", encoding="utf-8") as file:
-            table = csv.writer(file)
-            table.writerow(LABEL_COLUMNS)
-            table.writerows((f"{start:.4f}", f"{end:.4f}", *rest) for start, end, *rest in labels)
+        if utterance.segments:
+            labels = labels_of(utterance.segments, self._table, sound, SAMPLE_RATE, self._shift)
+            with (self._folder / f"{base}.csv").open("w", newline="", encoding="utf-8") as file:
+                table = csv.writer(file)
+                table.writerow(LABEL_COLUMNS)
+                table.writerows((f"{start:.4f}", f"{end:.4f}", *rest) for start, end, *rest in labels)
         self._remember(base.as_posix(), len(sound) / SAMPLE_RATE, utterance)
 
     def _remember(self, base: str, duration: float, utterance: Utterance) -> None:
@@ -90,7 +91,7 @@ class UtteranceWriter:
             [
                 *speaker[:5],
                 f"{base}.flac",
-                f"{base}.csv",
+                f"{base}.csv" if utterance.segments else "",
                 f"{duration:.3f}",
                 str(utterance.sample_rate),
                 *speaker[5:],
