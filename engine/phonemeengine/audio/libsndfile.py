@@ -1,9 +1,11 @@
 """Sound files of every kind, decoded, and FLAC, encoded: the only door to soundfile."""
 
+import io
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from typing import BinaryIO
 
+import numpy as np
 import soundfile
 
 from phonemeengine.arrays import Float32Array
@@ -186,3 +188,20 @@ class _Sink:
     def raise_refusal(self) -> None:
         if self.refusal is not None:
             raise self.refusal
+
+
+def through_codec(samples: Float32Array, rate: int, container: str, kind: str, compression: float) -> Float32Array:
+    """Return a mono sound, compressed and unpacked again.
+
+    Parameters
+    ----------
+    samples : float32, shape (n,), ±1.
+    rate : Hz, one that the codec knows.
+    container, kind : as soundfile names them, such as OGG and OPUS.
+    compression : 0..1, 1 the most.
+    """
+    file = io.BytesIO()
+    soundfile.write(file, samples, rate, format=container, subtype=kind, compression_level=compression)
+    file.seek(0)
+    unpacked, _ = soundfile.read(file, dtype="float32")
+    return np.asarray(unpacked, np.float32)

@@ -70,3 +70,8 @@ def _shift(from_rate: int) -> float:
 def change_speed(samples: Float32Array, factor: float) -> Float32Array:
     """Return a sound, shape (n,), that is so many times faster and higher at the same sample rate."""
     return np.asarray(soxr.resample(samples, SAMPLE_RATE * factor, SAMPLE_RATE, quality="MQ"), np.float32)
+
+
+def resample_whole(samples: Float32Array, from_rate: int, to_rate: int) -> Float32Array:
+    """Return a whole sound, shape (n,), at another sample rate."""
+    return np.asarray(soxr.resample(samples, from_rate, to_rate, quality="HQ"), np.float32)

@@ -182,16 +182,6 @@ def test_a_faster_voice_is_shorter_and_higher():
     assert np.fft.rfftfreq(len(fast), 1 / SAMPLE_RATE)[spectrum.argmax()] == pytest.approx(1200, abs=3)
 
 
-def test_a_room_goes_on_sounding_after_the_sound():
-    click = np.zeros(SAMPLE_RATE, np.float32)
-    click[1000] = 1
-    heard = augment(click, Augmentation(reverberates=True), np.random.default_rng(0))
-    assert heard[1000] == pytest.approx(1, abs=0.01)
-    assert not np.any(np.abs(heard[:1000]) > 1e-5)
-    early, late = np.sum(heard[1050:5000] ** 2), np.sum(heard[30000:34000] ** 2)
-    assert early > 1000 * late
-
-
 def test_disturbed_speech_keeps_its_shape_and_is_never_below_the_floor():
     generator = np.random.default_rng(0)
     powers = (10 ** generator.uniform(-9, -1, (6, 50, N_BANDS))).astype(np.float32)
