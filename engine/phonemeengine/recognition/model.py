@@ -14,9 +14,9 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import ModelError
 from phonemeengine.files import atomic_write, reason_of
+from phonemeengine.npz import read_npz
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.network import TAPS, Layer
-from phonemeengine.recognition.npz import read_npz
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.visemes import Viseme
 

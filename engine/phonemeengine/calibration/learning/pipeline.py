@@ -9,12 +9,13 @@ from phonemeengine.calibration.learning.example_cache import INDEX, write_exampl
 from phonemeengine.calibration.learning.label_rounds import Round, realign_people
 from phonemeengine.calibration.learning.parallel_training import TrainingPart, train_parts
 from phonemeengine.calibration.learning.provenance import HUMAN, LabelSource, sources_of
-from phonemeengine.calibration.learning.soft_labels import SoftLabels
+from phonemeengine.calibration.learning.teacher import encode_all, teach
 from phonemeengine.calibration.learning.training import BOTH_WAYS, TrainingConfig
 from phonemeengine.calibration.learning.validation import folds_of, predictions_of
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import Predictions
 from phonemeengine.calibration.scores.scoring import Answers, Scores, scores_of
+from phonemeengine.encoder.head import EncoderHead
 from phonemeengine.errors import CorpusError
 from phonemeengine.recognition.model import Model
 from phonemeengine.settings import Channel
@@ -54,17 +55,19 @@ class TrainingResult:
     live : the model that follows a microphone.
     files : its twin for files, which hears as far ahead as back.
     rounds : in which the labels of people were moved.
+    head : on the teacher's encoder, trained on all speakers; None without a teacher.
     """
 
     sources: tuple[LabelSource, ...]
     live: TrainedModel
     files: TrainedModel
     rounds: tuple[Round, ...] = ()
+    head: EncoderHead | None = None
 
 
 def train_and_validate(
     corpora: Sequence[Path], config: TrainingConfig, n_variations: int, n_folds: int, on_progress: OnProgress,
-    work: Path, *, channel: Channel = Channel.MIX, soft_labels: SoftLabels | None = None,
+    work: Path, *, channel: Channel = Channel.MIX, whisper: Path | None = None,
 ) -> TrainingResult:  # fmt: skip
     """Train the model for live sound and its twin for files, and validate both on speakers left out.
 
@@ -77,15 +80,17 @@ def train_and_validate(
     on_progress : is told of the progress.
     work : a folder for what is done so far; a training that was interrupted goes on from there.
     channel : what is heard of sounds that have several.
-    soft_labels : what a teacher heard in the recordings, of a teacher that did not know their speakers.
+    whisper : the folder of the teacher's encoder; None for no teacher.
 
     Raises
     ------
     CorpusError : a folder is none, there is too little speech for a batch, or `work` holds another training.
     EngineError : a sound cannot be read.
+    ModelError : the teacher cannot be used.
     """
-    taught = soft_labels is not None
-    utterances = [u for corpus in corpora for u in read_corpus(corpus, channel=channel, unlabelled=taught)]
+    utterances = [
+        u for corpus in corpora for u in read_corpus(corpus, channel=channel, unlabelled=whisper is not None)
+    ]
     scored = [u for u in utterances if u.labels]  # by the labels as they came
     sources = tuple(sources_of(corpora))
     if sum(source.minutes for source in sources) * 60 < config.batch_size * config.n_frames * 0.02:
@@ -93,11 +98,15 @@ def train_and_validate(
             "there is too little speech to train with; give at least ten minutes of it, of many speakers"
         )
     configs = (config, replace(config, centred=True, dilations=BOTH_WAYS))
-    _begin(work, repr((configs, n_variations, n_folds, channel, sources, taught)))
+    _begin(work, repr((configs, n_variations, n_folds, channel, sources, whisper is not None)))
     weights = {source.name: source.weight for source in sources}
     people = {source.name for source in sources if source.kind == HUMAN}
     groups = folds_of(list(weights), n_folds)
     rounds: list[Round] = []
+    soft_labels, head = None, None
+    if whisper is not None:
+        encoded = encode_all(utterances, work / "encoder", whisper, partial(on_progress, "encoding"))
+        soft_labels, head = teach(utterances, encoded, weights, config.seed, work, partial(on_progress, "teaching"))
     if soft_labels and groups and people:
         utterances, rounds = realign_people(
             utterances, people, weights, groups, soft_labels, config, work, partial(on_progress, "aligning")
@@ -121,7 +130,7 @@ def train_and_validate(
         _trained(kind, found[k][0], [p for _, predictions in found[k :: len(configs)] for p in predictions], people)
         for k, kind in enumerate(configs)
     )
-    return TrainingResult(sources, live, files, tuple(rounds))
+    return TrainingResult(sources, live, files, tuple(rounds), head)
 
 
 def _begin(work: Path, plan: str) -> None:

@@ -30,7 +30,7 @@ def microphone(samples: Float32Array, generator: np.random.Generator) -> Float32
     def response(frequencies: Float64Array) -> Float64Array:
         octaves = np.log2(np.maximum(frequencies, 1) / presence)
         low = frequencies**2 / (frequencies**2 + bass**2)
-        return low * (1 + height * np.exp(-2 * octaves**2)) / (1 + (frequencies / treble) ** 4)
+        return np.asarray(low * (1 + height * np.exp(-2 * octaves**2)) / (1 + (frequencies / treble) ** 4))
 
     return _filtered(samples, response)
 

@@ -123,4 +123,4 @@ def _reflections(room: Room, decay: float, n: int) -> Float64Array:
     near = ways < reach
     places = ((ways[near] - room.distance) / SPEED_OF_SOUND * SAMPLE_RATE + 0.5).astype(int)
     heights = room.distance / ways[near] * reflection ** counts[near]
-    return np.bincount(np.minimum(places, n - 1), heights, n)[:n]
+    return np.asarray(np.bincount(np.minimum(places, n - 1), heights, n)[:n], float)

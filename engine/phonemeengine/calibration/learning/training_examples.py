@@ -97,7 +97,7 @@ def example_of(
     soft = np.zeros((n, N_HEARD), np.float16)
     if heard is not None:
         soft[: len(heard)] = heard[:n]
-    return TrainingExample(powers[:n].astype(np.float16), phonemes, visemes, _certainties_of(labels, n), soft)
+    return TrainingExample(powers[:n].astype(np.float16), phonemes, visemes, certainties_of(labels, n), soft)
 
 
 def _examples(
@@ -132,7 +132,8 @@ def _augmented_example(
     return example_of(augment(samples, variation, generator), moved, round(variation.warp, 2), heard)
 
 
-def _certainties_of(labels: tuple[Label, ...], n: int) -> NDArray[np.float16]:
+def certainties_of(labels: tuple[Label, ...], n: int) -> NDArray[np.float16]:
+    """Return how much each of n frames counts, 0..1, shape (n,)."""
     times = (np.arange(n) + 0.5) * 0.01
     certainties = np.zeros(n, np.float16)
     for label in labels:

@@ -1,0 +1,121 @@
+"""Whisper's encoder, run by CTranslate2 on the processor: the only door to ctranslate2."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.resampling import resample_whole
+from phonemeengine.encoder.log_mel_spectrogram import ENCODER_RATE, MEL_HOP, log_mel_spectrogram
+from phonemeengine.errors import ModelError
+from phonemeengine.settings import SAMPLE_RATE
+
+N_STATES = 512
+"""Numbers that the base model gives for each of its frames of 20 ms."""
+PERIOD = 0.02
+FILES = ("config.json", "model.bin")
+"""What a model's folder must hold."""
+BEFORE, AFTER = 0.2, 0.5
+"""Seconds of near silence before and after a sound, which are cut off again."""
+DITHER = 1e-4
+"""Level of the noise that keeps digital zeros from confusing it."""
+STRETCH, OVERLAP = 2800, 100
+"""Mel frames that are encoded at once, and how many more on both sides; it takes at most 3000."""
+NEEDED_MEMORY = 400e6
+"""Bytes: the weights as 8-bit integers, and what it works on."""
+LICENCE = "Whisper base, multilingual, by OpenAI, MIT licence"
+
+
+class Encoder(Protocol):
+    """Makes something of a sound that tells phonemes apart, whoever speaks."""
+
+    def encode(self, samples: Float32Array) -> NDArray[np.float16]:
+        """Return its states, float16, shape (n_frames, 512), one each 20 ms.
+
+        Parameters
+        ----------
+        samples : float32, shape (n,), 44.1 kHz, ±1.
+        """
+        ...
+
+
+class WhisperEncoder:
+    """The encoder of a Whisper model in a folder, as CTranslate2 keeps it.
+
+    Parameters
+    ----------
+    folder : with `model.bin` and `config.json`.
+    n_threads : that work on a sound.
+
+    Raises
+    ------
+    ModelError : ctranslate2 is not installed, the folder lacks a file, is damaged, or there is too little memory.
+    """
+
+    def __init__(self, folder: Path, n_threads: int = 0) -> None:
+        self._model = _load(folder, n_threads or os.cpu_count() or 1)
+
+    def encode(self, samples: Float32Array) -> NDArray[np.float16]:
+        """Return the states, float16, shape (n_frames, 512): frame k lies at k x 20 ms..(k + 1) x 20 ms."""
+        import ctranslate2  # noqa: PLC0415 - it is an extra
+
+        sound = resample_whole(samples, SAMPLE_RATE, ENCODER_RATE)
+        wanted = -(-len(sound) // (2 * MEL_HOP))
+        mels = log_mel_spectrogram(_surrounded(sound))
+        parts = [np.zeros((0, N_STATES), np.float32)]
+        for first, begin, end, last in _stretches(mels.shape[1]):
+            features = np.ascontiguousarray(mels[np.newaxis, :, begin:end])
+            found = self._model.encode(ctranslate2.StorageView.from_array(features), to_cpu=True)
+            parts.append(np.array(found)[0, (first - begin) // 2 : (last - begin) // 2].astype(np.float32))
+        before = round(BEFORE / PERIOD)
+        return np.concatenate(parts)[before : before + wanted].astype(np.float16)
+
+
+def _surrounded(sound: Float32Array) -> Float32Array:
+    """Return the sound between near silence, with faint noise, as long as a whole number of the encoder's frames."""
+    generator = np.random.default_rng(0)
+    after = round(AFTER * ENCODER_RATE) + 2 * MEL_HOP - len(sound) % (2 * MEL_HOP)
+    padded = np.pad(sound, (round(BEFORE * ENCODER_RATE), after))
+    return padded + np.float32(DITHER) * generator.standard_normal(len(padded)).astype(np.float32)
+
+
+def _stretches(n: int) -> Iterator[tuple[int, int, int, int]]:
+    """Cut n mel frames into stretches: first frame, first and end with the overlap, end; all even."""
+    n -= n % 2
+    for first in range(0, n, STRETCH):
+        last = min(first + STRETCH, n)
+        yield first, max(0, first - OVERLAP), min(n, last + OVERLAP), last
+
+
+def _load(folder: Path, n_threads: int) -> Any:
+    missing = [name for name in FILES if not (folder / name).is_file()]
+    if missing:
+        raise ModelError(f"{folder}: there is no Whisper model, {missing[0]} is missing; choose its folder")
+    try:
+        import ctranslate2  # noqa: PLC0415 - it is an extra
+    except ImportError as error:
+        raise ModelError(
+            "Whisper needs ctranslate2, which is not installed; install phonemeanalyser[whisper]"
+        ) from error
+    if (free := _free_memory()) < NEEDED_MEMORY:
+        raise ModelError(
+            f"Whisper needs {NEEDED_MEMORY / 1e6:.0f} MB of memory and {free / 1e6:.0f} MB are free; "
+            "close other programs"
+        )
+    try:
+        return ctranslate2.models.Whisper(str(folder), device="cpu", compute_type="int8", intra_threads=n_threads)
+    except (RuntimeError, ValueError, MemoryError) as error:
+        raise ModelError(f"{folder}: the Whisper model is damaged; get it anew") from error
+
+
+def _free_memory() -> float:
+    """Return the bytes that programs may still take; where the system does not tell, as much as is wanted."""
+    try:
+        lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
+        return 1024 * next(float(line.split()[1]) for line in lines if line.startswith("MemAvailable:"))
+    except (OSError, StopIteration, ValueError):
+        return float("inf")
