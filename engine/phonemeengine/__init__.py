@@ -133,10 +133,11 @@ _PAGE = {
     "mouth.movestate_set": "MovestateSet",
     "mouth.percentages": "Mode",
     # What is recognised with
+    "presets.ears": "ear_in_words for_files",
     "presets.files": "load_preset save_preset",
     "presets.preset": "Preset",
     "settings": (
-        "BIN_WIDTH FRAME_PERIOD HOP SAMPLE_RATE WINDOW AnalysisSettings Channel Decimation Filter WindowFunction"
+        "BIN_WIDTH FRAME_PERIOD HOP SAMPLE_RATE WINDOW AnalysisSettings Channel Decimation Ear Filter WindowFunction"
     ),
     "features.variables": "Kind Spectrum Variable",
     "recognition.phoneme_data": "PhonemeData Thresholds",

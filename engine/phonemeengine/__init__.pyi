@@ -97,6 +97,7 @@ from phonemeengine.performance.table_file import Example, PerformanceTable, Tabl
 from phonemeengine.performance.track import PerformanceTrack, PerformedMouth, face_table, format_units
 from phonemeengine.performance.units import Unit, UnitKind, units_of
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
+from phonemeengine.presets.ears import ear_in_words, for_files
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Cancelled, Progress
@@ -118,6 +119,7 @@ from phonemeengine.settings import (
     AnalysisSettings,
     Channel,
     Decimation,
+    Ear,
     Filter,
     WindowFunction,
 )
@@ -168,6 +170,7 @@ __all__ = [
     "Detail",
     "Device",
     "DeviceError",
+    "Ear",
     "EngineError",
     "Example",
     "ExampleChoice",
@@ -315,10 +318,12 @@ __all__ = [
     "cues_of",
     "denoise",
     "devices",
+    "ear_in_words",
     "export",
     "export_transcript",
     "expression_presets",
     "face_table",
+    "for_files",
     "format_plan",
     "format_units",
     "format_utterance",

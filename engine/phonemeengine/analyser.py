@@ -19,11 +19,12 @@ from phonemeengine.errors import SettingsError
 from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.ears import for_files, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.smoothing import PhonemeSmoother
-from phonemeengine.recognition.spec import Recogniser, recogniser_of, spec_of
+from phonemeengine.recognition.spec import Finishing, Recogniser, spec_of
 from phonemeengine.recognition.viseme_smoothing import VisemeSmoother
 from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
@@ -34,7 +35,7 @@ HELD_FRAMES = 5
 """Frames for which a single window is taken to last: with fewer or more, the network is right less often."""
 
 PRE_ROLL = 100
-"""Frames before a place in a sound that are analysed unseen, so that the filters know their past."""
+"""Frames before a place in a sound that are analysed unseen, so that filters and networks know their past."""
 
 _SILENCE = int(Phoneme.SILENCE)  # which compares faster than the member does
 
@@ -151,7 +152,7 @@ class Analyser:
         self._preset = preset
         self._framer = Framer()
         self._path = self._path_of(preset)
-        self._recogniser = recogniser_of(preset.recogniser, preset.config)
+        self._recogniser = recogniser_for(preset)
         self._statistics, self._visemes = _statistics_of(preset), VisemeSmoother()
         self._waiting = LookAheadBuffer()
         self._unasked = False
@@ -175,8 +176,8 @@ class Analyser:
         EngineError : its recogniser cannot be made; everything stays as it was.
         """
         old, recogniser = self._preset, self._recogniser
-        if (preset.recogniser, preset.config) != (old.recogniser, old.config):
-            recogniser = recogniser_of(preset.recogniser, preset.config)
+        if _recogniser_key(preset) != _recogniser_key(old):
+            recogniser = recogniser_for(preset)
         self._preset = preset
         if self._path_key(preset) != self._path_key(old):
             self._change_path(preset)
@@ -195,8 +196,11 @@ class Analyser:
         n = self._recogniser.look_ahead
         if n == 0:
             return last
-        silence = self._path.measure(np.zeros((n, WINDOW), np.float32))
-        return concatenate_analyses([last, self._recognise(silence)])
+        if isinstance(self._recogniser, Finishing):
+            rest = self._answered(self._path.nothing(), self._recogniser.finish())
+        else:
+            rest = self._recognise(self._path.measure(np.zeros((n, WINDOW), np.float32)))
+        return concatenate_analyses([last, rest])
 
     def _analyse(self, frames: Float32Array) -> Analysis:
         if 0 < len(frames) <= BLOCK and not self._unasked:
@@ -208,7 +212,10 @@ class Analyser:
         return concatenate_analyses(found) if found else self._recognise(self._path.nothing())
 
     def _recognise(self, measured: FrameBlock) -> Analysis:
-        recognition = self._recogniser.recognise(measured.windows, measured.features)
+        return self._answered(measured, self._recogniser.recognise(measured.windows, measured.features))
+
+    def _answered(self, measured: FrameBlock, recognition: Recognition) -> Analysis:
+        """Return the frames that the recogniser has spoken of, of those that came now or wait."""
         if self._recogniser.look_ahead:
             measured = self._waiting.delay(measured, len(recognition.phonemes))
         return self._completed(measured, recognition)
@@ -305,6 +312,10 @@ def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
     return latest_reading(Analyser(at_once, phonemes_only=True)._analyse(held))
 
 
+def _recogniser_key(preset: Preset) -> object:
+    return preset.recogniser, preset.config, preset.ear
+
+
 def _statistics_key(preset: Preset) -> object:
     return preset.settings.statistics, preset.settings.minimum_hold, preset.settings.hysteresis, preset.successors
 
@@ -331,20 +342,20 @@ def analyse_blocks(
 
 
 def analyse_file(reader: SoundReader, preset: Preset, *, pitch: bool = False) -> Iterator[Analysis]:
-    """Analyse the rest of a sound file, a few seconds at a time."""
-    return analyse_blocks(reader.blocks(BLOCK * HOP), preset, pitch=pitch)
+    """Analyse the rest of a sound file with the best ear that the preset has for files, a few seconds at a time."""
+    return analyse_blocks(reader.blocks(BLOCK * HOP), for_files(preset), pitch=pitch)
 
 
 def analyse_range(
     reader: SoundReader, first: int, last: int, preset: Preset, *, pitch: bool = False
 ) -> Iterator[Analysis]:
-    """Analyse frames first..last-1 of a file as if it had been followed from its beginning.
+    """Analyse frames first..last-1 of a file as if it had been played from its beginning.
 
     The frames before `first` that the filters remember are analysed too, but not given.
     """
     start = max(0, first - PRE_ROLL)
     reader.seek(start * HOP)
-    for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), preset, pitch=pitch, start=start):
+    for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), while_played(preset), pitch=pitch, start=start):
         wanted = analysis.part(slice(max(0, first - analysis.start), max(0, last - analysis.start)))
         if len(wanted):
             yield wanted

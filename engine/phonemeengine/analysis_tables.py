@@ -19,6 +19,7 @@ from phonemeengine.labels.utterance import Phone, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.ears import ear_in_words, for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, labels_of_segments, segments_of
 from phonemeengine.settings import FRAME_PERIOD
@@ -60,7 +61,8 @@ def _csv_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader
 
 
 def _json_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, preset: Preset) -> None:
-    _write_json(file, _heading(reader, preset), "phonemes", (run.row() for run in _runs(analyses, reader)))
+    heading = _heading(reader.path.name, reader.duration, preset)
+    _write_json(file, heading, "phonemes", (run.row() for run in _runs(analyses, reader)))
 
 
 def _textgrid_of_runs(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, _preset: Preset) -> None:
@@ -82,7 +84,8 @@ def _csv_of_frames(file: TextIO, analyses: Iterator[Analysis], reader: SoundRead
 
 
 def _json_of_frames(file: TextIO, analyses: Iterator[Analysis], reader: SoundReader, preset: Preset) -> None:
-    _write_json(file, _heading(reader, preset), "frames", _frames(analyses, reader))
+    heading = _heading(reader.path.name, reader.duration, preset)
+    _write_json(file, heading, "frames", _frames(analyses, reader))
 
 
 def _csv_of_words(file: TextIO, utterance: Utterance, transcript: Transcript, _preset: Preset) -> None:
@@ -99,7 +102,7 @@ def _csv_of_words(file: TextIO, utterance: Utterance, transcript: Transcript, _p
 
 
 def _json_of_words(file: TextIO, utterance: Utterance, transcript: Transcript, preset: Preset) -> None:
-    heading = {"file": transcript.name, "duration_s": _seconds(transcript.duration), "preset": preset.name}
+    heading = _heading(transcript.name, transcript.duration, preset)
     words = {"skipped": list(utterance.skipped), "words": [_word_entry(word) for word in utterance.words]}
     json.dump(heading | words, file, indent=1, ensure_ascii=False)
     file.write("\n")
@@ -137,8 +140,9 @@ def _write_json(file: TextIO, heading: dict[str, Any], name: str, rows: Iterator
     file.write("\n ]\n}\n")
 
 
-def _heading(reader: SoundReader, preset: Preset) -> dict[str, Any]:
-    return {"file": reader.path.name, "duration_s": _seconds(reader.duration), "preset": preset.name}
+def _heading(name: str, duration: float, preset: Preset) -> dict[str, Any]:
+    heard_with = ear_in_words(for_files(preset))
+    return {"file": name, "duration_s": _seconds(duration), "preset": preset.name, "heard_with": heard_with}
 
 
 def _runs(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[Segment]:
@@ -180,8 +184,8 @@ def _owns_csv(content: bytes) -> bool:
 
 
 _owns_json = begins_like(
-    rb'\{\n "file": %s,\n "duration_s": [0-9.e-]+,\n "preset": %s,\n "(?:phonemes|frames|skipped)": \['
-    % (JSON_TEXT, JSON_TEXT)
+    rb'\{\n "file": %s,\n "duration_s": [0-9.e-]+,\n "preset": %s,\n '
+    rb'(?:"heard_with": %s,\n )?"(?:phonemes|frames|skipped)": \[' % (JSON_TEXT, JSON_TEXT, JSON_TEXT)
 )
 
 TABLES: dict[str, TableFormat] = {

@@ -55,6 +55,18 @@ class WindowFunction(StrEnum):
     BLACKMAN_HARRIS = "blackman_harris"
 
 
+class Ear(StrEnum):
+    """What a sound is heard with: by who does not know yet what comes, or who does.
+
+    ``live`` is the preset's own recogniser, ``twin`` its network for files, which hears as far ahead as back, and
+    ``whisper`` a speech encoder together with the network.
+    """
+
+    LIVE = "live"
+    TWIN = "twin"
+    WHISPER = "whisper"
+
+
 MOST_CHANNELS = 1024
 """The highest number that a channel may have."""
 

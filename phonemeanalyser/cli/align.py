@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TextIO
 
-from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, add_script, add_sounds
-from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
+from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, add_script, add_sounds
+from phonemeanalyser.cli.jobs import Job, analyse_with_progress, file_preset, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
 from phonemeanalyser.cli.scripts import SpokenTexts, spoken_texts
-from phonemeengine import Channel, EngineError, Preset, load_preset
+from phonemeengine import Channel, EngineError, Preset
 from phonemeengine.alignment.best_takes import ScoredTake, best_marked, scored_take
 from phonemeengine.files import begins_like
 
@@ -24,6 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_sounds(parser)
     add_script(parser)
     add_preset(parser)
+    add_ear(parser)
     add_channel(parser)
     add_overwrite(parser)
 
@@ -32,7 +33,7 @@ def run(options: argparse.Namespace) -> int:
     """Align sound files with their texts; 1 where one could not be."""
     if options.text is None and options.script is None:
         options.parser.error("say what is said in the sounds, with --text or --script")
-    preset = load_preset(options.preset)
+    preset = file_preset(options.preset, options.ear)
     guard = Guard(begins_like(",".join(COLUMNS).encode() + b"\n"), options.overwrite)
     guard.check(options.out)
     jobs = jobs_of(options.inputs, Path(), "")

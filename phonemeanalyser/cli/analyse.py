@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
-from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, add_script, add_sounds
-from phonemeanalyser.cli.jobs import Job, analyse_with_progress, is_single, jobs_of, open_sound, run_all
+from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, add_script, add_sounds
+from phonemeanalyser.cli.jobs import Job, analyse_with_progress, file_preset, is_single, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
 from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, spoken_texts
-from phonemeengine import Channel, EngineError, Preset, load_preset
+from phonemeengine import Channel, EngineError, Preset
 from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
 
 
@@ -53,6 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_sounds(parser)
     add_script(parser)
     add_preset(parser)
+    add_ear(parser)
     parser.add_argument("--format", choices=list(TABLES), dest="kind", help="default: as OUT ends, else csv")
     parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
     add_channel(parser)
@@ -62,7 +63,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Analyse sound files as the command line asks; 1 where one could not be."""
     table = AnalysisTable(options.kind or kind_for(options.inputs, options.out), options.features)
-    preset = load_preset(options.preset)
+    preset = file_preset(options.preset, options.ear)
     jobs = jobs_of(options.inputs, options.out, table.format.ending)
     guard = Guard(table.format.owns, options.overwrite)
     texts = spoken_texts(options, [job.source for job in jobs])

@@ -5,8 +5,9 @@ import math
 from collections.abc import Callable
 from pathlib import Path
 
-from phonemeengine import Channel, Detail
+from phonemeengine import Channel, Detail, Ear
 from phonemeengine.mouth.cues import MINIMUM
+from phonemeengine.presets.ears import WITHOUT_ENCODER
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import MOST_CHANNELS
 
@@ -24,6 +25,12 @@ def add_preset(
 ) -> None:
     """Let the user choose what recognises."""
     parser.add_argument("--preset", type=Path, default=default, metavar=metavar, help=words)
+
+
+def add_ear(parser: argparse.ArgumentParser, default: Ear | None = None) -> None:
+    """Let the user choose what sounds are heard with, of what a preset has."""
+    words = f"heard with (default: {default or 'the best there is'}); {WITHOUT_ENCODER.replace('%', '%%')}"
+    parser.add_argument("--ear", choices=[ear.value for ear in Ear], default=default, help=words)
 
 
 def add_sounds(parser: argparse.ArgumentParser) -> None:

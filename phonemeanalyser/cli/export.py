@@ -5,6 +5,7 @@ from pathlib import Path
 
 from phonemeanalyser.cli.arguments import (
     add_channel,
+    add_ear,
     add_mouth,
     add_overwrite,
     add_preset,
@@ -14,10 +15,10 @@ from phonemeanalyser.cli.arguments import (
 )
 from phonemeanalyser.cli.driving import Driving, add_driver, driving
 from phonemeanalyser.cli.expression import add_expression, idle_of
-from phonemeanalyser.cli.jobs import Job, analyse_with_progress, jobs_of, open_sound, run_all
+from phonemeanalyser.cli.jobs import Job, analyse_with_progress, file_preset, jobs_of, open_sound, run_all
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
 from phonemeanalyser.cli.scripts import SpokenTexts, spoken_texts
-from phonemeengine import FORMATS, Channel, EngineError, ExportOptions, Preset, load_preset
+from phonemeengine import FORMATS, Channel, EngineError, ExportOptions, Preset
 from phonemeengine.files import printable_name
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.table import shipped_tables
@@ -32,6 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_script(parser)
     parser.add_argument("--format", choices=FORMATS, required=True, dest="kind", metavar="F", help="see below")
     add_preset(parser)
+    add_ear(parser)
     parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
     parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
     add_mouth(parser)
@@ -49,7 +51,7 @@ def run(options: argparse.Namespace) -> int:
     exporter = Exporter(options.kind, written)
     if exporter.format.moves_mesh and options.out is None:
         raise EngineError(f"{options.kind} is no text to be printed; name a file or a folder with -o")
-    preset = load_preset(options.preset)
+    preset = file_preset(options.preset, options.ear)
     jobs = jobs_of(options.inputs, options.out, exporter.format.full_ending)
     guard = Guard(exporter.format.owns, options.overwrite)
     if options.units is not None and len(jobs) > 1:

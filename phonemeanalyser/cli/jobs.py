@@ -14,14 +14,18 @@ from phonemeengine import (
     Analysis,
     AudioError,
     Channel,
+    Ear,
     EngineError,
     LabelledUtterance,
     Preset,
     SoundReader,
+    ear_in_words,
+    for_files,
+    load_preset,
 )
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SUFFIXES
-from phonemeengine.files import printable_name
+from phonemeengine.files import printable, printable_name
 
 _log = logging.getLogger(__name__)
 
@@ -77,6 +81,26 @@ def run_all(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
                 failures += 1
             progress.update()
     return failures
+
+
+def file_preset(path: Path, ear: str | None) -> Preset:
+    """Return the preset with which a command hears files; say what it lacks, and at a terminal what is heard with.
+
+    Parameters
+    ----------
+    path : the preset's file, or its name.
+    ear : what is asked for; None for the best there is.
+
+    Raises
+    ------
+    EngineError : it cannot be read or used.
+    """
+    preset = for_files(load_preset(path), None if ear is None else Ear(ear))
+    for warning in preset.warnings:
+        say_note(printable(preset.name), warning)
+    if sys.stderr.isatty():
+        tqdm.write(f"phonemeanalyser: heard with: {ear_in_words(preset)}", file=sys.stderr)
+    return preset
 
 
 @contextmanager

@@ -6,11 +6,11 @@ Two heads say it side by side, in step, where drivers are compared.
 import argparse
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_clip, add_mouth, add_preset, add_script
+from phonemeanalyser.cli.arguments import add_channel, add_clip, add_ear, add_mouth, add_preset, add_script
 from phonemeanalyser.cli.clips import check_clip, sound_track, write_clip
 from phonemeanalyser.cli.driving import DRIVERS, Driving, add_driver, driving
 from phonemeanalyser.cli.expression import add_expression, idle_of
-from phonemeanalyser.cli.jobs import Job, analyse_with_progress, open_sound
+from phonemeanalyser.cli.jobs import Job, analyse_with_progress, file_preset, open_sound
 from phonemeanalyser.cli.scripts import spoken_texts
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.subdivision import subdivided
@@ -29,7 +29,6 @@ from phonemeengine import (
     load_head,
     load_morph_mesh,
     load_morph_targets,
-    load_preset,
     load_table,
     matched,
 )
@@ -45,6 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_clip(parser)
     add_script(parser)
     add_preset(parser)
+    add_ear(parser)
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=f"a file, or {', '.join(shipped_tables())}")
     add_mouth(parser)
     add_expression(parser)
@@ -83,7 +83,7 @@ def _morph_mesh_of(mesh: Path | None, movestates: Path | None) -> MorphMesh:
 def _faces_of(reader: SoundReader, options: argparse.Namespace) -> tuple[list[Animation], list[str]]:
     """Return how each head moves, and their captions where there are two."""
     idle, name = idle_of(options), printable_name(options.file)
-    table, preset = load_table(options.table), load_preset(options.preset)
+    table, preset = load_table(options.table), file_preset(options.preset, options.ear)
     if idle.expression is not None:
         idle.expression.check_fits(table.movestates, table.name)
     texts, beside = spoken_texts(options, [options.file]), FaceDriver(options.beside) if options.beside else None

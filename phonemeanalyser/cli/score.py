@@ -8,8 +8,8 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset, number_in, whole_in
-from phonemeanalyser.cli.jobs import say_cut_off
+from phonemeanalyser.cli.arguments import add_channel, add_ear, add_map, add_preset, number_in, whole_in
+from phonemeanalyser.cli.jobs import file_preset, say_cut_off
 from phonemeanalyser.cli.output_files import print_whole, write_whole
 from phonemeanalyser.cli.scripts import words_to_score
 from phonemeanalyser.reports.numbers import json_of
@@ -22,6 +22,7 @@ from phonemeengine import (
     Channel,
     CorpusError,
     CorpusScores,
+    Ear,
     LabelledUtterance,
     NoiseAdder,
     NoiseKind,
@@ -29,7 +30,6 @@ from phonemeengine import (
     Preset,
     PresetError,
     load_phoneme_map,
-    load_preset,
     read_recordings,
     score,
 )
@@ -57,6 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv, or with sounds beside label files"
     )
     add_preset(parser, metavar="A")
+    add_ear(parser, Ear.LIVE)
     parser.add_argument("--against", type=Path, metavar="B", help="another one, which is compared with it")
     parser.add_argument(
         "--format", choices=["text", "json", "html"], dest="kind", help="(default: as OUT ends, else text)"
@@ -82,7 +83,7 @@ def run(options: argparse.Namespace) -> int:
     """Score presets as the command line asks; 1 where a sound could not be read."""
     if (options.noise is None) != (options.snr is None):
         options.parser.error("--noise and --snr go together: say what noise, and how far below the speech")
-    presets = _presets_of(options.preset, options.against)
+    presets = _presets_of(options.preset, options.against, options.ear)
     noise = None if options.noise is None else AddedNoise(NoiseKind(options.noise), options.snr, options.seed)
     mapping = None if options.map is None else load_phoneme_map(options.map)
     troubles = _Troubles()
@@ -135,11 +136,11 @@ def _scored(
         return score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push, words=words)
 
 
-def _presets_of(first: Path, against: Path | None) -> list[Named]:
-    one = load_preset(first)
+def _presets_of(first: Path, against: Path | None, ear: str) -> list[Named]:
+    one = file_preset(first, ear)
     if against is None:
         return [Named(printable(one.name), one)]
-    other = load_preset(against)
+    other = file_preset(against, ear)
     if one == other:
         raise PresetError(
             f"{printable_name(first)} and {printable_name(against)} hold the same preset; name two that differ"

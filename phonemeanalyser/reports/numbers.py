@@ -11,6 +11,7 @@ from phonemeengine.calibration.scores.comparison import Difference, DifferingSeg
 from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions
 from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.ears import ear_in_words
 from phonemeengine.settings import FRAME_PERIOD
 
 
@@ -34,6 +35,7 @@ def _preset(preset: ScoredPreset, report: Report) -> dict[str, Any]:
         "title": preset.title,
         "name": scores.preset.name,
         "recogniser": scores.preset.recogniser,
+        "heard_with": ear_in_words(scores.preset),
         "look_ahead_ms": round(1000 * scores.look_ahead * FRAME_PERIOD, 3),
         "lag_ms": round(1000 * scores.delay, 3),
         "all": _group(scores.overall),

@@ -28,6 +28,7 @@ from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.files import printable
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.ears import ear_in_words
 from phonemeengine.settings import FRAME_PERIOD
 
 SPOKEN_FRAMES = 50
@@ -183,6 +184,7 @@ FILTERS = {
     "clock": clock,
     "confusion_cells": charts.confusion_cells,
     "difference_cells": charts.difference_cells,
+    "ear": ear_in_words,
     "flicker": flicker_of,
     "ink": _ink,
     "look_ahead": look_ahead_of,

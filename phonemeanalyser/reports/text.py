@@ -17,6 +17,7 @@ from phonemeengine.calibration.scores.comparison import DifferingSegment, Preset
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.files import printable
+from phonemeengine.presets.ears import ear_in_words
 
 MOST_SHOWN = 10
 """Recordings and stretches that are listed of each preset."""
@@ -38,7 +39,7 @@ def text_of(report: Report, by: str) -> str:
 
 def _preset_lines(preset: ScoredPreset, by: str) -> Iterator[str]:
     scores = preset.scores
-    yield f"{preset.title} (recogniser {scores.preset.recogniser}, look-ahead {look_ahead_of(scores)})"
+    yield f"{preset.title} (heard with: {ear_in_words(scores.preset)}; look-ahead {look_ahead_of(scores)})"
     yield f"lag {1000 * scores.delay:g} ms".ljust(FIRST) + "".join(f.name[:13].rjust(COLUMN) for f in fields(Scores))
     groups: Mapping[str, GroupScores] = scores.by_kind if by == "corpus" else scores.by_speaker
     for name, group in sorted({**groups, "all": scores.overall}.items()):

@@ -19,6 +19,7 @@ from phonemeengine.labels.label import CORE, Label
 from phonemeengine.labels.phone_sets import phone_classes_in
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
@@ -89,4 +90,4 @@ def _around(one: Label, other: Label) -> float:
 
 @lru_cache(maxsize=1)
 def _judge() -> Preset:
-    return load_preset(DEFAULT_PRESET)
+    return for_files(load_preset(DEFAULT_PRESET))

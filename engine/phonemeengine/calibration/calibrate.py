@@ -12,7 +12,7 @@ it was.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.guard import loss_of
@@ -23,9 +23,11 @@ from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_
 from phonemeengine.calibration.takes.room_takes import room_in, speech_in
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError, RecogniserError
+from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.spec import BUILT_IN, spec_of
+from phonemeengine.settings import Ear
 
 Takes = Sequence[LabelledUtterance]
 Adapt = Callable[[Preset, Takes, Callable[[Preset], Preset], Progress], tuple[Preset, ...]]
@@ -108,6 +110,7 @@ def calibrate(
         raise CorpusError("there is nothing to judge by; give takes or recordings with labels that count")
     trials = _Trials(preset, adapt, room)
     found, trial = trials.on(takes, held_back, progress) if held_back else trials.cross_validated(takes, progress)
+    found = _with_ear_for_files(found, judged, trial.after)
     report_progress(progress, 1.0)
     accuracy = _silence_accuracy(found, takes, room)
     return CalibrationResult(
@@ -197,6 +200,13 @@ def _with_silence(preset: Preset, takes: Takes, room: Float32Array | None) -> Pr
     if measured is None or measured.notes:
         return preset
     return measured.set_silence(preset, speech_in(takes))
+
+
+def _with_ear_for_files(preset: Preset, judged: Takes, live: Scores) -> Preset:
+    """Return the preset without its model for files, which has learned nothing, where the other one is better now."""
+    if preset.file_model is None or scores_on([(for_files(preset, Ear.TWIN), judged)]).macro_f1 >= live.macro_f1:
+        return preset
+    return replace(preset, file_model=None)
 
 
 def _silence_accuracy(preset: Preset, takes: Takes, room: Float32Array | None) -> SilenceAccuracy | None:

@@ -13,7 +13,7 @@ from typing import Any
 import tomli_w
 
 from phonemeengine.arrays import LARGEST_FLOAT32
-from phonemeengine.errors import PresetError, SettingsError
+from phonemeengine.errors import ModelError, PresetError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
@@ -23,7 +23,7 @@ from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.recognition.spec import THESIS
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates
-from phonemeengine.settings import AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.settings import AnalysisSettings, Decimation, Ear, Filter, WindowFunction
 from phonemeengine.strict_table import StrictTable, parse_toml, shown
 
 FORMAT = "phonemeanalyser preset 1"
@@ -36,7 +36,7 @@ FRONT_END: dict[str, type] = {
 STATISTICS: dict[str, type] = {"statistics": bool, "minimum_hold": float, "hysteresis": float}
 INTENSITY: dict[str, type] = {"intensity_low": float, "intensity_high": float}
 _AHEAD: dict[str, type] = {"look_ahead": float, "live_look_ahead": float}
-_TEXTS: dict[str, type] = {"name": str, "recogniser": str, "model": str, "notes": str}
+_TEXTS: dict[str, type] = {"name": str, "recogniser": str, "model": str, "file_model": str, "notes": str}
 _VARIABLE: dict[str, type] = {
     "name": str, "low": float, "high": float, "kind": Kind, "source": Spectrum, "per": str,
 }  # fmt: skip
@@ -50,8 +50,11 @@ _TEMPLATE_NUMBERS = ("spread", "silence_below")
 _CONDITION = re.compile(r"([a-z][a-z0-9_]*) *([<>]) *(\S+)")
 
 
-def preset_to_toml(preset: Preset, model: str = "") -> str:
-    """Write a preset as the text of a TOML file; `model` is the name of its model's file, in the same folder."""
+def preset_to_toml(preset: Preset, model: str = "", file_model: str = "") -> str:
+    """Write a preset as the text of a TOML file.
+
+    `model` and `file_model` are the names of its models' files, in the same folder.
+    """
     settings = preset.settings
     front_end: dict[str, Any] = {name: getattr(settings, name) for name in FRONT_END}
     front_end["filters"] = [f.value for f in Filter if settings.has(f)]
@@ -61,6 +64,8 @@ def preset_to_toml(preset: Preset, model: str = "") -> str:
         "recogniser": preset.recogniser,
         **{name: getattr(settings, name) for name in _AHEAD},
         **({"model": model} if model else {}),
+        **({"file_model": file_model} if file_model else {}),
+        **({"file_ear": preset.file_ear} if preset.file_ear is not Ear.TWIN else {}),
         "notes": preset.notes,
         "front_end": front_end,
         "phoneme_data": asdict(preset.phoneme_data),
@@ -78,7 +83,9 @@ def preset_to_toml(preset: Preset, model: str = "") -> str:
 
 
 def preset_from_toml(text: str, folder: Path) -> Preset:
-    """Read a preset from the text of a TOML file; a model that it names lies in `folder`.
+    """Read a preset from the text of a TOML file; models that it names lie in `folder`.
+
+    One for files that cannot be read is left out, which `Preset.warnings` says.
 
     Raises
     ------
@@ -93,20 +100,24 @@ def preset_from_toml(text: str, folder: Path) -> Preset:
 
 
 def _preset_of(top: StrictTable, folder: Path) -> Preset:
-    top.check_keys(_TABLES, (*_TEXTS, *_AHEAD, *_OPTIONAL_TABLES))
+    top.check_keys(_TABLES, (*_TEXTS, "file_ear", *_AHEAD, *_OPTIONAL_TABLES))
     texts = {key: top.value(key, str) for key in _TEXTS if key in top}
     settings = _settings_of(top)
+    file_model, warnings = _file_model_of(texts.get("file_model", ""), folder)
     preset = Preset(
         name=texts.get("name", "untitled"),
         settings=settings,
         variables=tuple(Variable(**entry.read(_VARIABLE, ("per",))) for entry in top.tables("variables")),
         recogniser=texts.get("recogniser", THESIS.name),
         model=_model_of(texts["model"], folder) if texts.get("model") else None,
+        file_model=file_model,
+        file_ear=top.value("file_ear", Ear) if "file_ear" in top else Ear.TWIN,
         rules=tuple(_rule_of(entry) for entry in top.tables("rules")),
         templates=_templates_of_table(top.table("templates")) if "templates" in top else None,
         sensitivities=_sensitivities_of(top.table("sensitivities")),
         successors=_successors_of(top.table("successors")),
         notes=texts.get("notes", ""),
+        warnings=warnings,
     )
     preset = preset.with_phoneme_data(PhonemeData(**top.table("phoneme_data").read(_PHONEME_DATA)))
     return replace(preset, settings=replace(preset.settings, filters=settings.filters))
@@ -129,6 +140,19 @@ def _model_of(name: str, folder: Path) -> Model:
             f"a model lies beside its preset, so model is a plain name such as voice.npz, found {shown(name)}"
         )
     return load_model(folder / name)
+
+
+def _file_model_of(name: str, folder: Path) -> tuple[Model | None, tuple[str, ...]]:
+    """Return the model for files, or none and why: whoever lacks it can hear files as all else."""
+    if not name:
+        return None, ()
+    try:
+        model = _model_of(name, folder)
+    except ModelError as error:
+        return None, (f"{error}; until then files are heard as live sound is",)
+    if not model.centred:
+        return None, (f"{name}: this model is not for files; files are heard as live sound is",)
+    return model, ()
 
 
 def _rule_of(entry: StrictTable) -> Rule:

@@ -56,7 +56,8 @@ def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     """Save a preset: as PhonemeData where the name ends in ``.phonemedata`` or ``.txt``, else as TOML.
 
     What a PhonemeData file cannot hold is lost there; `beyond_phoneme_data` says what that is. A model is saved
-    beside it, under the same name with ``.npz``. The old files stay until the new ones are complete.
+    beside it, under the same name with ``.npz``, and one for files with ``.files.npz``. The old files stay until the
+    new ones are complete.
 
     Raises
     ------
@@ -66,11 +67,17 @@ def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     if is_phoneme_data(path):
         write_file(path, format_phoneme_data(preset.phoneme_data).encode(errors="replace"), PresetError)
         return
-    beside = path.with_suffix(".npz")
-    if preset.model is not None and not _holds(beside, preset.model):
-        save_model(preset.model, beside)
-    text = preset_to_toml(preset, beside.name if preset.model is not None else "")
+    model = _saved_beside(path.with_suffix(".npz"), preset.model)
+    file_model = _saved_beside(path.with_suffix(".files.npz"), preset.file_model)
+    text = preset_to_toml(preset, model, file_model)
     write_file(path, text.encode(errors="replace"), PresetError)
+
+
+def _saved_beside(path: Path, model: Model | None) -> str:
+    """Save a model, unless it is there already; return the name of its file, nothing where there is no model."""
+    if model is not None and not _holds(path, model):
+        save_model(model, path)
+    return "" if model is None else path.name
 
 
 def preset_path(name: str | os.PathLike[str]) -> Path:
@@ -123,6 +130,7 @@ def beyond_phoneme_data(preset: Preset) -> tuple[str, ...]:
         "your variables": preset.variables != kept.variables,
         "rules": preset.rules != kept.rules,
         "the learned model": preset.model is not None,
+        "the model for files": preset.file_model is not None,
         "templates": preset.templates is not None,
         "sensitivities": any(preset.sensitivities.values()),
         "the table of successors": dict(preset.successors) != dict(kept.successors),

@@ -13,7 +13,7 @@ from phonemeengine.recognition.scores import NO_SENSITIVITIES, check_sensitiviti
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.recognition.spec import THESIS, RecogniserConfig, check_recogniser
 from phonemeengine.recognition.templates import Templates
-from phonemeengine.settings import BIN_WIDTH, AnalysisSettings
+from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Ear
 
 _IN_BINS = ("high_pass_start", "high_pass_end")
 
@@ -31,10 +31,15 @@ class Preset:
     recogniser : name of the recogniser.
     rules : what the recogniser of own rules asks, in this order; each condition compares a variable with a number.
     model : what the learned recogniser knows.
+    file_model : what it knows of sounds that are wholly known, a centred one; None where it hears files as all else.
+    file_ear : the best that files are heard with, if it can be had; see `phonemeengine.presets.ears.for_files`.
+    ear : what is heard with now; only `for_files` gives presets whose ear is another one than ``live``.
     templates : what the recogniser by templates compares with.
     sensitivities : by phoneme, log-odds in nats that recognisers by scores add to those of the phoneme, -10..10.
     successors : what replaces an unidentified frame after each phoneme.
     notes : free text.
+    warnings : what of it could not be had, and what serves instead, a sentence each; two presets that differ in
+        nothing else are equal.
 
     Raises
     ------
@@ -49,10 +54,14 @@ class Preset:
     recogniser: str = THESIS.name
     rules: tuple[Rule, ...] = ()
     model: Model | None = None
+    file_model: Model | None = None
+    file_ear: Ear = Ear.TWIN
+    ear: Ear = Ear.LIVE
     templates: Templates | None = None
     sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: NO_SENSITIVITIES)
     successors: Mapping[Phoneme, Phoneme] = field(default_factory=lambda: SUCCESSORS)
     notes: str = ""
+    warnings: tuple[str, ...] = field(default=(), compare=False)
 
     def __post_init__(self) -> None:
         check_user_variables(self.variables)
@@ -68,10 +77,9 @@ class Preset:
     @property
     def config(self) -> RecogniserConfig:
         """What the recogniser is made from."""
+        model = self.file_model if self.ear is Ear.TWIN else self.model
         look_ahead = self.settings.look_ahead
-        return RecogniserConfig(
-            self.thresholds, self.rules, self.model, self.templates, look_ahead, self.sensitivities
-        )
+        return RecogniserConfig(self.thresholds, self.rules, model, self.templates, look_ahead, self.sensitivities)
 
     @property
     def phoneme_data(self) -> PhonemeData:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import partial
 from importlib.metadata import EntryPoint
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import PresetError, RecogniserError
@@ -85,6 +85,18 @@ class Recogniser(Protocol):
 
     def explain(self, features: Features, k: int) -> Trace:
         """Return why frame `k` of a block is recognised as it is."""
+        ...
+
+
+@runtime_checkable
+class Finishing(Protocol):
+    """What a `Recogniser` is besides that hears a sound by stretches, and so holds frames back until it has one.
+
+    Its answers are about the oldest frames of which it has said nothing. Its `look_ahead` is above 0.
+    """
+
+    def finish(self) -> Recognition:
+        """Return the answers for all frames that it still holds, since the sound is over."""
         ...
 
 

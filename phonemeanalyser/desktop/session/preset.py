@@ -319,13 +319,16 @@ def _factory_thresholds() -> tuple[Thresholds, ...]:
 def _joined(source: Preset, preset: Preset, first: Preset) -> Preset:
     """Return what `source` recognises with, named as `preset`, with all that either knows; `first` goes first."""
     mine = {v.name for v in source.variables}
+    knows = next((known for known in (first, source, preset) if known.model), source)
     return replace(
         source,
         name=preset.name,
         notes=preset.notes,
         variables=(*source.variables, *(v for v in preset.variables if v.name not in mine)),
         rules=first.rules or source.rules or preset.rules,
-        model=first.model or source.model or preset.model,
+        model=knows.model,
+        file_model=knows.file_model,
+        file_ear=knows.file_ear,
         templates=first.templates or source.templates or preset.templates,
     )
 

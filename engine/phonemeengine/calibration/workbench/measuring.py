@@ -11,13 +11,14 @@ from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import RuleRecogniser
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.recognition.spec import Tuning, spec_of
-from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
+from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings, Ear
 
 AFTER_MEASURING = (
     "statistics", "minimum_hold", "hysteresis", "look_ahead", "intensity_low", "intensity_high",
@@ -95,6 +96,7 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
     values = np.zeros((n_names, n_frames), np.float32)
     recognised = np.zeros(n_frames, np.uint8)
     scores = None
+    preset = for_files(preset, Ear.LIVE)  # what is tuned is what hears live
     preset = replace(preset, settings=replace(preset.settings, statistics=False), sensitivities={})
     has_scores = Tuning.SENSITIVITIES in spec_of(preset.recogniser).tuned_by
     with SoundReader(path) as reader:
