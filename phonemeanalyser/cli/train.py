@@ -31,9 +31,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         ("epochs", 1, TrainingConfig.n_epochs, "times that all is gone through"),
         ("width", 4, TrainingConfig.width, "channels"),
         ("variations", 0, 6, "of each recording"),
-        ("folds", 0, 4, "groups of speakers left out in turn; 0: none"),
+        ("folds", 0, 3, "groups of speakers left out in turn; 0: none"),
     ):
         parser.add_argument(f"--{name}", type=whole_in(least), default=usual, help=f"{words} (default {usual})")
+    parser.add_argument(
+        "--teacher",
+        type=Path,
+        metavar="FOLDER",
+        help="folder of a Whisper model whose encoder teaches too (extra train)",
+    )
     add_channel(parser)
 
 
@@ -52,7 +58,14 @@ def run(options: argparse.Namespace) -> int:
 
         work = options.out.with_suffix(".training")
         result = train_and_validate(
-            options.corpora, config, options.variations, options.folds, told, work, channel=options.channel
+            options.corpora,
+            config,
+            options.variations,
+            options.folds,
+            told,
+            work,
+            channel=options.channel,
+            whisper=options.teacher,
         )
     model, twin = (
         replace(trained.model, about=_about(options.out.stem, result, trained))

@@ -29,7 +29,7 @@ from phonemeengine.settings import HOP
 
 ROUNDS = 2
 """Most rounds: a third has little left to move."""
-WIDTH, EPOCHS = 64, 4
+WIDTH, EPOCHS = 48, 2
 """Of the networks that align: small ones that are soon trained."""
 
 

@@ -41,7 +41,7 @@ class TrainingConfig:
     dilations: tuple[int, ...] = (1, 2, 4, 8, 16, 1, 2, 4)
     dropout: float = 0.1
     centred: bool = False
-    n_epochs: int = 16
+    n_epochs: int = 10
     batch_size: int = 24
     n_frames: int = 400
     rate: float = 2e-3
