@@ -127,8 +127,26 @@ def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, c
     )
     assert (tmp_path / "told.csv").read_text().startswith("start_s,end_s,phoneme,intensity")
     card = out.with_suffix(".md").read_text()
-    for told in ("# mine", "Seed 5, 1 epochs", "| human_test/ann | en | 1.9 | CC0 | made up |", "| all | 3.7 |"):
+    for told in (
+        "# mine",
+        "Seed 5, 1 epochs",
+        "| human_test/ann | en | 1.9 | CC0 | made up |",
+        "| **live, people** | 3.7 |",
+        "| **files, all** | 3.7 |",
+    ):
         assert told in card
+    assert load_preset(tmp_path / "mine.toml").file_model.about["seed"] == 5
+    assert not out.with_suffix(".training").exists()
+
+
+def test_a_training_does_not_take_over_another_that_was_begun(corpus, tmp_path, capsys):
+    begun = tmp_path / "mine.training"
+    begun.mkdir()
+    (begun / "plan.txt").write_text("another one")
+    assert refused(capsys, "train", corpus, "-o", tmp_path / "mine.npz") == (
+        f"{begun}: another training was begun here; remove the folder, or name another output"
+    )
+    assert (begun / "plan.txt").read_text() == "another one"
 
 
 @pytest.mark.parametrize(

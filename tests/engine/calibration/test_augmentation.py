@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.signal import correlate
 
+from phonemeengine.calibration.background_sounds import BACKGROUNDS, music
 from phonemeengine.calibration.learning.augment_waveform import (
     CHAINS,
     SNRS,
@@ -11,7 +12,6 @@ from phonemeengine.calibration.learning.augment_waveform import (
     augment,
     draw_augmentation,
 )
-from phonemeengine.calibration.learning.background_sounds import BACKGROUNDS, music
 from phonemeengine.calibration.learning.recording_chain import (
     CODECS,
     automatic_gain,

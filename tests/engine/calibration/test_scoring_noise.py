@@ -57,6 +57,15 @@ def test_noise_is_as_far_below_the_speech_as_was_asked(
     assert 20 * np.log10(0.1 / np.sqrt(np.mean(added**2))) == pytest.approx(snr, abs=0.5)
 
 
+def test_music_goes_on_without_a_seam_and_is_another_one_with_another_seed(
+    utterances: tuple[LabelledUtterance, ...],
+) -> None:
+    one, other = (NoiseAdder(AddedNoise(NoiseKind.MUSIC, 0.0, seed), utterances)._period("") for seed in (0, 1))
+    assert abs(np.corrcoef(one, other)[0, 1]) < 0.3
+    steps = np.abs(np.diff(np.concatenate((one[-200:], one[:200]))))
+    assert steps[199] < 10 * np.median(np.abs(np.diff(one)))
+
+
 @pytest.mark.parametrize(("kind", "per_octave"), [(NoiseKind.WHITE, 2.0), (NoiseKind.PINK, 1.0)])
 def test_noise_has_its_colour(utterances: tuple[LabelledUtterance, ...], kind: NoiseKind, per_octave: float) -> None:
     frequencies, power = spectrum_of(noise_in(NoiseAdder(AddedNoise(kind, 0.0), utterances), utterances[0]))

@@ -6,7 +6,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.resampling import change_speed
-from phonemeengine.calibration.learning.background_sounds import BACKGROUNDS
+from phonemeengine.calibration.background_sounds import BACKGROUNDS
 from phonemeengine.calibration.learning.recording_chain import (
     Chain,
     automatic_gain,

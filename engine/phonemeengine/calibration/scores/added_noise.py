@@ -10,6 +10,7 @@ from functools import lru_cache
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.calibration.background_sounds import music
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.errors import AudioError, CorpusError, SettingsError
 from phonemeengine.phonemes import Phoneme
@@ -19,6 +20,10 @@ LOOP = 12 * SAMPLE_RATE
 """Samples after which a noise begins again, without a seam."""
 LOWEST_HEARD = 20.0
 """Pink noise, whose power would grow without end towards 0 Hz, begins here, Hz."""
+SEAM = SAMPLE_RATE // 2
+"""Samples over which the end of music goes over into its beginning."""
+NOT_IN_TRAINING = 14
+"""Goes into the seed, so that no training heard the same music."""
 VOICES = 8
 """Voices that babble at most."""
 POOL = 24
@@ -30,11 +35,12 @@ SPEECH_BLOCK = 512 * HOP
 
 
 class NoiseKind(StrEnum):
-    """What noise it is: equal power per hertz, equal power per octave, or others who speak at once."""
+    """What noise it is: equal power per hertz, equal power per octave, others who speak at once, or made-up music."""
 
     WHITE = "white"
     PINK = "pink"
     BABBLE = "babble"
+    MUSIC = "music"
 
 
 @dataclass(frozen=True)
@@ -136,7 +142,9 @@ def speech_level_of(utterance: LabelledUtterance) -> float:
 
 
 def _loop(kind: NoiseKind, seed: int) -> Float32Array:
-    """Draw a period of Gaussian noise, RMS 1."""
+    """Draw a period of Gaussian noise or of music, RMS 1."""
+    if kind is NoiseKind.MUSIC:
+        return _music(seed)
     drawn = np.random.default_rng(seed).standard_normal(LOOP)
     spectrum = np.fft.rfft(drawn)
     spectrum[0] = 0.0
@@ -145,6 +153,15 @@ def _loop(kind: NoiseKind, seed: int) -> Float32Array:
         spectrum[frequencies < LOWEST_HEARD] = 0.0
         spectrum[1:] /= np.sqrt(frequencies[1:])
     return _of_level_one(np.fft.irfft(spectrum, LOOP))
+
+
+def _music(seed: int) -> Float32Array:
+    """Make up a period of music, RMS 1; its end goes over into its beginning."""
+    drawn = music(LOOP + SEAM, np.random.default_rng([seed, NOT_IN_TRAINING]))
+    rising = np.linspace(0, 1, SEAM)
+    period = drawn[:LOOP].astype(float)
+    period[:SEAM] = np.sqrt(rising) * drawn[:SEAM] + np.sqrt(1 - rising) * drawn[LOOP:]
+    return _of_level_one(period)
 
 
 def _pool_of(utterances: Sequence[LabelledUtterance], seed: int) -> list[tuple[str, Float32Array]]:
