@@ -8,9 +8,12 @@ import numpy as np
 from phonemeengine.calibration.learning.parallel_training import HESITATION, WARPS
 from phonemeengine.calibration.learning.pipeline import TrainedModel, TrainingResult
 from phonemeengine.calibration.learning.provenance import LabelSource
+from phonemeengine.calibration.learning.teacher import COMPONENTS, GROUPS, HIDDEN
 from phonemeengine.calibration.learning.validation import SETTINGS
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.encoder.head import CONTEXT
+from phonemeengine.encoder.whisper import LICENCE
 
 KINDS = {"human": "people", "synthetic-formant": "formant synthesis"}
 
@@ -45,6 +48,7 @@ def model_card(name: str, result: TrainingResult, n_variations: int) -> str:
         f"by {HESITATION:g} (natural logarithm).\n",
         f"{minutes:.0f} minutes of {len(result.sources)} speakers:\n",
         _table(_by_kind(result.sources)),
+        _teacher(result),
         _moved_labels(result),
         "## How well it does on speakers that it was not trained on\n",
         _validation(result),
@@ -61,6 +65,16 @@ def _architecture(trained: TrainedModel) -> str:
     return (
         f"{config.width} channels, dilations {', '.join(map(str, (1, *config.dilations)))}, "
         f"{sum(array.size for array in arrays):,} numbers, kept as float16"
+    )
+
+
+def _teacher(result: TrainingResult) -> str:
+    if result.head is None:
+        return ""
+    return (
+        f"The teacher is the encoder of {LICENCE}, with a head of one hidden layer ({HIDDEN} units) on {len(CONTEXT)} "
+        f"of its frames, projected onto {COMPONENTS} components. Each recording was heard by a head that was trained "
+        f"without its group of speakers ({GROUPS} groups); labels and what that head heard count alike.\n"
     )
 
 
