@@ -164,8 +164,15 @@ class Dialogs(QObject):
 
     def load_preset(self, path: Path) -> None:
         """Load a preset, after asking what is to become of unsaved changes."""
-        if self.may_go_on() and self._try(lambda: self._preset.load(path)):
+        if self.may_go_on() and self._load(path):
             self._remember_preset(self._preset.path)
+
+    def _load(self, path: Path) -> bool:
+        """Load a preset; say what of it could not be had, and whether it is loaded."""
+        is_loaded = self._try(lambda: self._preset.load(path))
+        if is_loaded and self._preset.preset.warnings:
+            self.rejected.emit(" ".join(self._preset.preset.warnings))
+        return is_loaded
 
     def choose_recogniser(self, name: str) -> None:
         """Recognise with another recogniser."""
@@ -175,7 +182,7 @@ class Dialogs(QObject):
         """Load the preset that was in use when the window was last closed, if it is still there."""
         path = Path(str(self._settings.value("preset", "")))
         if path.is_file() and path != self._preset.path:
-            self._try(lambda: self._preset.load(path))
+            self._load(path)
 
     def restore_unsaved(self, unsaved: UnsavedChanges) -> None:
         """Take up what was changed and not saved when the program ended, and offer to undo that."""

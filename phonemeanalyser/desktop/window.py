@@ -262,6 +262,7 @@ class MainWindow(QMainWindow):
         self.analysis.averaged.variable_asked.connect(dialogs.ask_variable)
         self.filters.bypass_asked.connect(preset.set_bypassed)
         self.recogniser.chosen.connect(dialogs.choose_recogniser)
+        self.recogniser.ear_chosen.connect(preset.set_file_ear)
         self.preset_box.chosen.connect(dialogs.load_preset)
         dialogs.rejected.connect(self.banner.show_error)
         dialogs.info.connect(self.banner.show_info)

@@ -13,12 +13,14 @@ from collections.abc import Callable
 import numpy as np
 
 from phonemeengine.analyser import PRE_ROLL, Analyser, Analysis
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.output import ClockOutput, Output, open_output
 from phonemeengine.audio.source import Reader
 from phonemeengine.errors import EngineError
 from phonemeengine.live.playback_queue import PlaybackQueue
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.model import MOST_FRAMES_AHEAD
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
 STEP = 6 * HOP
@@ -58,6 +60,8 @@ class Player:
         self._preset = preset
         self._analyser = Analyser(preset, pitch=True)
         self._playing = self._running = self._at_end = False
+        self._read_ahead: deque[Float32Array] = deque()
+        self._all_read = False
         self._next_frame = 0
         self._closing = False
         self._target: int | None = None
@@ -210,18 +214,32 @@ class Player:
                 self._wake.clear()
 
     def _advance(self) -> None:
-        block = self.reader.read(STEP)
-        if len(block):
-            self._output.write(block)
-            self._queue(self._analyser.push(mono_of(block, self.reader.channel)))
-            return
-        self._queue(self._analyser.finish())
-        if self.loop:
+        """Play the next block, after enough of what follows is analysed to know its phonemes when it is heard."""
+        ahead = HOP * max(0, self._analyser.recogniser.look_ahead - MOST_FRAMES_AHEAD)  # few fit into the output
+        while not self._all_read and self._n_read_ahead <= ahead:
+            self._read_on()
+        if self._read_ahead:
+            self._output.write(self._read_ahead.popleft())
+        elif self.loop:
             rest = max(0, PART * HOP - self.reader.n_samples)  # a few samples would leave no time for anything
             self._output.write(np.zeros((rest, self.reader.n_channels), np.float32))
             self._begin(0)
         else:
             self._at_end = True
+
+    def _read_on(self) -> None:
+        block = self.reader.read(STEP)
+        self._all_read = not len(block)
+        if self._all_read:
+            self._queue(self._analyser.finish())
+            return
+        self._read_ahead.append(block)
+        self._queue(self._analyser.push(mono_of(block, self.reader.channel)))
+
+    @property
+    def _n_read_ahead(self) -> int:
+        """Samples that are read and not played yet."""
+        return sum(map(len, self._read_ahead))
 
     def _hold(self) -> None:
         """Hold the output still: until the user plays on, or until enough is read ahead again."""
@@ -243,19 +261,21 @@ class Player:
         self._analyser = Analyser(self._preset, pitch=True, start=start)
         self._segments = (*self._segments[-8:], (self._output.n_written, frame * HOP))
         self._next_frame = frame
+        self._read_ahead.clear()
+        self._all_read = False
         if frame > start:
             self._queue(self._analyser.push(mono_of(self.reader.read((frame - start) * HOP), self.reader.channel)))
         self._at_end = False
 
     def _queue(self, analysis: Analysis) -> None:
         """Have each part of a block wait until it is heard; frames from before the segment are dropped."""
-        written, sample = self._segments[-1]
+        (written, sample), end = self._segments[-1], self._output.n_written + self._n_read_ahead
         analysis = analysis.part(slice(max(0, sample // HOP - analysis.start), None))
         for first in range(0, len(analysis), PART):
             part = analysis.part(slice(first, first + PART))
             self._next_frame = part.start + len(part)
             due = written + (self._next_frame - 1) * HOP + HOP // 2 - sample
-            self._waiting.append(min(due, self._output.n_written), part)
+            self._waiting.append(min(due, end), part)
 
     def _drop_device(self) -> None:
         """Go on silently, since the card has gone."""

@@ -12,13 +12,16 @@ from phonemeengine.audio.output import AHEAD, Output, open_output
 from phonemeengine.dsp.spectrum import SpectrumAnalyser
 from phonemeengine.lifetime import Closing
 from phonemeengine.live.player import STEP, Player
+from phonemeengine.presets.ears import while_played
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import SAMPLE_RATE, WINDOW, AnalysisSettings, Channel
+from phonemeengine.recognition.model import MOST_FRAMES_AROUND
+from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings, Channel
 
 N_BINS = 512
 """Bins of `Sound.spectrum`."""
-KEPT = (SAMPLE_RATE + AHEAD + 2 * WINDOW) // STEP + 2
-"""Blocks that are kept after they were read: what is written ahead, a card's delay of up to a second, and windows."""
+KEPT = (SAMPLE_RATE + MOST_FRAMES_AROUND * HOP + AHEAD + 2 * WINDOW) // STEP + 2
+"""Blocks that are kept after they were read: what is heard ahead and written ahead, a card's delay of up to a second,
+and windows."""
 
 
 class RecentSamples:
@@ -60,7 +63,7 @@ class Sound(Closing):
     Parameters
     ----------
     path : the sound file.
-    preset : what to recognise with.
+    preset : what to recognise with, by the ear that it has for files which play.
     channel : what is recognised of a file of several channels.
 
     Raises
@@ -70,7 +73,8 @@ class Sound(Closing):
 
     def __init__(self, path: str | os.PathLike[str], preset: Preset, channel: Channel = Channel.MIX) -> None:
         self._tap = RecentSamples(SoundReader(path, channel))
-        self._player = Player(self._tap, preset, self._open_device)
+        self._player = Player(self._tap, while_played(preset), self._open_device)
+        self._preset = preset
         self._transform = SpectrumAnalyser(AnalysisSettings(filters=frozenset()))
         self._newest: Analysis | None = None
         self._stopped = False
@@ -125,11 +129,12 @@ class Sound(Closing):
     @property
     def preset(self) -> Preset:
         """What it recognises with; `set_preset` takes another one."""
-        return self._player.preset
+        return self._preset
 
     def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset from the next 20 ms on."""
-        self._player.set_preset(preset)
+        self._preset = preset
+        self._player.set_preset(while_played(preset))
 
     def poll(self) -> Reading:
         """Return the phoneme and the intensity of what is heard now; AudioError where the file is damaged there.

@@ -1,21 +1,27 @@
-"""Which recogniser names the phonemes: one of the program's own, or one of another package."""
+"""Which recogniser names the phonemes, one of the program's own or of another package, and what hears files."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeengine.presets.ears import WITHOUT_ENCODER, offered_ear
 from phonemeengine.recognition.spec import recogniser_names
+from phonemeengine.settings import Ear
+
+EARS = {Ear.LIVE: "live", Ear.TWIN: "twin", Ear.WHISPER: "Whisper"}
 
 
 class RecogniserChoice(QWidget):
-    """Offers all recognisers that are installed, and shows the preset's.
+    """Offers all recognisers that are installed, and the ears for files, and shows the preset's.
 
     Signals
     -------
     chosen : name of the recogniser that the user wants.
+    ear_chosen : the `Ear` that the user wants files to be heard with.
     """
 
     chosen = Signal(str)
+    ear_chosen = Signal(object)
 
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
@@ -29,8 +35,18 @@ class RecogniserChoice(QWidget):
             "tuned with, unless you tuned it yourself. What it is tuned by is below.</p><p>To add one, install its "
             "package beside this program, and start the program again. How to write one is in the README.</p>"
         )
+        self.ears = QComboBox()
+        self.ears.addItems([*EARS.values()])
+        self.ears.setAccessibleName("ear for files")
+        self.ears.setToolTip(
+            "<p>The best that files are heard with. <i>live</i>: as a microphone. <i>twin</i>: by a network that "
+            "hears half a second ahead. <i>Whisper</i>: with a speech encoder besides, where all of a file is "
+            "recognised at once: saved, exported or aligned with its text; while it plays, the twin serves.</p>"
+            f"<p>{WITHOUT_ENCODER}.</p>"
+        )
         self._lay_out()
         self.names.activated.connect(self._choose)
+        self.ears.activated.connect(self._choose_ear)
         preset.changed.connect(self._show_preset)
         self._show_preset()
 
@@ -42,12 +58,21 @@ class RecogniserChoice(QWidget):
         label.setBuddy(self.names)
         row.addWidget(label)
         row.addWidget(self.names, 1)
+        files = QLabel("Files")
+        files.setBuddy(self.ears)
+        row.addWidget(files)
+        row.addWidget(self.ears)
 
     def _choose(self, index: int) -> None:
         self.chosen.emit(self.names.itemText(index))
         self._show_preset()  # where it was refused, the old one is in use still
 
+    def _choose_ear(self, index: int) -> None:
+        self.ear_chosen.emit(list(EARS)[index])
+        self._show_preset()
+
     def _show_preset(self) -> None:
+        self.ears.setCurrentIndex(list(EARS).index(offered_ear(self._preset.preset)))
         name = self._preset.preset.recogniser
         self.names.setCurrentIndex(
             self.names.findText(name, Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchCaseSensitive)

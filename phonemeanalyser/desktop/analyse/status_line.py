@@ -6,6 +6,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeengine.presets.ears import ear_in_words
 
 UNNOTICED, ACCEPTED = 0.045, 0.090
 """Seconds by which a picture may lag behind its sound before it is noticed, and before it is not accepted any more
@@ -34,7 +35,8 @@ class StatusLine:
         session = self._session
         changed = " (changed)" if self._preset.has_unsaved_changes else ""
         preset = f"preset {self._preset.preset.name}{changed}"
-        _write(self.left, f" {session.name}: {session.description}   ·   {preset}")
+        ear = f"heard with: {ear_in_words(session.heard_with)}"
+        _write(self.left, f" {session.name}: {session.description}   ·   {ear}   ·   {preset}")
         self.left.setToolTip(self.left.text().strip())
         parts = ["views frozen"] if frozen else []
         parts += [f"{session.n_dropped} frames not shown"] if session.n_dropped else []

@@ -12,6 +12,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.source import Reader
 from phonemeengine.labels.files import write_labels
+from phonemeengine.presets.ears import ear_in_words, for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.segments import SegmentBuilder, labels_of_segments
@@ -54,21 +55,29 @@ class PhonemeWriter(QObject):
         self.info.emit(f"The phonemes of {name} are looked for, and then saved in {target.name} …")
         self._work.submit(
             lambda progress: _write(open_sound, preset, target, progress),
-            lambda _none: self.info.emit(f"The phonemes of {name} are saved in {target}."),
+            lambda heard: self._tell(name, target, heard),
         )
+
+    def _tell(self, name: str, target: Path, heard: Preset) -> None:
+        self.info.emit(f"The phonemes of {name} are saved in {target}, heard with: {ear_in_words(heard)}.")
+        for warning in heard.warnings:
+            self.error.emit(f"{name}: {warning}")
 
     def close(self) -> None:
         """Wait until what was asked for is written."""
         self._work.finish()
 
 
-def _write(open_sound: Callable[[], Reader], preset: Preset, target: Path, progress: Progress) -> None:
+def _write(open_sound: Callable[[], Reader], preset: Preset, target: Path, progress: Progress) -> Preset:
+    """Write the phonemes of a sound; return the preset that heard them."""
+    preset = for_files(preset)
     with closing(open_sound()) as reader:
         joiner, segments = SegmentBuilder(), []
         for analysis in analyse_blocks(_blocks(reader, progress), preset):
             segments += joiner.extend(analysis.phonemes, analysis.intensities)
         segments += joiner.finish(reader.duration)
         write_labels(labels_of_segments(segments), target, duration=reader.duration)
+    return preset
 
 
 def _blocks(reader: Reader, progress: Progress) -> Iterator[Float32Array]:

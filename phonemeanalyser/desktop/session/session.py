@@ -18,6 +18,8 @@ from phonemeengine.audio.tone.reader import ToneReader
 from phonemeengine.audio.tone.settings import Tone
 from phonemeengine.errors import EngineError
 from phonemeengine.live.player import Player
+from phonemeengine.presets.ears import while_played
+from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, Channel
 
 QUIETEST_DB = -60.0
@@ -165,6 +167,11 @@ class Session(QObject):
         return self._player is not None and self._player.has_card
 
     @property
+    def heard_with(self) -> Preset:
+        """What the sound in hand is heard with: a file, while it plays, by the ear that the preset has for those."""
+        return self.preset.in_force if self._player is None else self._player.preset
+
+    @property
     def n_dropped(self) -> int:
         """Frames that were analysed but never shown, since the source is in use."""
         return self._player.n_dropped if self._player else self.microphone.listener.n_dropped
@@ -207,7 +214,7 @@ class Session(QObject):
         self._detach()
         self.source = SoundSource.FILE
         self._file = file
-        self._attach(Player(file, self.preset.in_force, self._open_device))
+        self._attach(Player(file, while_played(self.preset.in_force), self._open_device))
         return True
 
     def set_source(self, source: SoundSource) -> None:
@@ -250,7 +257,7 @@ class Session(QObject):
 
     def player_of(self, reader: Reader) -> Player:
         """Return a player of another sound, as loud as the one in hand; who asks for it closes it."""
-        player = Player(reader, self.preset.in_force, self._open_device)
+        player = Player(reader, while_played(self.preset.in_force), self._open_device)
         player.set_gain(self._gain)
         return player
 
@@ -435,6 +442,7 @@ class Session(QObject):
     def _use_preset(self) -> None:
         self.microphone.set_preset(self.preset.in_force)
         if self._player is not None:
-            self._player.set_preset(self.preset.in_force)
+            is_file = self.source is SoundSource.FILE
+            self._player.set_preset(while_played(self.preset.in_force) if is_file else self.preset.in_force)
             if not self.playing and self.source is SoundSource.FILE and self._file is not None:
                 self.results.analyse_again(self._file.path, self.channel)

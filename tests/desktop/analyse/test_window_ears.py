@@ -1,0 +1,102 @@
+"""What files are heard with in the window: as the preset says, as the user chooses, and as is told."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QComboBox
+
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeengine.analyser import analyse_file, concatenate_analyses
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.labels.files import read_labels
+from phonemeengine.mouth.lip_sync import transcribe
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import save_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import AnalysisSettings, Ear
+from tests.desktop.hands import CARDS, followed, shown
+from tests.models import centred_model, tone_model
+
+PRESET = Preset(
+    name="both",
+    recogniser="learned",
+    model=tone_model({700.0: Phoneme.A, 2500.0: Phoneme.I}).rounded(),
+    file_model=centred_model(dilations=(1, 2, 4, 8, 16, 16, 4)),
+    settings=AnalysisSettings(statistics=False),
+)
+
+
+@pytest.fixture
+def window(desktop, qtbot, tmp_path):
+    save_preset(PRESET, tmp_path / "both.toml")
+    desktop.preset.load(tmp_path / "both.toml")
+    return followed(desktop, qtbot, seconds=1.0)
+
+
+def choose(box: QComboBox, ear: Ear) -> None:
+    box.setCurrentIndex(list(Ear).index(ear))
+    box.activated.emit(box.currentIndex())
+
+
+def shown_phonemes(desktop) -> np.ndarray:
+    history = desktop.session.history
+    return history.phonemes[history.indices(0, history.n)]
+
+
+def in_file(preset: Preset, n: int) -> np.ndarray:
+    with SoundReader(CARDS) as reader:
+        return concatenate_analyses(list(analyse_file(reader, preset))).phonemes[:n]
+
+
+def test_the_opened_file_is_heard_as_the_commands_hear_it(window, desktop):
+    found = shown_phonemes(desktop)
+    np.testing.assert_array_equal(found, in_file(PRESET, len(found)))
+    assert window.recogniser.ears.currentText() == "twin"
+    window.status.refresh(frozen=False)
+    assert "heard with: twin, 0.51 s each way" in window.status.left.text()
+
+
+def test_another_ear_acts_at_once_and_undo_takes_it_back(window, desktop):
+    choose(window.recogniser.ears, Ear.LIVE)
+    found = shown_phonemes(desktop)
+    np.testing.assert_array_equal(found, in_file(replace(PRESET, file_ear=Ear.LIVE), len(found)))
+    window.status.refresh(frozen=False)
+    assert "heard with: learned, 50 ms ahead" in window.status.left.text()
+    desktop.preset.undo_stack.undo()
+    assert window.recogniser.ears.currentText() == "twin"
+    np.testing.assert_array_equal(shown_phonemes(desktop), in_file(PRESET, len(found)))
+
+
+@pytest.mark.parametrize("ear", [Ear.TWIN, Ear.WHISPER])
+def test_an_ear_that_is_not_there_is_told_and_changes_nothing(desktop, qtbot, ear):
+    window = shown(desktop, qtbot)
+    choose(window.recogniser.ears, ear)
+    assert window.banner.label.text().startswith("the recogniser 'thesis' has no other ear for files")
+    assert window.recogniser.ears.currentText() == "live"
+    assert not window.isWindowModified()
+
+
+def test_a_preset_whose_model_for_files_is_missing_is_loaded_and_that_is_told(desktop, qtbot, tmp_path):
+    save_preset(PRESET, tmp_path / "both.toml")
+    (tmp_path / "both.files.npz").unlink()
+    window = shown(desktop, qtbot)
+    window.dialogs.load_preset(tmp_path / "both.toml")
+    assert "both.files.npz: the model cannot be read" in window.banner.label.text()
+    assert (desktop.preset.preset.name, desktop.session.heard_with.ear) == ("both", Ear.LIVE)
+
+
+def test_what_nobody_knows_beforehand_is_heard_live(window, desktop):
+    desktop.session.set_source(SoundSource.TONE)
+    assert desktop.session.heard_with.ear is Ear.LIVE
+    desktop.session.set_source(SoundSource.FILE)
+    assert desktop.session.heard_with.ear is Ear.TWIN
+
+
+def test_saved_phonemes_are_those_of_the_file(window, desktop, qtbot, tmp_path):
+    target = tmp_path / "saved.csv"
+    desktop.session.write_phonemes(target)
+    qtbot.waitUntil(lambda: not desktop.session.writer.busy)
+    runs = transcribe(CARDS, PRESET).runs
+    assert [label.phoneme for label in read_labels(target)] == [run.phoneme for run in runs]
+    assert window.banner.label.text().endswith("heard with: twin, 0.51 s each way.")
