@@ -16,8 +16,8 @@ def main(seconds: float = 10.0) -> None:
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             time.sleep(0.05)
-            phoneme, intensity = voice.poll()
-            print(f"{phoneme.label:<12} {'#' * round(40 * intensity)}", flush=True)
+            phoneme, intensity, confidence = voice.poll()
+            print(f"{phoneme.label:<12} {confidence:4.0%} {'#' * round(40 * intensity)}", flush=True)
         print(f"{voice.status.words}; {voice.lost_seconds:.2f} s were lost")
 
 

@@ -9,8 +9,10 @@ import pytest
 import soundfile
 from hypothesis import settings
 
+from phonemeengine.encoder import model_folder
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.plug_ins import Shelf, install_example
+from tests.fakes.whisper_model import write_whisper_model
 from tests.sounds import noise, silence, vowel
 
 # A shell's background jobs ignore Ctrl-C and the terminal's end, and so would the programs that tests start.
@@ -54,6 +56,27 @@ def corpus() -> Path:
 def example_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder into which the example of a plug-in is installed with pip."""
     return install_example(tmp_path_factory.mktemp("site"))
+
+
+@pytest.fixture(autouse=True)
+def _no_whisper(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever this machine has, tests find no model of the speech encoder but those that they make."""
+    monkeypatch.delenv(model_folder.FOLDER_VARIABLE, raising=False)
+    monkeypatch.setattr(model_folder, "data_folder", lambda: tmp_path_factory.getbasetemp() / "no data")
+    monkeypatch.setattr(model_folder, "PACKAGES", ("no_such_package_1", "no_such_package_2"))
+
+
+@pytest.fixture(scope="session")
+def whisper_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a small model that the encoder's library runs."""
+    return write_whisper_model(tmp_path_factory.mktemp("whisper"))
+
+
+@pytest.fixture
+def whisper(whisper_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Have the program find that model."""
+    monkeypatch.setenv(model_folder.FOLDER_VARIABLE, str(whisper_folder))
+    return whisper_folder
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from phonemeanalyser.cli.main import main
 from phonemeengine.phonemes import Phoneme
 
 LABELS = {phoneme.label for phoneme in Phoneme}
-HEADER = "start_s,end_s,phoneme,intensity"
+HEADER = "start_s,end_s,phoneme,intensity,confidence"
 
 
 def rows_of(text: str) -> list[dict[str, str]]:
@@ -23,7 +23,7 @@ def gapless(rows: list[dict[str, str]], duration: float) -> None:
     assert all(one["phoneme"] != other["phoneme"] for one, other in pairwise(rows))
     assert all(float(row["start_s"]) < float(row["end_s"]) for row in rows)
     assert {row["phoneme"] for row in rows} <= LABELS
-    assert all(0 <= float(row["intensity"]) <= 1 for row in rows)
+    assert all(0 <= float(row[name]) <= 1 for row in rows for name in ("intensity", "confidence"))
 
 
 def refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:

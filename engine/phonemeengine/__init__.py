@@ -7,14 +7,14 @@ sound, and whatever lives is a context manager::
 
     preset = load_preset("learned")          # or a file: what a calibration made of it
     with Listener(preset) as voice:          # a microphone; or Sound("line.wav", preset), and .play()
-        phoneme, intensity = voice.poll()    # every 10 or 20 ms
+        phoneme, intensity, confidence = voice.poll()    # every 10 or 20 ms
 
 A program with samples of its own pushes them, cut as they come, or asks about a single window::
 
     analyser = Analyser(preset)
     analysis = analyser.push(samples)        # float32, mono, 44.1 kHz, ±1
     analysis.phonemes, analysis.intensities  # one for each 10 ms that are complete
-    phoneme, intensity = recognise_window(samples[:2048], preset)
+    phoneme, intensity, confidence = recognise_window(samples[:2048], preset)
 
 A face follows what was heard, and may be looked at whenever a picture is drawn::
 
@@ -144,6 +144,10 @@ _PAGE = {
     "recognition.rules": "Condition Rule",
     "recognition.model": "Model OutputHead",
     "recognition.network": "Layer",
+    "recognition.confidence": "ConfidenceCurve",
+    "encoder.head": "EncoderHead",
+    "encoder.model_folder": "ModelFolder choose_whisper fetch_whisper find_whisper",
+    "encoder.whisper": "WHISPER_LICENCE",
     "recognition.templates": "Templates",
     "dsp.filters": "denoise high_pass_gains low_pass_gains normalise",
     # A recogniser of one's own

@@ -16,6 +16,9 @@ from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.sentences import SENTENCES, Sentence
 from phonemeengine.calibration.takes.room_noise import ConfidenceInterval, SilenceAccuracy
 from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
+from phonemeengine.encoder.head import EncoderHead
+from phonemeengine.encoder.model_folder import ModelFolder, choose_whisper, fetch_whisper, find_whisper
+from phonemeengine.encoder.whisper import WHISPER_LICENCE
 from phonemeengine.errors import (
     AudioError,
     CorpusError,
@@ -101,6 +104,7 @@ from phonemeengine.presets.ears import ear_in_words, for_files
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Cancelled, Progress
+from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Layer
 from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
@@ -148,6 +152,7 @@ __all__ = [
     "SAMPLE_RATE",
     "SENTENCES",
     "SOUND_SUFFIXES",
+    "WHISPER_LICENCE",
     "WINDOW",
     "AddedNoise",
     "Analyser",
@@ -161,6 +166,7 @@ __all__ = [
     "Cancelled",
     "Channel",
     "Condition",
+    "ConfidenceCurve",
     "ConfidenceInterval",
     "CorpusError",
     "CorpusScores",
@@ -171,6 +177,7 @@ __all__ = [
     "Device",
     "DeviceError",
     "Ear",
+    "EncoderHead",
     "EngineError",
     "Example",
     "ExampleChoice",
@@ -210,6 +217,7 @@ __all__ = [
     "Mode",
     "Model",
     "ModelError",
+    "ModelFolder",
     "MorphMesh",
     "MorphTargets",
     "Morpher",
@@ -307,13 +315,13 @@ __all__ = [
     "VoiceError",
     "WindowFunction",
     "Word",
-    "__version__",
     "align",
     "aligned",
     "analyse_blocks",
     "animation_of",
     "build_table",
     "calibrate",
+    "choose_whisper",
     "cues",
     "cues_of",
     "denoise",
@@ -323,6 +331,8 @@ __all__ = [
     "export_transcript",
     "expression_presets",
     "face_table",
+    "fetch_whisper",
+    "find_whisper",
     "for_files",
     "format_plan",
     "format_units",

@@ -21,8 +21,10 @@ from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_files, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.scores import scores_in
 from phonemeengine.recognition.smoothing import PhonemeSmoother
 from phonemeengine.recognition.spec import Finishing, Recogniser, spec_of
 from phonemeengine.recognition.viseme_smoothing import VisemeSmoother
@@ -53,6 +55,7 @@ class Analysis:
     visemes : uint8, shape (n_frames,): codes of `Viseme` that go with the phonemes, or `NO_VISEME`.
     intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
     settings : with which all of this was found.
+    curve : how scores become confidences.
     """
 
     start: int
@@ -62,6 +65,7 @@ class Analysis:
     visemes: UInt8Array
     intensities: Float32Array
     settings: AnalysisSettings
+    curve: ConfidenceCurve = UNFITTED
 
     def __len__(self) -> int:
         return len(self.phonemes)
@@ -85,6 +89,14 @@ class Analysis:
     def features(self) -> Features:
         """The measured variables."""
         return self.frames.features
+
+    @property
+    def confidences(self) -> Float32Array:
+        """How sure the phonemes are, float32, shape (n_frames,): the share of such answers that are right, 0..1."""
+        scores = scores_in(self.features)
+        if scores is None:
+            return self.curve.of(np.ones(len(self), np.float32))
+        return self.curve.of(scores[np.arange(len(self)), self.phonemes])
 
     @property
     def times(self) -> Float64Array:
@@ -142,17 +154,19 @@ class Analyser:
     pitch : measure `f0` too, which no rule needs; without it `f0` reads 0.
     start : number of the first frame, where the samples begin in the midst of a longer sound.
     phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none; `volume` stays.
+    recogniser : what is asked instead of the preset's, made for this sound.
     """
 
     def __init__(
-        self, preset: Preset, *, pitch: bool = False, start: int = 0, phonemes_only: bool = False
+        self, preset: Preset, *, pitch: bool = False, start: int = 0, phonemes_only: bool = False,
+        recogniser: Recogniser | None = None,
     ) -> None:  # fmt: skip
         self._pitch = pitch
         self._phonemes_only = phonemes_only
         self._preset = preset
         self._framer = Framer()
         self._path = self._path_of(preset)
-        self._recogniser = recogniser_for(preset)
+        self._recogniser = recogniser_for(preset) if recogniser is None else recogniser
         self._statistics, self._visemes = _statistics_of(preset), VisemeSmoother()
         self._waiting = LookAheadBuffer()
         self._unasked = False
@@ -234,7 +248,8 @@ class Analyser:
         intensities *= phonemes != _SILENCE
         start, self._next = self._next, self._next + len(recognised)
         visemes = self._visemes.follow(phonemes, recognition.visemes)
-        return Analysis(start, measured, recognised, phonemes, visemes, intensities, settings)
+        curve = self._preset.curve
+        return Analysis(start, measured, recognised, phonemes, visemes, intensities, settings, curve)
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
         if self._leaves_features_out(preset):
@@ -270,21 +285,24 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
         visemes=np.concatenate([a.visemes for a in analyses]),
         intensities=np.concatenate([a.intensities for a in analyses]),
         settings=analyses[-1].settings,
+        curve=analyses[-1].curve,
     )
 
 
 class Reading(NamedTuple):
-    """A phoneme, and how loud it is, 0..1."""
+    """A phoneme, how loud it is, 0..1, and how sure it is: the share of such answers that are right, 0..1."""
 
     phoneme: Phoneme = Phoneme.SILENCE
     intensity: float = 0.0
+    confidence: float = 0.0
 
 
 def latest_reading(newest: Analysis | None) -> Reading:
     """Return the last frame of a block; silence where there is none yet."""
     if newest is None or len(newest) == 0:
         return Reading()
-    return Reading(Phoneme(int(newest.phonemes[-1])), float(newest.intensities[-1]))
+    last = newest.part(slice(len(newest) - 1, None))
+    return Reading(Phoneme(int(last.phonemes[0])), float(last.intensities[0]), float(last.confidences[0]))
 
 
 def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
@@ -325,13 +343,17 @@ def _statistics_of(preset: Preset) -> PhonemeSmoother:
 
 
 def analyse_blocks(
-    blocks: Iterable[Float32Array], preset: Preset, *, pitch: bool = False, start: int = 0
-) -> Iterator[Analysis]:
+    blocks: Iterable[Float32Array], preset: Preset, *, pitch: bool = False, start: int = 0,
+    recogniser: Recogniser | None = None,
+) -> Iterator[Analysis]:  # fmt: skip
     """Analyse a whole sound, given as consecutive blocks of samples; ends with the frames at its end.
 
-    `start` is the number of the first frame, where the blocks begin in the midst of a longer sound.
+    Parameters
+    ----------
+    blocks : of samples, float32, shape (n,), 44.1 kHz, ±1.
+    preset, pitch, start, recogniser : as of `Analyser`.
     """
-    analyser = Analyser(preset, pitch=pitch, start=start)
+    analyser = Analyser(preset, pitch=pitch, start=start, recogniser=recogniser)
     for block in blocks:
         analysis = analyser.push(block)
         if len(analysis):

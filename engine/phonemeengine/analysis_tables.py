@@ -146,7 +146,7 @@ def _heading(name: str, duration: float, preset: Preset) -> dict[str, Any]:
 
 
 def _runs(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[Segment]:
-    return segments_of(((a.phonemes, a.intensities) for a in analyses), reader.duration)
+    return segments_of(((a.phonemes, a.intensities, a.confidences) for a in analyses), reader.duration)
 
 
 def _labels(analyses: Iterator[Analysis], reader: SoundReader) -> tuple[Label, ...]:
@@ -155,6 +155,7 @@ def _labels(analyses: Iterator[Analysis], reader: SoundReader) -> tuple[Label, .
 
 def _frames(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[str, Any]]:
     for analysis in analyses:
+        confidences = analysis.confidences
         for k in range(len(analysis)):
             start = (analysis.start + k) * FRAME_PERIOD
             yield {
@@ -162,6 +163,7 @@ def _frames(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[
                 "end_s": _seconds(min(start + FRAME_PERIOD, max(reader.duration, start))),
                 "phoneme": Phoneme(int(analysis.phonemes[k])).label,
                 "intensity": round(float(analysis.intensities[k]), 3),
+                "confidence": round(float(confidences[k]), 3),
                 **{name: float(f"{value:.6g}") for name, value in analysis.features.frame(k).items()},
             }
 
@@ -170,17 +172,22 @@ def _seconds(value: float) -> float:
     return round(value, 6)
 
 
+_OLDER = ",".join(SEGMENT_COLUMNS[:-1]).encode()  # tables had no confidence once
 _RUNS = re.compile(
-    b"%s\n(?:[0-9.e-]+,[0-9.e-]+,(?:%s),[0-9.e-]+\n)*"
-    % (",".join(SEGMENT_COLUMNS).encode(), "|".join(phoneme.label for phoneme in Phoneme).encode())
+    b"%s(?:,confidence)?\n(?:[0-9.e-]+,[0-9.e-]+,(?:%s),[0-9.e-]+(?:,[0-9.e-]+)?\n)*"
+    % (_OLDER, "|".join(phoneme.label for phoneme in Phoneme).encode())
 )
 _WORDS = ",".join(WORD_COLUMNS).encode() + b"\n"
 _FRAMES = ",".join([*SEGMENT_COLUMNS, *BUILT_IN_NAMES]).encode() + b","
+_OLDER_TABLES = tuple(
+    b",".join((_OLDER, *(name.encode() for name in names)))
+    for names in (("phone", "word", "score\n"), BUILT_IN_NAMES)
+)
 
 
 def _owns_csv(content: bytes) -> bool:
     """Take tables with all the columns that were written, and of runs with no other row either."""
-    return content.startswith((_FRAMES, _WORDS)) or _RUNS.fullmatch(content) is not None
+    return content.startswith((_FRAMES, _WORDS, *_OLDER_TABLES)) or _RUNS.fullmatch(content) is not None
 
 
 _owns_json = begins_like(

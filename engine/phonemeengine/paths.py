@@ -26,9 +26,14 @@ def presets_folder() -> Path:
 
 def journal_folder() -> Path:
     """Return the folder in which running recordings are noted; it need not exist."""
-    from platformdirs import user_data_path  # noqa: PLC0415 - takes 15 ms, which only who records should wait for
+    return data_folder() / "unfinished"
 
-    return user_data_path(FOLDER, appauthor=False) / "unfinished"
+
+def data_folder() -> Path:
+    """Return the folder of what the program keeps for the user; it need not exist."""
+    from platformdirs import user_data_path  # noqa: PLC0415 - takes 15 ms, which only who needs it should wait for
+
+    return user_data_path(FOLDER, appauthor=False)
 
 
 def cache_folder() -> Path:

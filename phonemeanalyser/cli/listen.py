@@ -198,7 +198,7 @@ def _sending(osc: OscSettings | None) -> Iterator[Performer | None]:
 class _Changes:
     """Prints a line whenever the phoneme is another."""
 
-    def __init__(self, line_of: Callable[[float, str, float, float], str]) -> None:
+    def __init__(self, line_of: Callable[[float, str, float, float, float], str]) -> None:
         self.listener: Listener | None = None
         self._line_of = line_of
         self._last = -1
@@ -211,18 +211,19 @@ class _Changes:
                 frame = analysis.start + k
                 age = self.listener.age_of(frame) if self.listener else 0.0
                 began = self.listener.time_of(frame) if self.listener else frame * FRAME_PERIOD
-                line = self._line_of(began, Phoneme(code).label, float(analysis.intensities[k]), 1000 * age)
+                sure = float(analysis.part(slice(k, k + 1)).confidences[0])
+                line = self._line_of(began, Phoneme(code).label, float(analysis.intensities[k]), sure, 1000 * age)
                 sys.stdout.write(line + "\n")
                 sys.stdout.flush()
 
 
-def _as_text(time_s: float, phoneme: str, intensity: float, _latency_ms: float) -> str:
-    return f"{time_s:8.2f} s  {phoneme:<12}  {intensity:.2f}"
+def _as_text(time_s: float, phoneme: str, intensity: float, confidence: float, _latency_ms: float) -> str:
+    return f"{time_s:8.2f} s  {phoneme:<12}  {intensity:.2f}  {100 * confidence:3.0f} % sure"
 
 
-def _as_json(time_s: float, phoneme: str, intensity: float, latency_ms: float) -> str:
+def _as_json(time_s: float, phoneme: str, intensity: float, confidence: float, latency_ms: float) -> str:
     values = {"time_s": round(time_s, 2), "phoneme": phoneme, "intensity": round(intensity, 3)}
-    return json.dumps(values | {"latency_ms": round(latency_ms, 1)})
+    return json.dumps(values | {"confidence": round(confidence, 3), "latency_ms": round(latency_ms, 1)})
 
 
 def _attend(listener: Listener, seconds: float | None, look: Callable[[], None]) -> None:

@@ -27,6 +27,7 @@ COMMANDS = {
     "speak": "Have a voice say a text, aloud or into a sound, labels and a mouth's movement.",
     "takes": "Say what a folder of takes holds, and remove deleted takes for ever.",
     "train": "Train the learned recogniser on folders of labelled speech.",
+    "whisper": "Say where the speech encoder's model is that helps to hear files, choose it, or fetch it.",
 }
 """Every command, each a module of this package with `add_arguments` and `run`, and what it does."""
 

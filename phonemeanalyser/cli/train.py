@@ -11,7 +11,7 @@ from tqdm import tqdm
 from phonemeanalyser.cli.arguments import add_channel, whole_in
 from phonemeanalyser.cli.output_files import write_whole
 from phonemeengine import ModelError, load_preset, save_preset
-from phonemeengine.calibration.learning.model_card import model_card
+from phonemeengine.calibration.learning.model_card import model_card, validations_of
 from phonemeengine.calibration.learning.pipeline import TrainedModel, TrainingResult, train_and_validate
 from phonemeengine.calibration.learning.training import TrainingConfig
 from phonemeengine.presets.files import DEFAULT_PRESET
@@ -74,16 +74,25 @@ def run(options: argparse.Namespace) -> int:
     preset, card = options.out.with_suffix(".toml"), options.out.with_suffix(".md")
     notes = f"Trained by phonemeanalyser train; {card.name} tells on what, and how well it does."
     shipped = load_preset(DEFAULT_PRESET)
-    named = replace(shipped, name=preset.stem, model=model, file_model=twin, notes=notes, sensitivities={})
+    named = replace(
+        shipped,
+        name=preset.stem,
+        model=model,
+        file_model=twin,
+        notes=notes,
+        sensitivities={},
+        encoder_head=None if result.head is None else result.head.rounded(),
+        confidences={ear: found.confidence for ear, found in validations_of(result).items()},
+    )
     save_preset(named, preset)
     text = model_card(options.out.stem, result, options.variations)
     write_whole(card, lambda file: print(text, file=file, end=""))
     rmtree(work)
     print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}; {preset} uses it")
-    for what, trained in (("live", result.live), ("files", result.files)):
-        for group, e in trained.together.items():
+    for ear, found in validations_of(result).items():
+        for group, e in found.together.items():
             print(
-                f"{what}, {group} left out: macro F1 {e.macro_f1:.3f}, mouth shapes {e.viseme_accuracy:.3f}, "
+                f"{ear}, {group} left out: macro F1 {e.macro_f1:.3f}, mouth shapes {e.viseme_accuracy:.3f}, "
                 f"vowels {e.vowel_accuracy:.3f}, visemes {e.fine_viseme_accuracy:.3f}"
             )
     return 0
@@ -91,6 +100,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _about(name: str, result: TrainingResult, trained: TrainedModel) -> dict[str, object]:
     config = trained.config
-    figures = {group: round(scores.macro_f1, 3) for group, scores in trained.together.items()}
+    figures = {group: round(scores.macro_f1, 3) for group, scores in trained.validation.together.items()}
     about = {"name": name, "seed": config.seed, "epochs": config.n_epochs, "speakers": len(result.sources)}
-    return about | ({"macro_f1": figures} if figures else {})
+    ahead = {f"{1000 * s:.0f}": [round(f, 3) for f in pair] for s, pair in trained.by_look_ahead.items()}
+    return about | ({"macro_f1": figures} if figures else {}) | ({"by_look_ahead_ms": ahead} if ahead else {})

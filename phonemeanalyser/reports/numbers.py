@@ -52,6 +52,8 @@ def _group(group: GroupScores) -> dict[str, Any]:
         "changes": group.changes,
         "label_changes": group.label_changes,
         "mean_intensity": group.intensity,
+        "confidence_error": group.calibration_error,
+        "confidence_largest_gap": group.largest_gap,
         "f1": {p.label: group.f1_of(p) for p in Phoneme},
         "confusion": group.confusion.tolist(),
     }

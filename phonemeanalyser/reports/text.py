@@ -45,6 +45,12 @@ def _preset_lines(preset: ScoredPreset, by: str) -> Iterator[str]:
     for name, group in sorted({**groups, "all": scores.overall}.items()):
         yield printable(name).ljust(FIRST) + "".join(cell.rjust(COLUMN) for cell in _cells(group.scores))
     yield ""
+    overall = scores.overall
+    yield (
+        f"confidence is off by {written(overall.calibration_error)} on average, and by "
+        f"{written(overall.largest_gap)} at most (of tenths of it, where the labels are certain)"
+    )
+    yield ""
     yield from _confusion_lines(scores)
 
 

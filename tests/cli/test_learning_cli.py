@@ -1,5 +1,6 @@
 """``phonemeanalyser train`` and ``adapt``: what they write, say and refuse."""
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.model import load_model
-from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.settings import SAMPLE_RATE, Ear
 from tests.corpora import put
 from tests.sounds import noise, vowel
 from tests.tables import refused
@@ -132,11 +133,32 @@ def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, c
         "Seed 5, 1 epochs",
         "| human_test/ann | en | 1.9 | CC0 | made up |",
         "| **live, people** | 3.7 |",
-        "| **files, all** | 3.7 |",
+        "| **twin, all** | 3.7 |",
     ):
         assert told in card
     assert load_preset(tmp_path / "mine.toml").file_model.about["seed"] == 5
     assert not out.with_suffix(".training").exists()
+
+
+def test_a_teacher_teaches_moves_labels_and_hears_files(corpus, tmp_path, capsys, whisper):
+    out = tmp_path / "taught.npz"
+    arguments = ["--epochs", "1", "--width", "8", "--variations", "0", "--folds", "2", "--teacher", str(whisper)]
+    assert main(["train", str(corpus), "-o", str(out), *arguments]) == 0
+    assert "whisper, people left out: macro F1 0." in capsys.readouterr().out
+    preset = load_preset(tmp_path / "taught.toml")
+    assert set(preset.confidences) == set(Ear)
+    assert preset.encoder_head is not None
+    assert preset.encoder_head.priors.sum() == pytest.approx(2, abs=1e-2)
+    card = out.with_suffix(".md").read_text()
+    for told in (
+        "The teacher is the encoder of Whisper base",
+        "| round | boundaries |",
+        "| **whisper, all** | 3.7 |",
+    ):
+        assert told in card
+    sound = next(corpus.glob("*.wav"))
+    assert main(["analyse", str(sound), "--preset", str(tmp_path / "taught.toml"), "--format", "json"]) == 0
+    assert json.loads(capsys.readouterr().out)["heard_with"] == "Whisper base and network"
 
 
 def test_a_training_does_not_take_over_another_that_was_begun(corpus, tmp_path, capsys):

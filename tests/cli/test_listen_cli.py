@@ -170,6 +170,11 @@ def expected_changes(n_frames: int | None = None, preset: Preset = PRESET) -> li
     return [(int(k) / 100, Phoneme(codes[k]).label, float(whole.intensities[k])) for k in starts]
 
 
+def expected_confidences() -> list[float]:
+    whole = offline(SPEECH, PRESET)
+    return [float(whole.confidences[round(100 * change[0])]) for change in expected_changes()]
+
+
 @pytest.mark.parametrize("n", [1, 7, 1000])
 def test_each_change_of_phoneme_is_a_line_however_the_frames_come(n: int, capsys: pytest.CaptureFixture[str]) -> None:
     whole, changes = offline(SPEECH, PRESET), _Changes(_as_json)
@@ -178,7 +183,9 @@ def test_each_change_of_phoneme_is_a_line_however_the_frames_come(n: int, capsys
     lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert [(line["time_s"], line["phoneme"]) for line in lines] == [change[:2] for change in expected_changes()]
     assert [line["intensity"] for line in lines] == pytest.approx([c[2] for c in expected_changes()], abs=6e-4)
-    assert all(list(line) == ["time_s", "phoneme", "intensity", "latency_ms"] for line in lines)
+    assert [line["confidence"] for line in lines] == pytest.approx(expected_confidences(), abs=1e-3)
+    names = ["time_s", "phoneme", "intensity", "confidence", "latency_ms"]
+    assert all(list(line) == names for line in lines)
     assert len(lines) > 4
 
 
@@ -203,7 +210,9 @@ def test_lines_of_text_have_time_phoneme_and_intensity_in_columns(capsys: pytest
     words = [line.split() for line in lines]
     assert [(float(w[0]), w[1], w[2]) for w in words] == [(t, "s", p) for t, p, _ in expected_changes()]
     assert len({line.index(" s ") for line in lines}) == 1
-    assert lines[0] == "    0.00 s  silence       0.00"
+    assert [int(w[4]) for w in words] == pytest.approx([100 * c for c in expected_confidences()], abs=1)
+    assert lines[0].startswith("    0.00 s  silence       0.00  ")
+    assert lines[0].endswith(" % sure")
 
 
 # -- whole commands -------------------------------------------------------------------------------------------

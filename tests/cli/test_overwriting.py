@@ -86,7 +86,7 @@ def test_a_table_that_was_written_before_is_written_anew(words: list[str], sound
 def test_a_table_of_phonemes_gives_way_to_one_of_every_frame_and_back(sound: Path, tmp_path: Path) -> None:
     for words in ([], ["--features"], []):
         analysed(sound, "-o", tmp_path, *words)
-    assert (tmp_path / "speech.csv").read_text().startswith("start_s,end_s,phoneme,intensity\n")
+    assert (tmp_path / "speech.csv").read_text().startswith("start_s,end_s,phoneme,intensity,confidence\n")
 
 
 @pytest.mark.parametrize(

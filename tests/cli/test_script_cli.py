@@ -85,7 +85,10 @@ def test_the_text_beside_a_sound_is_found(tmp_path: Path, capsys: pytest.Capture
     run("analyse", tmp_path, "--script", "auto", "--language", "de", "-o", tmp_path / "out")
     assert "b.flac: note: there is no b.txt beside it, so it is recognised without text" in capsys.readouterr().err
     heads = [(tmp_path / "out" / f"{name}.csv").read_text("utf-8").splitlines()[0] for name in "ab"]
-    assert heads == ["start_s,end_s,phoneme,intensity,phone,word,score", "start_s,end_s,phoneme,intensity"]
+    assert heads == [
+        "start_s,end_s,phoneme,intensity,confidence,phone,word,score",
+        "start_s,end_s,phoneme,intensity,confidence",
+    ]
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ NAMES = [name for name in phonemeengine.__all__ if name != "__version__"]
 PATHS = str | os.PathLike[str]
 WRAPPED = ("fget", "func", "__func__")
 """Where properties, cached ones, and methods of classes keep their function."""
-GIVEN = {"Transcript", "LabelledUtterance"}
+GIVEN = {"Transcript", "LabelledUtterance", "ModelFolder"}
 """Values that come from the engine, and hold paths rather than take them."""
 
 

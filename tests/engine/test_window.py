@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeengine import Phoneme, Reading, SettingsError, SoundReader, load_preset, recognise_window
+from phonemeengine import Phoneme, SettingsError, SoundReader, load_preset, recognise_window
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.dsp.framing import LEAD
 from phonemeengine.presets.files import FACTORY_PRESETS
@@ -29,10 +29,11 @@ def agreement_with_a_stream(name: str) -> float:
 @pytest.mark.parametrize("path", FACTORY_PRESETS, ids=lambda path: path.stem)
 def test_silence_is_silence_and_a_loud_vowel_is_none(path: object) -> None:
     preset = load_preset(path)
-    assert recognise_window(silence(WINDOW / 44_100), preset) == Reading(Phoneme.SILENCE, 0.0)
-    phoneme, intensity = recognise_window(0.5 * vowel((700, 1200, 2500), 0.1)[:WINDOW], preset)
+    assert recognise_window(silence(WINDOW / 44_100), preset)[:2] == (Phoneme.SILENCE, 0.0)
+    phoneme, intensity, confidence = recognise_window(0.5 * vowel((700, 1200, 2500), 0.1)[:WINDOW], preset)
     assert phoneme is not Phoneme.SILENCE
     assert 0.3 < intensity <= 1
+    assert 0 < confidence <= 1
 
 
 @pytest.mark.parametrize(

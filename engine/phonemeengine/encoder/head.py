@@ -1,6 +1,8 @@
 """The head on an encoder: phonemes and visemes, every 10 ms, from its states. NumPy alone."""
 
 from dataclasses import dataclass
+from functools import cached_property
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +31,7 @@ SHAPES = {
     "hidden_bias": (None,),
     "weights": (None, HALVES * N_OUTPUTS),
     "bias": (HALVES * N_OUTPUTS,),
+    "priors": (N_OUTPUTS,),
 }
 
 
@@ -42,6 +45,7 @@ class EncoderHead:
     projection : onto their principal components, scaled to a spread of 1, shape (512, n_components).
     hidden_weights, hidden_bias : shapes (5 x n_components, n_hidden) and (n_hidden,).
     weights, bias : shapes (n_hidden, 2 x 26) and (2 x 26,): the first 10 ms of a frame, then the second.
+    priors : shares of the phonemes, and of the visemes, in what it was trained on, shape (26,), above 0.
     """
 
     mean: Float32Array
@@ -50,6 +54,24 @@ class EncoderHead:
     hidden_bias: Float32Array
     weights: Float32Array
     bias: Float32Array
+    priors: Float32Array
+
+    @cached_property
+    def digest(self) -> str:
+        """A fingerprint of the arrays."""
+        return sha256(b"".join(getattr(self, name).tobytes() for name in SHAPES)).hexdigest()
+
+    def rounded(self) -> "EncoderHead":
+        """Return the head with the precision of its file, so that saving it changes nothing."""
+        return EncoderHead(
+            **{name: getattr(self, name).astype(np.float16).astype(np.float32) for name in SHAPES}
+        )  # fmt: skip
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, EncoderHead) and self.digest == other.digest
+
+    def __hash__(self) -> int:
+        return hash(self.digest)
 
     def probabilities(self, states: NDArray[np.float16]) -> Float32Array:
         """Return how likely each phoneme and viseme is, float32, shape (2 x n_states, 26), one row each 10 ms."""
@@ -121,4 +143,6 @@ def _head_of(arrays: dict[str, NDArray[Any]]) -> EncoderHead:
     n_components, n_hidden = found["projection"].shape[1], len(found["hidden_bias"])
     if found["hidden_weights"].shape != (len(CONTEXT) * n_components, n_hidden) or len(found["weights"]) != n_hidden:
         raise ValueError("hidden_weights")
+    if not (found["priors"] > 0).all():
+        raise ValueError("priors")
     return EncoderHead(**found)

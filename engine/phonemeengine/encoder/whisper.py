@@ -27,10 +27,10 @@ STRETCH, OVERLAP = 2800, 100
 """Mel frames that are encoded at once, and how many more on both sides; it takes at most 3000."""
 NEEDED_MEMORY = 400e6
 """Bytes: the weights as 8-bit integers, and what it works on."""
-LICENCE = "Whisper base, multilingual, by OpenAI, MIT licence"
+WHISPER_LICENCE = "Whisper base, multilingual, by OpenAI, MIT licence"
 
 
-class Encoder(Protocol):
+class SpeechEncoder(Protocol):
     """Makes something of a sound that tells phonemes apart, whoever speaks."""
 
     def encode(self, samples: Float32Array) -> NDArray[np.float16]:

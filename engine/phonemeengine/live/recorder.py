@@ -210,7 +210,7 @@ class PhonemeLog:
             self._joiner, self._shift = SegmentBuilder(), None
             self._began, self._lag = began, began - end
             with suppress(OSError):
-                self._rows.writerow(dict(zip(SEGMENT_COLUMNS, (place, end, gap.label, 0.0), strict=True)))
+                self._rows.writerow(dict(zip(SEGMENT_COLUMNS, (place, end, gap.label, 0.0, 1.0), strict=True)))
 
     def add_analysis(self, analysis: Analysis) -> None:
         """Take the next frames; those from before the recording are left out."""
@@ -220,7 +220,7 @@ class PhonemeLog:
         with self._writing:
             if self._shift is None:
                 self._shift = wanted.start * FRAME_PERIOD - self._lag
-            self._write(self._joiner.extend(wanted.phonemes, wanted.intensities))
+            self._write(self._joiner.extend(wanted.phonemes, wanted.intensities, None, wanted.confidences))
 
     def close(self, duration: float) -> None:
         """Write the last row, and finish."""

@@ -105,7 +105,7 @@ def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path
     joiner, runs, prosody = SegmentBuilder(), [], Prosody()
     for analysis in analyses:
         phones = viseme_phones(analysis.visemes)
-        runs += joiner.extend(analysis.phonemes, analysis.intensities, phones)
+        runs += joiner.extend(analysis.phonemes, analysis.intensities, phones, analysis.confidences)
         prosody.add(analysis)
     runs += joiner.finish(duration)
     return Transcript(name, duration, tuple(runs), prosody.intensities, prosody.pitches, path)

@@ -6,6 +6,7 @@ variables and rules, the recogniser's name and notes.
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import Any
@@ -13,10 +14,12 @@ from typing import Any
 import tomli_w
 
 from phonemeengine.arrays import LARGEST_FLOAT32
+from phonemeengine.encoder.head import EncoderHead, load_head
 from phonemeengine.errors import ModelError, PresetError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, load_model
 from phonemeengine.recognition.phoneme_data import PhonemeData
 from phonemeengine.recognition.rules import Condition, Rule
@@ -36,7 +39,9 @@ FRONT_END: dict[str, type] = {
 STATISTICS: dict[str, type] = {"statistics": bool, "minimum_hold": float, "hysteresis": float}
 INTENSITY: dict[str, type] = {"intensity_low": float, "intensity_high": float}
 _AHEAD: dict[str, type] = {"look_ahead": float, "live_look_ahead": float}
-_TEXTS: dict[str, type] = {"name": str, "recogniser": str, "model": str, "file_model": str, "notes": str}
+_TEXTS: dict[str, type] = {
+    "name": str, "recogniser": str, "model": str, "file_model": str, "encoder_head": str, "notes": str,
+}  # fmt: skip
 _VARIABLE: dict[str, type] = {
     "name": str, "low": float, "high": float, "kind": Kind, "source": Spectrum, "per": str,
 }  # fmt: skip
@@ -44,16 +49,17 @@ _RULE: dict[str, type] = {"phoneme": Phoneme, "conditions": list}
 _PHONEME_DATA: dict[str, type] = {field.name: float for field in fields(PhonemeData)}
 
 _TABLES = ("front_end", "phoneme_data", "statistics", "intensity")
-_OPTIONAL_TABLES = ("variables", "rules", "successors", "templates", "sensitivities")
+_CURVE = ("scores", "shares")
+_OPTIONAL_TABLES = ("variables", "rules", "successors", "templates", "sensitivities", "confidence")
 _TEMPLATED = {p.label: p for p in Phoneme if p not in UNTEMPLATED}
 _TEMPLATE_NUMBERS = ("spread", "silence_below")
 _CONDITION = re.compile(r"([a-z][a-z0-9_]*) *([<>]) *(\S+)")
 
 
-def preset_to_toml(preset: Preset, model: str = "", file_model: str = "") -> str:
+def preset_to_toml(preset: Preset, models: Mapping[str, str] | None = None) -> str:
     """Write a preset as the text of a TOML file.
 
-    `model` and `file_model` are the names of its models' files, in the same folder.
+    `models` holds the names of its models' files, in the same folder, by the names of the fields.
     """
     settings = preset.settings
     front_end: dict[str, Any] = {name: getattr(settings, name) for name in FRONT_END}
@@ -63,9 +69,8 @@ def preset_to_toml(preset: Preset, model: str = "", file_model: str = "") -> str
         "name": preset.name,
         "recogniser": preset.recogniser,
         **{name: getattr(settings, name) for name in _AHEAD},
-        **({"model": model} if model else {}),
-        **({"file_model": file_model} if file_model else {}),
-        **({"file_ear": preset.file_ear} if preset.file_ear is not Ear.TWIN else {}),
+        **(models or {}),
+        **({"file_ear": preset.file_ear} if preset.file_ear is not Ear.WHISPER else {}),
         "notes": preset.notes,
         "front_end": front_end,
         "phoneme_data": asdict(preset.phoneme_data),
@@ -73,6 +78,7 @@ def preset_to_toml(preset: Preset, model: str = "", file_model: str = "") -> str
         "intensity": {name: getattr(settings, name) for name in INTENSITY},
         "successors": {p.label: q.label for p, q in preset.successors.items()},
         **({"sensitivities": _table_of_sensitivities(preset)} if preset.sensitivities else {}),
+        **({"confidence": _table_of_curves(preset)} if preset.confidences else {}),
         "variables": [_document_of(variable) for variable in preset.variables],
         "rules": [
             {"phoneme": rule.phoneme.label, "conditions": [str(c) for c in rule.conditions]} for rule in preset.rules
@@ -103,7 +109,8 @@ def _preset_of(top: StrictTable, folder: Path) -> Preset:
     top.check_keys(_TABLES, (*_TEXTS, "file_ear", *_AHEAD, *_OPTIONAL_TABLES))
     texts = {key: top.value(key, str) for key in _TEXTS if key in top}
     settings = _settings_of(top)
-    file_model, warnings = _file_model_of(texts.get("file_model", ""), folder)
+    file_model, lost = _file_model_of(texts.get("file_model", ""), folder)
+    encoder_head, lost_too = _encoder_head_of(texts.get("encoder_head", ""), folder)
     preset = Preset(
         name=texts.get("name", "untitled"),
         settings=settings,
@@ -111,13 +118,15 @@ def _preset_of(top: StrictTable, folder: Path) -> Preset:
         recogniser=texts.get("recogniser", THESIS.name),
         model=_model_of(texts["model"], folder) if texts.get("model") else None,
         file_model=file_model,
-        file_ear=top.value("file_ear", Ear) if "file_ear" in top else Ear.TWIN,
+        encoder_head=encoder_head,
+        file_ear=top.value("file_ear", Ear) if "file_ear" in top else Ear.WHISPER,
         rules=tuple(_rule_of(entry) for entry in top.tables("rules")),
         templates=_templates_of_table(top.table("templates")) if "templates" in top else None,
         sensitivities=_sensitivities_of(top.table("sensitivities")),
         successors=_successors_of(top.table("successors")),
+        confidences=_curves_of(top.table("confidence")),
         notes=texts.get("notes", ""),
-        warnings=warnings,
+        warnings=lost + lost_too,
     )
     preset = preset.with_phoneme_data(PhonemeData(**top.table("phoneme_data").read(_PHONEME_DATA)))
     return replace(preset, settings=replace(preset.settings, filters=settings.filters))
@@ -135,11 +144,15 @@ def _document_of(variable: Variable) -> dict[str, Any]:
 
 
 def _model_of(name: str, folder: Path) -> Model:
+    return load_model(_beside(name, folder))
+
+
+def _beside(name: str, folder: Path) -> Path:
     if "/" in name or "\\" in name or name.startswith("."):
         raise PresetError(
             f"a model lies beside its preset, so model is a plain name such as voice.npz, found {shown(name)}"
         )
-    return load_model(folder / name)
+    return folder / name
 
 
 def _file_model_of(name: str, folder: Path) -> tuple[Model | None, tuple[str, ...]]:
@@ -153,6 +166,16 @@ def _file_model_of(name: str, folder: Path) -> tuple[Model | None, tuple[str, ..
     if not model.centred:
         return None, (f"{name}: this model is not for files; files are heard as live sound is",)
     return model, ()
+
+
+def _encoder_head_of(name: str, folder: Path) -> tuple[EncoderHead | None, tuple[str, ...]]:
+    """Return the head on the encoder, or none and why."""
+    if not name:
+        return None, ()
+    try:
+        return load_head(_beside(name, folder)), ()
+    except ModelError as error:
+        return None, (f"{error}; until then files are heard without Whisper",)
 
 
 def _rule_of(entry: StrictTable) -> Rule:
@@ -180,6 +203,20 @@ def _table_of_sensitivities(preset: Preset) -> dict[str, float]:
 
 def _sensitivities_of(table: StrictTable) -> dict[Phoneme, float]:
     return {phoneme: table.value(key, float) for phoneme, key in table.phonemes().items()}
+
+
+def _table_of_curves(preset: Preset) -> dict[str, Any]:
+    return {ear: asdict(preset.confidences[ear]) for ear in Ear if ear in preset.confidences}
+
+
+def _curves_of(table: StrictTable) -> dict[Ear, ConfidenceCurve]:
+    table.check_keys((), [ear.value for ear in Ear])
+    return {ear: _curve_of(table.table(ear)) for ear in Ear if ear in table}
+
+
+def _curve_of(table: StrictTable) -> ConfidenceCurve:
+    table.check_keys(_CURVE)
+    return ConfidenceCurve(*(table.numbers(key) for key in _CURVE))
 
 
 def _table_of_templates(templates: Templates) -> dict[str, Any]:

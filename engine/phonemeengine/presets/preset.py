@@ -2,10 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
+from types import MappingProxyType
 
+from phonemeengine.encoder.head import EncoderHead
 from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, Thresholds
 from phonemeengine.recognition.rules import Rule
@@ -15,6 +18,7 @@ from phonemeengine.recognition.spec import THESIS, RecogniserConfig, check_recog
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Ear
 
+NO_CURVES: Mapping[Ear, ConfidenceCurve] = MappingProxyType({})
 _IN_BINS = ("high_pass_start", "high_pass_end")
 
 
@@ -32,11 +36,14 @@ class Preset:
     rules : what the recogniser of own rules asks, in this order; each condition compares a variable with a number.
     model : what the learned recogniser knows.
     file_model : what it knows of sounds that are wholly known, a centred one; None where it hears files as all else.
+    encoder_head : what it knows of phonemes from a speech encoder, for the ear ``whisper``; None where it has none.
     file_ear : the best that files are heard with, if it can be had; see `phonemeengine.presets.ears.for_files`.
     ear : what is heard with now; only `for_files` gives presets whose ear is another one than ``live``.
     templates : what the recogniser by templates compares with.
     sensitivities : by phoneme, log-odds in nats that recognisers by scores add to those of the phoneme, -10..10.
     successors : what replaces an unidentified frame after each phoneme.
+    confidences : by ear, how the scores of what is named become confidences; those without one take a score for what
+        it is.
     notes : free text.
     warnings : what of it could not be had, and what serves instead, a sentence each; two presets that differ in
         nothing else are equal.
@@ -55,11 +62,13 @@ class Preset:
     rules: tuple[Rule, ...] = ()
     model: Model | None = None
     file_model: Model | None = None
-    file_ear: Ear = Ear.TWIN
+    encoder_head: EncoderHead | None = None
+    file_ear: Ear = Ear.WHISPER
     ear: Ear = Ear.LIVE
     templates: Templates | None = None
     sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: NO_SENSITIVITIES)
     successors: Mapping[Phoneme, Phoneme] = field(default_factory=lambda: SUCCESSORS)
+    confidences: Mapping[Ear, ConfidenceCurve] = field(default_factory=lambda: NO_CURVES)
     notes: str = ""
     warnings: tuple[str, ...] = field(default=(), compare=False)
 
@@ -77,9 +86,14 @@ class Preset:
     @property
     def config(self) -> RecogniserConfig:
         """What the recogniser is made from."""
-        model = self.file_model if self.ear is Ear.TWIN else self.model
+        model = self.model if self.ear is Ear.LIVE else self.file_model or self.model
         look_ahead = self.settings.look_ahead
         return RecogniserConfig(self.thresholds, self.rules, model, self.templates, look_ahead, self.sensitivities)
+
+    @property
+    def curve(self) -> ConfidenceCurve:
+        """How scores become confidences with the ear in use."""
+        return self.confidences.get(self.ear, UNFITTED)
 
     @property
     def phoneme_data(self) -> PhonemeData:

@@ -21,8 +21,8 @@ from phonemeengine.recognition.scores import (
 from phonemeengine.recognition.trace import Trace
 from phonemeengine.recognition.vtln import VtlnMixer, mixed
 
-NOTHING = Recognition(np.zeros(0, np.uint8), np.zeros((0, len(SCORES)), np.float32))
-"""What is said of no frames."""
+NOTHING = np.zeros((0, len(SCORES)), np.float32), None
+"""What is known of no frames."""
 
 
 class LearnedRecogniser:
@@ -55,6 +55,15 @@ class LearnedRecogniser:
 
     def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
         """Recognise the next frames; the answers are about those `look_ahead` frames before."""
+        shares, visemes = self.probabilities(windows)
+        scores = self._sensitivity.apply(shares)
+        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)
+
+    def probabilities(self, windows: Float32Array) -> tuple[Float32Array, Float32Array | None]:
+        """Take the next frames; return how likely phonemes and visemes are in those `look_ahead` frames before.
+
+        Before any sensitivity acts; float32, shapes (n, 11) and (n, 15), the latter None where it knows none.
+        """
         if not len(windows):
             return NOTHING
         found = self._network.forward(log_mels(windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
@@ -65,9 +74,7 @@ class LearnedRecogniser:
             return NOTHING
         shares, *others = (self._probabilities_of(found, head) for head in self._heads)
         weights = self._mixer.weigh(shares)
-        scores = self._sensitivity.apply(mixed(shares, weights))
-        visemes = mixed(others[0], weights) if others else None
-        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)
+        return mixed(shares, weights), mixed(others[0], weights) if others else None
 
     def _probabilities_of(self, found: Float32Array, head: OutputHead) -> Float32Array:
         """Return how likely each class of a head is with each vocal tract, shape (n, n_warps, n_classes)."""

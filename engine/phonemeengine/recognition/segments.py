@@ -11,7 +11,7 @@ from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
-SEGMENT_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
+SEGMENT_COLUMNS = ("start_s", "end_s", "phoneme", "intensity", "confidence")
 """The columns of a table of segments."""
 
 
@@ -25,6 +25,7 @@ class Segment:
     phoneme : what is said.
     intensity : mean intensity, 0..1.
     phone : its symbol in the International Phonetic Alphabet; empty where only the phoneme is known.
+    confidence : the mean share of such answers that are right, 0..1; 1 where nobody recognised it.
     """
 
     start: float
@@ -32,10 +33,12 @@ class Segment:
     phoneme: Phoneme
     intensity: float
     phone: str = ""
+    confidence: float = 1.0
 
     def row(self) -> dict[str, Any]:
         """Return it as a row of a table, in seconds to the microsecond."""
-        values = (round(self.start, 6), round(self.end, 6), self.phoneme.label, round(self.intensity, 3))
+        loudness, confidence = round(self.intensity, 3), round(self.confidence, 3)
+        values = (round(self.start, 6), round(self.end, 6), self.phoneme.label, loudness, confidence)
         return dict(zip(SEGMENT_COLUMNS, values, strict=True))
 
 
@@ -43,25 +46,31 @@ class SegmentBuilder:
     """Joins equal frames into segments, as the frames come."""
 
     def __init__(self) -> None:
-        self._code, self._phone, self._first, self._frame, self._total = -1, "", 0, 0, 0.0
+        self._code, self._phone, self._first, self._frame = -1, "", 0, 0
+        self._intensity = self._confidence = 0.0
 
     def extend(
-        self, phonemes: UInt8Array, intensities: Float32Array, phones: Sequence[str] | None = None
+        self, phonemes: UInt8Array, intensities: Float32Array, phones: Sequence[str] | None = None,
+        confidences: Float32Array | None = None,
     ) -> list[Segment]:  # fmt: skip
         """Take the next frames, all of shape (n_frames,), and give the segments that ended.
 
         Parameters
         ----------
         phones : what is known of each frame besides its phoneme; segments of one phoneme are parted by them.
+        confidences : how sure each frame is, 0..1; sure, where nobody says so.
         """
         ended = []
         phones = [""] * len(phonemes) if phones is None else phones
-        for code, phone, intensity in zip(phonemes.tolist(), phones, intensities.tolist(), strict=True):
+        sure = [1.0] * len(phonemes) if confidences is None else confidences.tolist()
+        frames = zip(phonemes.tolist(), phones, intensities.tolist(), sure, strict=True)
+        for code, phone, intensity, confidence in frames:
             if (code != self._code or phone != self._phone) and self._frame > self._first:
                 ended.append(self._segment(self._frame * FRAME_PERIOD))
-                self._first, self._total = self._frame, 0.0
+                self._first, self._intensity, self._confidence = self._frame, 0.0, 0.0
             self._code, self._phone = code, phone
-            self._total += intensity
+            self._intensity += intensity
+            self._confidence += confidence
             self._frame += 1
         return ended
 
@@ -70,21 +79,26 @@ class SegmentBuilder:
         return [self._segment(duration)] if self._frame > self._first else []
 
     def _segment(self, end: float) -> Segment:
-        mean = self._total / (self._frame - self._first)
-        return Segment(self._first * FRAME_PERIOD, end, Phoneme(self._code), mean, self._phone)
+        n = self._frame - self._first
+        intensity, confidence = self._intensity / n, self._confidence / n
+        return Segment(self._first * FRAME_PERIOD, end, Phoneme(self._code), intensity, self._phone, confidence)
 
 
-def segments_of(blocks: Iterable[tuple[UInt8Array, Float32Array]], duration: float) -> Iterator[Segment]:
+Frames = tuple[UInt8Array, Float32Array] | tuple[UInt8Array, Float32Array, Float32Array]
+"""Phonemes, intensities and maybe confidences of consecutive frames, each of shape (n_frames,)."""
+
+
+def segments_of(blocks: Iterable[Frames], duration: float) -> Iterator[Segment]:
     """Join equal frames into segments that cover a sound from 0 to its end without gaps.
 
     Parameters
     ----------
-    blocks : phonemes and intensities of consecutive blocks of frames, each of shape (n_frames,).
+    blocks : consecutive blocks of frames.
     duration : seconds of the whole sound, where the last one ends.
     """
     builder = SegmentBuilder()
-    for phonemes, intensities in blocks:
-        yield from builder.extend(phonemes, intensities)
+    for phonemes, intensities, *confidences in blocks:
+        yield from builder.extend(phonemes, intensities, None, *confidences)
     yield from builder.finish(duration)
 
 

@@ -11,6 +11,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
+from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.files import (
     DEFAULT_PRESET,
     FACTORY,
@@ -27,7 +28,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Rule
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
-from phonemeengine.settings import Filter
+from phonemeengine.settings import Ear, Filter
 
 PRESET_FILTER = f"Presets ({' '.join('*' + suffix for suffix in PRESET_SUFFIXES)})"
 """What a dialog that asks for a preset shows."""
@@ -85,7 +86,7 @@ class PresetModel(QObject):
     changed : the preset in force is another one.
     file_changed : the file's name, or whether there are unsaved changes.
     loaded : another file is in hand, and the history of changes begins anew.
-    rejected : a sentence for the user: the recogniser in use does not take that number.
+    rejected : a sentence for the user: the recogniser in use does not take that number, or there is no such ear.
     """
 
     changed = Signal()
@@ -261,6 +262,14 @@ class PresetModel(QObject):
         self.edit(tuned, f"recogniser {name}")
         self._left |= left
 
+    def set_file_ear(self, ear: Ear) -> None:
+        """Have files heard with another ear; one that cannot be had is said, and nothing changes."""
+        heard = for_files(self.preset, ear)
+        if heard.ear is ear:
+            self.edit(replace(self.preset, file_ear=ear), "ear for files")
+        else:
+            self.rejected.emit(heard.warnings[-1])
+
     def saved_value(self, name: str) -> float | None:
         """Return a control's value as the preset's file has it; None where the file's rules are others."""
         has_limits = Tuning.RULES in spec_of(self.preset.recogniser).tuned_by
@@ -328,6 +337,8 @@ def _joined(source: Preset, preset: Preset, first: Preset) -> Preset:
         rules=first.rules or source.rules or preset.rules,
         model=knows.model,
         file_model=knows.file_model,
+        encoder_head=knows.encoder_head,
+        confidences=source.confidences,
         file_ear=knows.file_ear,
         templates=first.templates or source.templates or preset.templates,
     )

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QSettings, QTimer
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.audio.locking import lock_at
 from phonemeengine.errors import EngineError
-from phonemeengine.presets.files import load_preset, save_preset
+from phonemeengine.presets.files import MODEL_SUFFIXES, load_preset, save_preset
 
 KEPT_AFTER_MS = 1000
 """So long after the last change of a preset the changes are written: a drag is not written all the time."""
@@ -65,7 +65,7 @@ class UnsavedChanges(QObject):
 
     def forget(self) -> None:
         """Forget what was written."""
-        for path in (self.path, self.path.with_suffix(".npz")):
+        for path in (self.path, *(self.path.with_suffix(suffix) for suffix in MODEL_SUFFIXES.values())):
             with suppress(OSError):
                 path.unlink(missing_ok=True)
 

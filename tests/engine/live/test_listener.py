@@ -108,17 +108,17 @@ def test_a_listener_tells_its_preset(hear: Hear) -> None:
     assert listener.preset is PRESET
 
 
-def test_polling_gives_the_newest_phoneme_and_its_intensity(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_polling_gives_the_newest_frame(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
     Clock(monkeypatch)
     microphone = HandDrivenMicrophone()
     hearing = hear(microphone)
-    assert hearing.listener.poll() == (Phoneme.SILENCE, 0.0)
+    assert hearing.listener.poll() == (Phoneme.SILENCE, 0.0, 0.0)
     microphone.give(SPEECH[: 30 * HOP])
     hearing.wait(frames_in(30 * HOP))
     whole = offline(SPEECH[: 30 * HOP])
     k = frames_in(30 * HOP) - 1
     assert whole.intensities[k] > 0
-    wanted = (whole.phonemes[k], pytest.approx(whole.intensities[k], abs=1e-4))
+    wanted = pytest.approx((whole.phonemes[k], whole.intensities[k], whole.confidences[k]), abs=1e-4)
     wait_for(lambda: hearing.listener.poll() == wanted, "the newest")
 
 
@@ -130,7 +130,7 @@ def test_a_mouth_does_not_stay_open_when_nothing_comes_any_more(hear: Hear, monk
     hearing.wait(frames_in(30 * HOP))
     wait_for(lambda: hearing.listener.poll().intensity > 0, "a voice")
     clock.now += 0.6
-    assert hearing.listener.poll() == (Phoneme.SILENCE, 0.0)
+    assert hearing.listener.poll() == (Phoneme.SILENCE, 0.0, 0.0)
 
 
 def test_every_block_is_told_as_soon_as_it_is_known(hear: Hear) -> None:

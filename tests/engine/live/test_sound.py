@@ -109,16 +109,20 @@ def test_the_analysis_buffer_is_the_file_around_what_is_heard(play: Play, path: 
 
 def test_the_poll_is_the_files_own_analysis_at_what_is_heard(play: Play, path: Path) -> None:
     game, whole = play(path), offline(path)
-    assert game.sound.poll() == (Phoneme.SILENCE, 0)
+    assert game.sound.poll() == (Phoneme.SILENCE, 0, 0)
     game.sound.play()
     heard = set()
     for frame in range(N_FRAMES - 3):
         game.hear(HOP)
-        phoneme, intensity = game.sound.poll()
+        if frame == 0:
+            continue  # its middle is not heard yet
+        phoneme, intensity, confidence = game.sound.poll()
         k = [
             j
             for j in (frame - 1, frame)
-            if whole.phonemes[j] == phoneme and abs(whole.intensities[j] - intensity) < 1e-3
+            if whole.phonemes[j] == phoneme
+            and abs(whole.intensities[j] - intensity) < 1e-3
+            and abs(whole.confidences[j] - confidence) < 1e-3
         ]
         assert k, frame  # the newest of the two frames of a block
         heard.add(phoneme)
@@ -133,7 +137,7 @@ def test_after_the_end_there_is_silence_and_the_place_is_the_end(play: Play, tmp
     game.hear(SAMPLE_RATE // 4)
     assert game.sound.poll().intensity > 0
     game.hear(SAMPLE_RATE // 4 + HOP)
-    assert game.sound.poll() == (Phoneme.SILENCE, 0)
+    assert game.sound.poll() == (Phoneme.SILENCE, 0, 0)
     assert not game.sound.playing
     assert game.sound.position == game.sound.duration == 0.5
 
@@ -144,10 +148,10 @@ def test_stopping_goes_to_the_beginning_and_into_silence(play: Play, path: Path)
     game.hear(SAMPLE_RATE // 3)
     assert game.sound.poll().intensity > 0
     game.sound.stop()
-    assert game.sound.poll() == (Phoneme.SILENCE, 0)
+    assert game.sound.poll() == (Phoneme.SILENCE, 0, 0)
     game.settle()
     assert (game.sound.position, game.sound.playing) == (0, False)
-    assert game.sound.poll() == (Phoneme.SILENCE, 0)
+    assert game.sound.poll() == (Phoneme.SILENCE, 0, 0)
     game.sound.play()
     game.hear(SAMPLE_RATE // 3)
     assert round(game.sound.position * SAMPLE_RATE) == SAMPLE_RATE // 3

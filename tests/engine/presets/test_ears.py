@@ -18,6 +18,7 @@ from phonemeengine.analyser import (
     concatenate_analyses,
 )
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.encoder.model_folder import FOLDER_VARIABLE
 from phonemeengine.errors import PresetError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets import ears
@@ -25,6 +26,7 @@ from phonemeengine.presets.ears import ear_in_words, for_files, while_played
 from phonemeengine.presets.files import beyond_phoneme_data, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import HOP, SAMPLE_RATE, AnalysisSettings, Ear
+from tests.fakes.whisper_model import encoder_head
 from tests.models import centred_model, tone_model
 from tests.sounds import silence, tone
 
@@ -136,58 +138,87 @@ def test_a_part_of_a_file_is_heard_as_in_the_whole(wav, first, last):
 
 # -- the speech encoder ------------------------------------------------------------------------------------
 
-
-@pytest.fixture
-def encoder(monkeypatch):
-    monkeypatch.setattr(ears, "ENCODER", "tests.fakes.encoder:encoder_recogniser")
-    monkeypatch.setattr(ears, "ENCODER_LIBRARY", "tests.fakes.encoder")
+BOTH = replace(PRESET, encoder_head=encoder_head())
 
 
-@pytest.mark.usefixtures("encoder")
+@pytest.mark.usefixtures("whisper")
 @pytest.mark.parametrize("n", [HOP, 1000, 20_000, len(SOUND)])
-def test_one_that_hears_by_stretches_gives_each_frame_its_answer_however_the_sound_was_cut(n):
-    hears = for_files(replace(PRESET, file_ear=Ear.WHISPER))
-    assert ear_in_words(hears) == "Whisper base and network"
+def test_an_encoder_gives_each_frame_its_answer_however_the_sound_was_cut(n):
+    hears = for_files(BOTH)
+    assert (hears.ear, ear_in_words(hears)) == (Ear.WHISPER, "Whisper base and network")
     found = concatenate_analyses(list(analyse_blocks(np.split(SOUND, range(n, len(SOUND), n)), hears)))
     assert len(found) == -(-len(SOUND) // HOP)
-    loud = np.abs(found.frames.windows[:, 1024 - 220 : 1024 + 220]).max(axis=1) > 0.1
-    np.testing.assert_array_equal(found.phonemes == Phoneme.A, loud)
+    assert same(found, heard(hears))
+    assert not same(found, heard(for_files(BOTH, Ear.TWIN)))
 
 
-@pytest.mark.usefixtures("encoder")
+@pytest.mark.usefixtures("whisper")
 def test_nobody_waits_for_an_encoder_while_a_sound_plays():
-    preset = replace(PRESET, file_ear=Ear.WHISPER)
-    assert while_played(preset).ear is while_played(preset, Ear.WHISPER).ear is Ear.TWIN
-    assert while_played(preset, Ear.LIVE).ear is Ear.LIVE
+    assert while_played(BOTH).ear is while_played(BOTH, Ear.WHISPER).ear is Ear.TWIN
+    assert while_played(BOTH, Ear.LIVE).ear is Ear.LIVE
 
 
-@pytest.mark.usefixtures("encoder")
+@pytest.mark.usefixtures("whisper")
+def test_the_network_beside_the_encoder_is_the_one_for_files_if_there_is_one():
+    alone = for_files(replace(BOTH, file_model=None))
+    assert (alone.ear, alone.config.model) == (Ear.WHISPER, LIVE)
+    assert for_files(BOTH).config.model == TWIN
+    assert not same(heard(alone), heard(for_files(BOTH)))
+
+
 @pytest.mark.parametrize("file_model", [TWIN, None])
-def test_where_the_encoder_is_damaged_the_next_best_serves_and_that_is_told(monkeypatch, file_model):
-    monkeypatch.setattr(ears, "ENCODER", "tests.fakes.encoder:damaged")
-    hears = for_files(replace(PRESET, file_model=file_model, file_ear=Ear.WHISPER))
+def test_where_the_encoder_is_damaged_the_next_best_serves_and_that_is_told(tmp_path, monkeypatch, file_model):
+    monkeypatch.setenv(FOLDER_VARIABLE, str(tmp_path))
+    hears = for_files(replace(BOTH, file_model=file_model))
     assert hears.ear is (Ear.TWIN if file_model else Ear.LIVE)
-    assert hears.warnings == ("model.bin: the speech encoder is damaged; get it anew",)
+    (warning,) = hears.warnings
+    assert warning.startswith(f"{tmp_path}: there is no Whisper model")
 
 
 def test_where_no_encoder_is_installed_nobody_hears_of_it_unless_he_asks(monkeypatch):
-    monkeypatch.setattr(ears, "ENCODER", "phonemeengine.no_such_room:encoder_recogniser")
     monkeypatch.setattr(ears, "ENCODER_LIBRARY", "no_such_library")
-    assert for_files(replace(PRESET, file_ear=Ear.WHISPER)).warnings == ()
-    (told,) = for_files(PRESET, Ear.WHISPER).warnings
+    assert (for_files(BOTH).ear, for_files(BOTH).warnings) == (Ear.TWIN, ())
+    (told,) = for_files(BOTH, Ear.WHISPER).warnings
     assert told.startswith("the speech encoder is not installed; pip install")
+
+
+def test_where_there_is_no_model_of_it_nobody_hears_of_that_unless_he_asks():
+    assert (for_files(BOTH).ear, for_files(BOTH).warnings) == (Ear.TWIN, ())
+    (told,) = for_files(BOTH, Ear.WHISPER).warnings
+    assert told.startswith("there is no Whisper model; phonemeanalyser whisper --fetch gets it")
+
+
+@pytest.mark.usefixtures("whisper")
+def test_a_preset_that_was_trained_without_the_encoder_does_without():
+    assert for_files(PRESET).ear is Ear.TWIN
+    (told,) = for_files(PRESET, Ear.WHISPER).warnings
+    assert told == "the preset 'both' does not know what Whisper hears; it was trained without it"
 
 
 # -- the file ----------------------------------------------------------------------------------------------
 
 
-def test_a_preset_is_saved_with_both_models_beside_it(tmp_path):
-    preset = replace(PRESET, file_ear=Ear.WHISPER)
+def test_a_preset_is_saved_with_all_models_beside_it(tmp_path):
+    preset = replace(BOTH, file_ear=Ear.TWIN)
     save_preset(preset, tmp_path / "voice.toml")
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["voice.files.npz", "voice.npz", "voice.toml"]
+    names = ["voice.files.npz", "voice.npz", "voice.toml", "voice.whisper.npz"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == names
     back = load_preset(tmp_path / "voice.toml")
     assert (back, back.warnings) == (preset, ())
-    assert "the model for files" in beyond_phoneme_data(preset)
+    assert {"the model for files", "what Whisper hears"} <= set(beyond_phoneme_data(preset))
+
+
+@pytest.mark.parametrize("content", [None, b"PK"])
+def test_without_the_head_on_the_encoder_the_preset_does_without_it_and_one_sentence_says_why(tmp_path, content):
+    save_preset(BOTH, tmp_path / "voice.toml")
+    (tmp_path / "voice.whisper.npz").unlink()
+    if content is not None:
+        (tmp_path / "voice.whisper.npz").write_bytes(content)
+    back = load_preset(tmp_path / "voice.toml")
+    assert back == PRESET
+    (warning,) = back.warnings
+    assert warning.startswith("voice.whisper.npz: the head of the encoder ")
+    assert warning.endswith("; until then files are heard without Whisper")
 
 
 @pytest.mark.parametrize(
@@ -221,8 +252,8 @@ def test_a_model_for_files_lies_beside_its_preset_too(tmp_path):
 
 @pytest.mark.parametrize("ear", ["ears", "LIVE", 3])
 def test_an_ear_that_nobody_has_is_refused(tmp_path, ear):
-    save_preset(replace(PRESET, file_ear=Ear.WHISPER), tmp_path / "p.toml")
+    save_preset(replace(PRESET, file_ear=Ear.TWIN), tmp_path / "p.toml")
     text = (tmp_path / "p.toml").read_text()
-    (tmp_path / "p.toml").write_text(text.replace('file_ear = "whisper"', f"file_ear = {ear!r}"))
+    (tmp_path / "p.toml").write_text(text.replace('file_ear = "twin"', f"file_ear = {ear!r}"))
     with pytest.raises(PresetError, match="file_ear"):
         load_preset(tmp_path / "p.toml")

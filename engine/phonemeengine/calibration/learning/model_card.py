@@ -6,14 +6,15 @@ from dataclasses import fields
 import numpy as np
 
 from phonemeengine.calibration.learning.parallel_training import HESITATION, WARPS
-from phonemeengine.calibration.learning.pipeline import TrainedModel, TrainingResult
+from phonemeengine.calibration.learning.pipeline import TrainedModel, TrainingResult, Validation
 from phonemeengine.calibration.learning.provenance import LabelSource
 from phonemeengine.calibration.learning.teacher import COMPONENTS, GROUPS, HIDDEN
-from phonemeengine.calibration.learning.validation import SETTINGS
+from phonemeengine.calibration.learning.validation import SAMPLED, SETTINGS
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.encoder.head import CONTEXT
-from phonemeengine.encoder.whisper import LICENCE
+from phonemeengine.encoder.whisper import WHISPER_LICENCE
+from phonemeengine.settings import Ear
 
 KINDS = {"human": "people", "synthetic-formant": "formant synthesis"}
 
@@ -58,6 +59,16 @@ def model_card(name: str, result: TrainingResult, n_variations: int) -> str:
     return "\n".join(parts)
 
 
+def validations_of(result: TrainingResult) -> dict[Ear, Validation]:
+    """Return how well each ear did, of those that there are."""
+    found = {
+        Ear.LIVE: result.live.validation,
+        Ear.TWIN: result.files.validation,
+        Ear.WHISPER: result.with_encoder,
+    }
+    return {ear: validation for ear, validation in found.items() if validation.together}
+
+
 def _architecture(trained: TrainedModel) -> str:
     model, config = trained.model, trained.config
     arrays = [a for layer in model.layers for a in (layer.weights, layer.bias)]
@@ -72,9 +83,10 @@ def _teacher(result: TrainingResult) -> str:
     if result.head is None:
         return ""
     return (
-        f"The teacher is the encoder of {LICENCE}, with a head of one hidden layer ({HIDDEN} units) on {len(CONTEXT)} "
-        f"of its frames, projected onto {COMPONENTS} components. Each recording was heard by a head that was trained "
-        f"without its group of speakers ({GROUPS} groups); labels and what that head heard count alike.\n"
+        f"The teacher is the encoder of {WHISPER_LICENCE}, with a head of one hidden layer ({HIDDEN} units) on "
+        f"{len(CONTEXT)} of its frames, projected onto {COMPONENTS} components. Each recording was heard by a "
+        f"head that was trained without its group of speakers ({GROUPS} groups); labels and what that head "
+        "heard count alike.\n"
     )
 
 
@@ -96,19 +108,40 @@ def _moved_labels(result: TrainingResult) -> str:
 
 
 def _validation(result: TrainingResult) -> str:
-    if not result.live.together:
+    if not result.live.validation.together:
         return "Not measured in this training.\n"
     kinds = {source.name: source.kind for source in result.sources}
     rows = [["", "minutes", *HEADINGS.values()]]
-    for ear, trained in (("live", result.live), ("files", result.files)):
-        rows += [[f"**{ear}, {group}**", *_figures(scores)] for group, scores in trained.together.items()]
-    rows += [[f"{name} ({kinds.get(name, '')})", *_figures(scores)] for name, scores in result.live.held_out.items()]
+    for ear, found in validations_of(result).items():
+        rows += [[f"**{ear}, {group}**", *_figures(scores)] for group, scores in found.together.items()]
+    rows += [
+        [f"{name} ({kinds.get(name, '')})", *_figures(scores)]
+        for name, scores in result.live.validation.held_out.items()
+    ]
     lead = (
         f"Each speaker was left out of one training, and recognised by it, as the preset does: live sound looking "
         f"{SETTINGS.look_ahead * 1000:.0f} ms ahead, each phoneme held {SETTINGS.minimum_hold * 1000:.0f} ms. The "
-        "definitions are those of `phonemeanalyser score`. Single speakers are heard by the model for live sound.\n\n"
+        "definitions are those of `phonemeanalyser score`. The teacher's heads had not heard them either. Single "
+        "speakers are heard by the model for live sound.\n\n"
     )
-    return lead + _table(rows)
+    return lead + _table(rows) + _by_look_ahead(result.live) + _confidence(result.live.validation)
+
+
+def _by_look_ahead(trained: TrainedModel) -> str:
+    if not trained.by_look_ahead:
+        return ""
+    rows = [["look-ahead", HEADINGS["macro_f1"], HEADINGS["viseme_accuracy"]]]
+    rows += [
+        [f"{1000 * seconds:.0f} ms", *(f"{figure:.3f}" for figure in pair)]
+        for seconds, pair in trained.by_look_ahead.items()
+    ]
+    return f"\nBy the look-ahead, on every {SAMPLED}th of the recordings:\n\n{_table(rows)}"
+
+
+def _confidence(found: Validation) -> str:
+    curve = found.confidence
+    rows = [["score", *(f"{score:.2f}" for score in curve.scores)], ["right", *(f"{s:.2f}" for s in curve.shares)]]
+    return f"\nOf frames that were named with such a probability, such a share was right:\n\n{_table(rows)}"
 
 
 def _figures(scores: Scores) -> list[str]:

@@ -1,7 +1,7 @@
 """From folders of labelled speech to a model and the card that tells about it."""
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -11,12 +11,18 @@ from phonemeengine.calibration.learning.parallel_training import TrainingPart, t
 from phonemeengine.calibration.learning.provenance import HUMAN, LabelSource, sources_of
 from phonemeengine.calibration.learning.teacher import encode_all, teach
 from phonemeengine.calibration.learning.training import BOTH_WAYS, TrainingConfig
-from phonemeengine.calibration.learning.validation import folds_of, predictions_of
+from phonemeengine.calibration.learning.validation import (
+    confidence_of,
+    figures_by_look_ahead,
+    folds_of,
+    hear_held_out,
+)
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import Predictions
 from phonemeengine.calibration.scores.scoring import Answers, Scores, scores_of
 from phonemeengine.encoder.head import EncoderHead
 from phonemeengine.errors import CorpusError
+from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.model import Model
 from phonemeengine.settings import Channel
 
@@ -28,6 +34,22 @@ PEOPLE = "people"
 
 
 @dataclass(frozen=True)
+class Validation:
+    """How well speakers were recognised that were not heard in the training.
+
+    Attributes
+    ----------
+    held_out : by speaker, the figures of a model that was trained without it; empty without a validation.
+    together : the same for ``all`` speakers, and for ``people`` alone where there are some.
+    confidence : how sure the answers are.
+    """
+
+    held_out: dict[str, Scores] = field(default_factory=dict)
+    together: dict[str, Scores] = field(default_factory=dict)
+    confidence: ConfidenceCurve = UNFITTED
+
+
+@dataclass(frozen=True)
 class TrainedModel:
     """A model, and how well others of its kind did on speakers whom they had not heard.
 
@@ -35,14 +57,14 @@ class TrainedModel:
     ----------
     model : trained on all speakers.
     config : how.
-    held_out : by speaker, the figures of a model that was trained without it; empty without a validation.
-    together : the same for ``all`` speakers, and for ``people`` alone where there are some.
+    validation : how well others of its kind did.
+    by_look_ahead : macro F1 and the share of right mouth shapes by look-ahead, seconds, of some of their recordings.
     """
 
     model: Model
     config: TrainingConfig
-    held_out: dict[str, Scores]
-    together: dict[str, Scores]
+    validation: Validation
+    by_look_ahead: dict[float, tuple[float, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -56,6 +78,7 @@ class TrainingResult:
     files : its twin for files, which hears as far ahead as back.
     rounds : in which the labels of people were moved.
     head : on the teacher's encoder, trained on all speakers; None without a teacher.
+    with_encoder : how well the model for files and the encoder do together.
     """
 
     sources: tuple[LabelSource, ...]
@@ -63,6 +86,7 @@ class TrainingResult:
     files: TrainedModel
     rounds: tuple[Round, ...] = ()
     head: EncoderHead | None = None
+    with_encoder: Validation = field(default_factory=Validation)
 
 
 def train_and_validate(
@@ -125,12 +149,15 @@ def train_and_validate(
         for k, group in enumerate((set[str](), *groups))
         for name, kind in zip(("live", "files"), configs, strict=True)
     ]
-    found = train_parts(parts, work, weights, predictions_of, partial(on_progress, "training"))
+    hear = partial(hear_held_out, teacher=None if head is None else work)
+    found = train_parts(parts, work, weights, hear, partial(on_progress, "training"))
+    held_out = [[heard for _, part in found[k :: len(configs)] for heard in part] for k in range(len(configs))]
     live, files = (
-        _trained(kind, found[k][0], [p for _, predictions in found[k :: len(configs)] for p in predictions], people)
-        for k, kind in enumerate(configs)
+        TrainedModel(model, kind, _validated([h.predictions for h in heard], people), figures_by_look_ahead(heard))
+        for (model, _), kind, heard in zip(found, configs, held_out, strict=False)
     )
-    return TrainingResult(sources, live, files, tuple(rounds), head)
+    together = _validated([h.with_encoder for h in held_out[-1] if h.with_encoder is not None], people)
+    return TrainingResult(sources, live, files, tuple(rounds), head, together)
 
 
 def _begin(work: Path, plan: str) -> None:
@@ -142,20 +169,17 @@ def _begin(work: Path, plan: str) -> None:
     told.write_text(plan, encoding="utf-8")
 
 
-def _trained(
-    config: TrainingConfig, model: Model, predictions: list[Predictions], people: Collection[str]
-) -> TrainedModel:  # fmt: skip
+def _validated(predictions: list[Predictions], people: Collection[str]) -> Validation:
     by_name: dict[str, list[Answers]] = {}
     for prediction in predictions:
         by_name.setdefault(prediction.utterance.voice, []).append(prediction.answers)
     together = {"all": list(by_name), PEOPLE: [name for name in by_name if name in people]}
-    return TrainedModel(
-        model,
-        config,
+    return Validation(
         {name: scores_of(answers) for name, answers in by_name.items()},
         {
             group: scores_of(answers for name in names for answers in by_name[name])
             for group, names in together.items()
             if names
         },
+        confidence_of(predictions),
     )

@@ -63,7 +63,7 @@ def realigned(labels: Sequence[Label], evidence: Float64Array) -> tuple[Label, .
     joined = all(a.end == b.start for a, b in pairwise(labels))
     if not joined or len(labels) < 2 or len(evidence) < 2:
         return tuple(labels)
-    sounds = [_Sound.of(label) for label in labels]
+    sounds = [_LabelledSound.of(label) for label in labels]
     choices = _choices(labels, sounds, len(evidence))
     best, ways = np.zeros(len(choices[0])), []
     for k, (label, sound) in enumerate(zip(labels, sounds, strict=True)):
@@ -91,14 +91,14 @@ def realigned(labels: Sequence[Label], evidence: Float64Array) -> tuple[Label, .
 
 
 @dataclass(frozen=True)
-class _Sound:
+class _LabelledSound:
     """What is heard of a phone: columns of the evidence."""
 
     phoneme: int
     viseme: int | None
 
     @classmethod
-    def of(cls, label: Label) -> "_Sound":
+    def of(cls, label: Label) -> "_LabelledSound":
         viseme = viseme_of(label.phone, label.phoneme)
         return cls(int(label.phoneme), None if viseme is None else len(Phoneme) + int(viseme))
 
@@ -109,7 +109,7 @@ class _Sound:
         return np.concatenate(([0.0], np.cumsum(likely)))
 
 
-def _choices(labels: Sequence[Label], sounds: Sequence[_Sound], n_places: int) -> list[Int64Array]:
+def _choices(labels: Sequence[Label], sounds: Sequence[_LabelledSound], n_places: int) -> list[Int64Array]:
     """Return for each boundary, and both ends, where it may lie, in steps."""
     found = [np.array([_place(labels[0].start, n_places)])]
     for label, sound, following in zip(labels, sounds, sounds[1:], strict=False):

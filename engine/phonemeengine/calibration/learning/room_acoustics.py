@@ -46,7 +46,7 @@ class Room:
 
 
 @dataclass(frozen=True)
-class _Kind:
+class _RoomKind:
     """A kind of room: ranges of length and width, of height, of the decay, and of the microphone's distance."""
 
     sides: tuple[float, float]
@@ -56,11 +56,11 @@ class _Kind:
 
 
 KINDS = {
-    "vocal booth": _Kind((1.2, 2.5), (2.0, 2.4), (0.08, 0.2), (0.1, 0.4)),
-    "headset": _Kind((2.5, 6.0), (2.3, 3.0), (0.25, 0.7), (0.03, 0.1)),
-    "desk": _Kind((2.5, 6.0), (2.3, 3.0), (0.25, 0.7), (0.4, 0.9)),
-    "far from the microphone": _Kind((3.0, 8.0), (2.4, 3.5), (0.3, 0.9), (1.0, 3.0)),
-    "hall": _Kind((8.0, 20.0), (4.0, 8.0), (0.8, 1.8), (0.3, 1.5)),
+    "vocal booth": _RoomKind((1.2, 2.5), (2.0, 2.4), (0.08, 0.2), (0.1, 0.4)),
+    "headset": _RoomKind((2.5, 6.0), (2.3, 3.0), (0.25, 0.7), (0.03, 0.1)),
+    "desk": _RoomKind((2.5, 6.0), (2.3, 3.0), (0.25, 0.7), (0.4, 0.9)),
+    "far from the microphone": _RoomKind((3.0, 8.0), (2.4, 3.5), (0.3, 0.9), (1.0, 3.0)),
+    "hall": _RoomKind((8.0, 20.0), (4.0, 8.0), (0.8, 1.8), (0.3, 1.5)),
 }
 
 

@@ -12,6 +12,8 @@ from phonemeengine.files import reason_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.visemes import Viseme
 
+SOFT_LABELS, HEAD = "heard.npz", "head.npz"
+"""Files of what the teacher heard, and of a head that heard all."""
 N_HEARD = len(Phoneme) + len(Viseme)
 """Numbers of a frame: the probabilities of the phonemes, then those of the visemes."""
 

@@ -17,13 +17,19 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, Int64Array
 from phonemeengine.calibration.learning.optimiser import Optimiser
-from phonemeengine.calibration.learning.soft_labels import key_of, load_soft_labels, save_soft_labels
+from phonemeengine.calibration.learning.soft_labels import (
+    HEAD,
+    SOFT_LABELS,
+    key_of,
+    load_soft_labels,
+    save_soft_labels,
+)
 from phonemeengine.calibration.learning.targets import targets_of
 from phonemeengine.calibration.learning.training_examples import certainties_of
 from phonemeengine.calibration.learning.validation import folds_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.encoder.head import CONTEXT, HALVES, N_OUTPUTS, EncoderHead, load_head, save_head, softmax
-from phonemeengine.encoder.whisper import Encoder, WhisperEncoder
+from phonemeengine.encoder.whisper import SpeechEncoder, WhisperEncoder
 from phonemeengine.files import atomic_write
 from phonemeengine.phonemes import Phoneme
 
@@ -33,6 +39,8 @@ GROUPS = 4
 """Of speakers, each left out of one head."""
 SAMPLED = 20
 """States of each recording from which the principal components are taken."""
+LEAST_PRIOR = 1e-3
+"""Added to the share of each class."""
 Encoded = dict[str, Path]
 """By the key of the recording, the file with its states."""
 OnShare = Callable[[float], object]
@@ -64,7 +72,7 @@ def encode_all(utterances: Sequence[LabelledUtterance], folder: Path, whisper: P
     return files
 
 
-_encoder: Encoder
+_encoder: SpeechEncoder
 
 
 def _open_encoder(whisper: Path) -> None:
@@ -167,17 +175,28 @@ def train_head(
         generator.normal(0, np.sqrt(1 / HIDDEN), (HIDDEN, HALVES * N_OUTPUTS)).astype(np.float32),
         np.zeros(HALVES * N_OUTPUTS, np.float32),
     ]
-    n_steps = EPOCHS * (len(chosen) // BATCH)
+    n_batches = max(1, len(chosen) // BATCH)
+    n_steps = EPOCHS * n_batches
     optimiser = Optimiser(values, n_steps, RATE)
     context = np.array(CONTEXT)
     for step in range(n_steps):
-        if step % (n_steps // EPOCHS) == 0:
+        if step % n_batches == 0:
             order = generator.permutation(chosen)
-        batch = order[step % (n_steps // EPOCHS) * BATCH :][:BATCH]
+        batch = order[step % n_batches * BATCH :][:BATCH]
         inputs = lesson.components[lesson.places[batch, np.newaxis] + context].reshape(len(batch), -1)
         optimiser.step(_gradients(values, inputs.astype(np.float32), lesson, batch, generator))
         on_progress((step + 1) / n_steps)
-    return EncoderHead(*projection, *values)
+    return EncoderHead(*(*projection, *values, _priors_of(lesson, chosen)))
+
+
+def _priors_of(lesson: Lesson, chosen: Int64Array) -> Float32Array:
+    """Return the shares of the phonemes, and of the visemes, in what is learned from, shape (26,)."""
+    counts = lesson.certainties[chosen] * lesson.weights[lesson.voices[chosen], np.newaxis]
+    shares = []
+    for codes, n_classes in ((lesson.phonemes, len(Phoneme)), (lesson.visemes, N_OUTPUTS - len(Phoneme))):
+        found = np.bincount(codes[chosen].ravel(), counts.ravel(), 256)[:n_classes] + LEAST_PRIOR * counts.sum()
+        shares.append(found / found.sum())
+    return np.concatenate(shares).astype(np.float32)
 
 
 def _gradients(
@@ -221,7 +240,7 @@ def teach(
     folder : for the results; what lies there already is taken.
     on_progress : is told of the share that is done.
     """
-    heard, head_file = folder / "heard.npz", folder / "head.npz"
+    heard, head_file = folder / SOFT_LABELS, folder / HEAD
     if not (heard.is_file() and head_file.is_file()):
         projection = projection_of(encoded, seed)
         lesson = lesson_of(utterances, encoded, weights, projection)

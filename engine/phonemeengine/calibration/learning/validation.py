@@ -1,20 +1,33 @@
 """How well a model does on speakers that it was not trained on."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.learning.example_cache import SpeakerExamples
+from phonemeengine.calibration.learning.soft_labels import HEAD, SOFT_LABELS, key_of, load_soft_labels
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
+from phonemeengine.calibration.scores.scoring import Answers, scores_of
 from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.encoder.head import load_head
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve, fit_confidence
+from phonemeengine.recognition.encoded import OVERLAP, STRETCH, EncodedRecogniser
+from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import Model
+from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.smoothing import UNREPLACED
 from phonemeengine.recognition.spec import LEARNED
-from phonemeengine.settings import AnalysisSettings
+from phonemeengine.settings import HOP, AnalysisSettings
 
+OTHER_LOOK_AHEADS = (0.0, 0.01, 0.02, 0.03, 0.04)
+"""Seconds that are tried besides that of the settings, on every `SAMPLED`th recording."""
+SAMPLED = 8
 SETTINGS = AnalysisSettings(look_ahead=0.05, minimum_hold=0.01, hysteresis=0.1)
 """How a trained model is used, and so how it is validated."""
 N_ANCHORS, N_FRAMES = 32, 150
@@ -27,15 +40,90 @@ def folds_of(names: Sequence[str], n_folds: int) -> list[set[str]]:
     return [set(ordered[k::n_folds]) for k in range(n_folds)]
 
 
-def predictions_of(model: Model, utterances: Iterable[LabelledUtterance]) -> list[Predictions]:
-    """Recognise recordings as a user's program does.
+@dataclass(frozen=True)
+class HeldOut:
+    """How a model recognised a recording of somebody whom it had not heard.
+
+    Attributes
+    ----------
+    predictions : as a user's program gets them; confidences are the scores of what was named.
+    answers : with other look-aheads, by these in seconds; of some recordings only.
+    with_encoder : together with what the teacher heard, as files are heard with the ear ``whisper``; None without.
+    """
+
+    predictions: Predictions
+    answers: dict[float, Answers]
+    with_encoder: Predictions | None = None
+
+
+def hear_held_out(
+    model: Model, utterances: Sequence[LabelledUtterance], teacher: Path | None = None
+) -> list[HeldOut]:  # fmt: skip
+    """Recognise recordings as a user's program does, and some with other look-aheads.
+
+    Parameters
+    ----------
+    model : a network that has not heard their speakers.
+    utterances : the recordings.
+    teacher : the folder with what heads that had not heard their speakers either say of them, as `teach` writes it.
 
     Raises
     ------
     AudioError : a sound cannot be read.
     """
     preset = preset_of(model)
-    return [predict(utterance, preset) for utterance in utterances]
+    known = None
+    if teacher is not None and model.centred:
+        known = load_soft_labels(teacher / SOFT_LABELS), load_head(teacher / HEAD).priors
+    found = []
+    for k, utterance in enumerate(utterances):
+        tried = () if model.centred or k % SAMPLED else OTHER_LOOK_AHEADS
+        others = {s: replace(preset, settings=replace(SETTINGS, look_ahead=s)) for s in tried}
+        answers = {seconds: predict(utterance, other).answers for seconds, other in others.items()}
+        predictions = predict(utterance, preset)
+        if answers:
+            answers[SETTINGS.look_ahead] = predictions.answers
+        with_encoder = None
+        if known is not None:
+            soft_labels, priors = known
+            with_encoder = _with_encoder(utterance, preset, soft_labels[key_of(utterance)], priors)
+        found.append(HeldOut(predictions, answers, with_encoder))
+    return found
+
+
+def _with_encoder(
+    utterance: LabelledUtterance, preset: Preset, heard: NDArray[np.float16], priors: Float32Array
+) -> Predictions:  # fmt: skip
+    """Recognise a recording by the network together with what the teacher heard in it."""
+    assert preset.model is not None
+    shares, n_heard = heard.astype(np.float32), 0
+
+    def hear(samples: Float32Array) -> Float32Array:
+        nonlocal n_heard
+        first, n_heard = max(0, n_heard - OVERLAP), n_heard + STRETCH
+        return shares[first : first + -(-len(samples) // HOP)]
+
+    network = LearnedRecogniser(preset.model, SETTINGS.look_ahead)
+    return predict(utterance, preset, recogniser=EncodedRecogniser(network, hear, priors, Sensitivity({})))
+
+
+def figures_by_look_ahead(held_out: Sequence[HeldOut]) -> dict[float, tuple[float, float]]:
+    """Return macro F1 and the share of right mouth shapes by the look-ahead in seconds."""
+    scores = {
+        seconds: scores_of(heard.answers[seconds] for heard in held_out if heard.answers)
+        for seconds in sorted({s for heard in held_out for s in heard.answers})
+    }
+    return {seconds: (s.macro_f1, s.viseme_accuracy) for seconds, s in scores.items()}
+
+
+def confidence_of(predictions: Sequence[Predictions]) -> ConfidenceCurve:
+    """Fit how sure answers are, where labels are certain; scores are taken for what they are if there are none."""
+    pairs = [(p.confidences, p.right, p.labels.certain) for p in predictions]
+    known = [(sure[certain], right[certain]) for sure, right, certain in pairs if sure is not None and certain.any()]
+    if not known:
+        return UNFITTED
+    sure, right = (np.concatenate(part) for part in zip(*known, strict=True))
+    return fit_confidence(sure, right)
 
 
 def preset_of(model: Model) -> Preset:

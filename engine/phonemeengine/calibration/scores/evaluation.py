@@ -26,7 +26,9 @@ from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.confidence import calibration_errors
 from phonemeengine.recognition.segments import count_changes
+from phonemeengine.recognition.spec import Recogniser
 from phonemeengine.settings import FRAME_PERIOD, HOP
 from phonemeengine.text.pronunciation import ScriptWord
 from phonemeengine.visemes import NO_VISEME, Viseme, viseme_of
@@ -50,6 +52,7 @@ class Predictions:
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`; silence where the sound has ended before its labels.
     intensities : float32, shape (n_frames,): 0..1.
     visemes : uint8, shape (n_frames,): codes of `Viseme`; None where they are those of the phonemes.
+    confidences : float32, shape (n_frames,): how sure the answers are, 0..1; None where the words were known.
     """
 
     utterance: LabelledUtterance
@@ -57,6 +60,7 @@ class Predictions:
     phonemes: UInt8Array
     intensities: Float32Array
     visemes: UInt8Array | None = None
+    confidences: Float32Array | None = None
 
     @property
     def answers(self) -> Answers:
@@ -82,6 +86,8 @@ class GroupScores:
     changes, label_changes : how often the answer, and the label, becomes another.
     intensity : mean intensity of the frames labelled as speech, 0..1; NaN where there is none.
     n_recordings : how many they are.
+    calibration_error : by how much confidences are off, on average; NaN where the words were known.
+    largest_gap : between confidence and share right, of tenths of the confidence with at least 1 % of the frames.
     """
 
     scores: Scores
@@ -90,6 +96,8 @@ class GroupScores:
     label_changes: int
     intensity: float
     n_recordings: int
+    calibration_error: float = math.nan
+    largest_gap: float = math.nan
 
     def f1_of(self, phoneme: Phoneme) -> float:
         """Return the F1 of one class; NaN where it is not labelled."""
@@ -173,8 +181,9 @@ def predict(
     delay: float = 0.0,
     noise: NoiseAdder | None = None,
     words: WordsOf | None = None,
+    recogniser: Recogniser | None = None,
 ) -> Predictions:
-    """Recognise one recording; the parameters are those of `score`.
+    """Recognise one recording; the parameters are those of `score`, and of `Analyser`.
 
     Raises
     ------
@@ -183,33 +192,36 @@ def predict(
     labels = frame_labels_of(utterance.labels)
     with utterance.opened() as reader:
         blocks = reader.blocks(BLOCK * HOP) if noise is None else noise.blocks(utterance, BLOCK * HOP)
-        analyses = analyse_blocks(blocks, preset)
+        analyses = analyse_blocks(blocks, preset, recogniser=recogniser)
         found = _answers(analyses, None if words is None else words(utterance), reader.duration)
     late, n = math.floor(delay / FRAME_PERIOD + 0.5 + ROUNDING), len(labels.phonemes)
-    phonemes, intensities, visemes = (_shifted(values, late, n) for values in found)
-    return Predictions(utterance, labels, phonemes, intensities, visemes)
+    phonemes, intensities, visemes, confidences = (_shifted(values, late, n) for values in found)
+    return Predictions(utterance, labels, phonemes, intensities, visemes, confidences if words is None else None)
 
 
 def _answers(
     analyses: Iterable[Analysis], words: Sequence[ScriptWord] | None, duration: float
-) -> tuple[UInt8Array, Float32Array, UInt8Array]:
-    """Return the phonemes of a sound's frames, as they are recognised or aligned, their intensities and visemes."""
+) -> tuple[UInt8Array, Float32Array, UInt8Array, Float32Array]:
+    """Return the phonemes of a sound's frames, as they are recognised or aligned, and what else is known of them.
+
+    That is: their intensities, their visemes, and how sure the recogniser was.
+    """
     n_in_sound = math.ceil(duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
     nothing = np.zeros(0, np.uint8)
-    found = [(nothing, np.zeros(0, np.float32), nothing)]
+    found = [(nothing, np.zeros(0, np.float32), nothing, np.zeros(0, np.float32))]
 
     def heard() -> Iterator[Analysis]:
         for analysis in analyses:
-            found.append((analysis.phonemes, analysis.intensities, analysis.visemes))
+            found.append((analysis.phonemes, analysis.intensities, analysis.visemes, analysis.confidences))
             yield analysis
 
     aligned = align_analyses(heard(), words, duration) if words else None
     if aligned is None:
         deque(heard(), maxlen=0)
-    phonemes, intensities, visemes = (np.concatenate(part)[:n_in_sound] for part in zip(*found, strict=True))
+    phonemes, intensities, visemes, sure = (np.concatenate(part)[:n_in_sound] for part in zip(*found, strict=True))
     if aligned is None:
-        return phonemes, intensities, visemes
-    return frame_phonemes_of(aligned, n_in_sound), intensities, frame_visemes_of(aligned, n_in_sound)
+        return phonemes, intensities, visemes, sure
+    return frame_phonemes_of(aligned, n_in_sound), intensities, frame_visemes_of(aligned, n_in_sound), sure
 
 
 def frame_phonemes_of(utterance: Utterance, n_frames: int) -> UInt8Array:
@@ -233,6 +245,7 @@ def frame_visemes_of(utterance: Utterance, n_frames: int) -> UInt8Array:
 def group_scores_of(predictions: Sequence[Predictions]) -> GroupScores:
     """Score some recordings together; at least one has a frame."""
     pairs = [(prediction.labels, prediction.phonemes) for prediction in predictions]
+    error, gap = _calibration_of(predictions)
     spoken = np.concatenate([p.intensities[p.labels.phonemes != Phoneme.SILENCE] for p in predictions], dtype=float)
     return GroupScores(
         scores=scores_of(prediction.answers for prediction in predictions),
@@ -243,7 +256,19 @@ def group_scores_of(predictions: Sequence[Predictions]) -> GroupScores:
         label_changes=sum(count_changes(labels.phonemes) for labels, _ in pairs),
         intensity=float(spoken.mean()) if len(spoken) else math.nan,
         n_recordings=len(predictions),
+        calibration_error=error,
+        largest_gap=gap,
     )
+
+
+def _calibration_of(predictions: Iterable[Predictions]) -> tuple[float, float]:
+    """Compare confidences with what was right, where the labels are certain."""
+    sure, right = [np.zeros(0, np.float32)], [np.zeros(0, bool)]
+    for prediction in predictions:
+        if prediction.confidences is not None:
+            sure.append(prediction.confidences[prediction.labels.certain])
+            right.append(prediction.right[prediction.labels.certain])
+    return calibration_errors(np.concatenate(sure), np.concatenate(right))
 
 
 def kind_of(utterance: LabelledUtterance) -> str:

@@ -1,0 +1,114 @@
+"""The recogniser of whole files that hears with a speech encoder and the network together."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from phonemeengine.arrays import Float32Array
+from phonemeengine.dsp.framing import LEAD
+from phonemeengine.features.measure import Features
+from phonemeengine.recognition.learned import LearnedRecogniser
+from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.scores import SCORES, Sensitivity, deficits_of_scores, trace_of_scores
+from phonemeengine.recognition.trace import Trace
+from phonemeengine.settings import HOP, WINDOW
+from phonemeengine.visemes import Viseme
+
+STRETCH, OVERLAP = 2800, 100
+"""Frames that the encoder hears at once, and how many more of the sound on both sides; both even."""
+ENCODER_SHARE = 0.6
+"""Of the encoder in the mean of the logarithms of both probabilities; the rest is the network's."""
+WEAKENED = 0.35
+"""How much less the likeliness of a class beforehand counts: frequent ones are named too often by both together."""
+LEAST = 1e-6
+N_VISEMES = len(Viseme)
+
+Hear = Callable[[Float32Array], Float32Array]
+"""Takes samples, gives how likely each phoneme and viseme is, shape (n_frames or some more, 26)."""
+
+
+class EncodedRecogniser:
+    """Names what encoder and network together find likeliest: the weighted mean of their log-probabilities.
+
+    It holds frames back until it has a stretch of the sound, so it is for files.
+
+    Parameters
+    ----------
+    network : names phonemes and visemes, with no sensitivities.
+    hear : what the encoder and its head make of samples; called with stretches of a few seconds to half a minute.
+    priors : shares of the phonemes and visemes in what both were trained on, shape (26,).
+    sensitivity : log-odds that are added in the end.
+    """
+
+    scores = SCORES
+    used_thresholds: frozenset[str] = frozenset()
+
+    def __init__(
+        self, network: LearnedRecogniser, hear: Hear, priors: Float32Array, sensitivity: Sensitivity
+    ) -> None:  # fmt: skip
+        self.look_ahead = STRETCH + OVERLAP
+        self._network, self._hear, self._sensitivity = network, hear, sensitivity
+        self._log_priors = np.log(priors)
+        self._samples = np.zeros(0, np.float32)
+        self._n_before = 0  # frames of the samples that are answered already
+        self._shares: list[tuple[Float32Array, Float32Array]] = []
+
+    def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
+        """Take the next frames; what comes back is about stretches of the oldest, once there are any."""
+        self._samples = np.concatenate((self._samples, windows[:, LEAD : LEAD + HOP].ravel()))
+        self._follow(windows)
+        return self._answers((self._n_waiting - OVERLAP) // STRETCH * STRETCH)
+
+    def finish(self) -> Recognition:
+        """Return the answers for all frames that are left."""
+        self._follow(np.zeros((self._network.look_ahead, WINDOW), np.float32))
+        return self._answers(self._n_waiting)
+
+    def deficits(self, features: Features) -> Float32Array | None:
+        """Return by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
+        return deficits_of_scores(features)
+
+    def explain(self, features: Features, k: int) -> Trace:
+        """Return how likely the likeliest phonemes of frame `k` are."""
+        return trace_of_scores(features, k)
+
+    @property
+    def _n_waiting(self) -> int:
+        return len(self._samples) // HOP - self._n_before
+
+    def _follow(self, windows: Float32Array) -> None:
+        shares, visemes = self._network.probabilities(windows)
+        if len(shares):
+            unknown = np.ones((len(shares), N_VISEMES), np.float32)
+            self._shares.append((shares, unknown if visemes is None else visemes))
+
+    def _answers(self, n: int) -> Recognition:
+        """Name the oldest n frames; none, if n is not above 0."""
+        lengths = [min(STRETCH, n - first) for first in range(0, n, STRETCH)]
+        parts = [(np.zeros((0, len(SCORES)), np.float32), np.zeros((0, N_VISEMES), np.float32))]
+        parts += [self._stretch(length) for length in lengths]
+        scores, visemes = (np.concatenate(part) for part in zip(*parts, strict=True))
+        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)
+
+    def _stretch(self, n: int) -> tuple[Float32Array, Float32Array]:
+        """Return how likely phonemes and visemes are in the oldest n frames, and forget them."""
+        end = (self._n_before + n + OVERLAP) * HOP
+        heard = self._hear(self._samples[:end])[self._n_before :]
+        heard = heard[np.minimum(np.arange(n), len(heard) - 1)]  # the last of an odd number has none of its own
+        shares, fine = (np.concatenate(part) for part in zip(*self._shares, strict=True))
+        self._shares = [(shares[n:], fine[n:])]
+        kept = max(0, self._n_before + n - OVERLAP)
+        self._samples, self._n_before = self._samples[kept * HOP :], self._n_before + n - kept
+        n_phonemes = len(SCORES)
+        found = _together(heard[:, :n_phonemes], shares[:n], self._log_priors[:n_phonemes])
+        return self._sensitivity.apply(found), _together(
+            heard[:, n_phonemes:], fine[:n], self._log_priors[n_phonemes:]
+        )  # fmt: skip
+
+
+def _together(heard: Float32Array, shares: Float32Array, log_priors: Float32Array) -> Float32Array:
+    """Return probabilities that both agree on most."""
+    logs = ENCODER_SHARE * np.log(np.maximum(heard, LEAST))
+    logs += (1 - ENCODER_SHARE) * np.log(np.maximum(shares, LEAST)) - WEAKENED * log_priors
+    together = np.exp(logs - logs.max(axis=1, keepdims=True))
+    return np.asarray(together / together.sum(axis=1, keepdims=True), np.float32)

@@ -1,0 +1,41 @@
+"""``phonemeanalyser whisper`` chooses a model of the speech encoder, and says which one is used."""
+
+import pytest
+
+from phonemeanalyser.cli import whisper as command
+from phonemeanalyser.cli.main import main
+from phonemeengine import ModelError, find_whisper
+from phonemeengine.encoder import model_folder
+
+
+@pytest.fixture(autouse=True)
+def _data(tmp_path, monkeypatch):
+    monkeypatch.setattr(model_folder, "data_folder", lambda: tmp_path / "data")
+
+
+def test_a_chosen_folder_is_used_until_it_is_not(whisper_folder, capsys):
+    for words in (["--folder", str(whisper_folder)], []):
+        assert main(["whisper", *words]) == 0
+        said = capsys.readouterr().out
+        assert said == f"Whisper base, multilingual, by OpenAI, MIT licence; chosen: {whisper_folder}\n"
+    assert find_whisper().path == whisper_folder
+    assert main(["whisper", "--no-folder"]) == 0
+    assert capsys.readouterr().out == "The chosen folder is used no longer.\n"
+    assert main(["whisper"]) == 1
+    assert capsys.readouterr().err.startswith("phonemeanalyser: there is no Whisper model; ")
+
+
+def test_what_is_no_model_is_refused(tmp_path, capsys):
+    (tmp_path / "model.bin").write_bytes(b"nonsense")
+    (tmp_path / "config.json").write_text("{}")
+    assert main(["whisper", "--folder", str(tmp_path)]) == 1
+    assert capsys.readouterr().err == f"phonemeanalyser: {tmp_path}: the Whisper model is damaged; get it anew\n"
+
+
+def test_fetching_is_asked_for_and_its_failure_is_said(monkeypatch, capsys):
+    def fetch():
+        raise ModelError("Whisper base cannot be fetched (no network); see to the network, or name a folder")
+
+    monkeypatch.setattr(command, "fetch_whisper", fetch)
+    assert main(["whisper", "--fetch"]) == 1
+    assert "cannot be fetched (no network)" in capsys.readouterr().err
