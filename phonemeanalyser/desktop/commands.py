@@ -23,6 +23,7 @@ def file_commands(dialogs: Dialogs) -> Commands:
         Command("Save Preset", "Ctrl+S", dialogs.save),
         Command("Save Preset As…", "Ctrl+Shift+S", dialogs.save_as),
         Command("Preset Notes…", "Ctrl+N", dialogs.ask_notes),
+        Command("Speech Encoder…", "", dialogs.show_encoder),
         Command("Load Curve…", "Ctrl+L", dialogs.ask_curves),
         Command("Save Curve…", "Ctrl+Shift+L", dialogs.ask_save_curve),
     )

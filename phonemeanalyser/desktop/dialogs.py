@@ -10,6 +10,7 @@ from PySide6.QtCore import QIODevice, QObject, QSaveFile, QSettings, Signal
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
+from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
 from phonemeanalyser.desktop.session.preset import PRESET_FILTER, PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
@@ -177,6 +178,13 @@ class Dialogs(QObject):
     def choose_recogniser(self, name: str) -> None:
         """Recognise with another recogniser."""
         self._try(lambda: self._preset.set_recogniser(name))
+
+    def show_encoder(self) -> None:
+        """Show where the speech encoder's model is, and let the user choose or fetch one."""
+        dialog = EncoderDialog(self._window)
+        dialog.model_changed.connect(self._preset.changed)
+        dialog.exec()
+        dialog.deleteLater()
 
     def restore_preset(self) -> None:
         """Load the preset that was in use when the window was last closed, if it is still there."""

@@ -11,7 +11,7 @@ from functools import lru_cache
 from importlib.util import find_spec
 from pathlib import Path
 
-from phonemeengine.encoder.whisper import FILES, SpeechEncoder, WhisperEncoder
+from phonemeengine.encoder.whisper import FILES, WHISPER_LICENCE, SpeechEncoder, WhisperEncoder
 from phonemeengine.errors import ModelError
 from phonemeengine.files import atomic_write, read_text_file, reason_of, write_file
 from phonemeengine.paths import data_folder
@@ -86,6 +86,18 @@ def open_whisper() -> SpeechEncoder:
 @lru_cache(maxsize=1)
 def _opened(folder: Path) -> SpeechEncoder:
     return WhisperEncoder(folder)
+
+
+def whisper_in_words() -> str:
+    """Return which model is used, its licence, and how it came there; it is opened.
+
+    Raises
+    ------
+    ModelError : as of `open_whisper`.
+    """
+    found = find_whisper()
+    _opened(found.path)
+    return f"{WHISPER_LICENCE}; {found.origin}: {found.path}"
 
 
 def choose_whisper(folder: str | os.PathLike[str] | None) -> None:

@@ -1,0 +1,68 @@
+"""Where the speech encoder's model is, in the window: found, chosen, forgotten, fetched."""
+
+import pytest
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from phonemeanalyser.desktop.analyse import encoder_dialog
+from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
+from phonemeengine.encoder import model_folder
+from phonemeengine.errors import ModelError
+
+
+@pytest.fixture
+def dialog(qtbot, tmp_path, monkeypatch):
+    monkeypatch.setattr(model_folder, "data_folder", lambda: tmp_path / "data")
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    dialog = EncoderDialog(parent)
+    dialog.show()
+    yield dialog
+    dialog.close()
+
+
+def said(dialog, qtbot) -> str:
+    qtbot.waitUntil(lambda: dialog.buttons[0].isEnabled())
+    return dialog.state.text()
+
+
+def test_without_a_model_it_says_how_to_get_one(dialog, qtbot):
+    assert said(dialog, qtbot).startswith("There is no Whisper model; phonemeanalyser whisper --fetch gets it")
+
+
+def test_a_chosen_folder_is_used_and_forgotten(dialog, qtbot, whisper_folder, monkeypatch):
+    said(dialog, qtbot)
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(whisper_folder))
+    with qtbot.waitSignal(dialog.model_changed):
+        dialog.buttons[0].click()
+    wanted = f"In use: Whisper base, multilingual, by OpenAI, MIT licence; chosen: {whisper_folder}."
+    assert said(dialog, qtbot) == wanted
+    dialog.buttons[1].click()
+    assert said(dialog, qtbot).startswith("There is no Whisper model")
+
+
+def test_a_folder_without_a_model_is_refused(dialog, qtbot, tmp_path, monkeypatch):
+    said(dialog, qtbot)
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    dialog.buttons[0].click()
+    assert said(dialog, qtbot) == (
+        f"{tmp_path}: there is no Whisper model, config.json is missing; choose its folder."
+    )  # fmt: skip
+
+
+def test_fetching_is_told_and_so_is_its_failure(dialog, qtbot, monkeypatch):
+    def fetch() -> None:
+        raise ModelError("Whisper base cannot be fetched (no network); see to the network, or name a folder")
+
+    said(dialog, qtbot)
+    monkeypatch.setattr(encoder_dialog, "fetch_whisper", fetch)
+    dialog.buttons[2].click()
+    assert dialog.state.text() == "Fetching the model, 145 MB …"
+    assert not dialog.buttons[2].isEnabled()
+    assert said(dialog, qtbot).startswith("Whisper base cannot be fetched (no network)")
+
+
+def test_the_menu_shows_it(desktop, qtbot, monkeypatch, whisper):
+    shown = []
+    monkeypatch.setattr(EncoderDialog, "exec", lambda self: shown.append(said(self, qtbot)))
+    desktop.window.menus.actions["Speech Encoder…"].trigger()
+    assert shown[0].startswith("In use: Whisper base")
