@@ -130,6 +130,12 @@ LIMITS: dict[str, tuple[float, float, str]] = {
     "intensity_low": (-120.0, 0.0, "dB"),
     "intensity_high": (-120.0, 0.0, "dB"),
 }
+PAIRS = (
+    ("high_pass_start", "high_pass_end"),
+    ("low_pass_start", "low_pass_end"),
+    ("intensity_low", "intensity_high"),
+)
+"""Parameters of which the first must not exceed the second."""
 
 
 @dataclass(frozen=True)
@@ -190,9 +196,8 @@ class AnalysisSettings:
             value = getattr(self, name)
             if not (math.isfinite(value) and low <= value <= high):
                 raise SettingsError(f"{name} must lie in {low:g}..{high:g} {unit}".rstrip() + f", got {value:g}")
-        self._check_order("high_pass_start", "high_pass_end")
-        self._check_order("low_pass_start", "low_pass_end")
-        self._check_order("intensity_low", "intensity_high")
+        for lower, upper in PAIRS:
+            self._check_order(lower, upper)
 
     def with_filter(self, step: Filter, on: bool) -> "AnalysisSettings":
         """Return the settings with a filter on or off; one that would do nothing gets its usual strength."""
@@ -210,6 +215,19 @@ class AnalysisSettings:
             if strength != getattr(self, name):
                 filters = filters | {step} if strength else filters - {step}
         return replace(self, filters=filters, **numbers)
+
+    def with_number(self, name: str, value: Any) -> "AnalysisSettings":
+        """Return the settings with another number; of two that are ordered, the other one gives way.
+
+        A look-ahead for a microphone lengthens that for files where it is longer.
+        """
+        changes = {name: value}
+        for low, high in (*PAIRS, ("live_look_ahead", "look_ahead")):
+            if name == low:
+                changes[high] = max(value, getattr(self, high))
+            if name == high:
+                changes[low] = min(value, getattr(self, low))
+        return self.with_numbers(**changes)
 
     def _check_order(self, lower: str, upper: str) -> None:
         low, high = getattr(self, lower), getattr(self, upper)

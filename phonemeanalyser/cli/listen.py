@@ -10,7 +10,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
 
@@ -22,6 +22,7 @@ from phonemeengine import (
     Channel,
     DeviceError,
     InputChoice,
+    Latency,
     Listener,
     OscAddress,
     OscExpression,
@@ -41,6 +42,7 @@ from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.mouth.osc import OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE
+from phonemeengine.settings import LIMITS
 
 LOOK = 0.2
 """Seconds between two looks at how it goes."""
@@ -53,6 +55,9 @@ PATIENCE = 3.0
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is listened to, and what is told of it."""
     add_input(parser)
+    low, high, unit = LIMITS["live_look_ahead"]
+    wait = f"wait so long for what comes after a sound, {low:g} to {high:g} s: surer, later (default: the preset's)"
+    parser.add_argument("--look-ahead", type=number_in(low, high, unit), metavar="S", help=wait)
     parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind")
     parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")
@@ -70,8 +75,15 @@ def run(options: argparse.Namespace) -> int:
     else:
         with ExitStack() as stack:
             osc = _osc_of(options, stack)
-            listen(load_preset(options.preset), input_of(options), options.seconds, options.kind, osc)
+            listen(_preset_of(options), input_of(options), options.seconds, options.kind, osc)
     return 0
+
+
+def _preset_of(options: argparse.Namespace) -> Preset:
+    preset = load_preset(options.preset)
+    if options.look_ahead is None:
+        return preset
+    return replace(preset, settings=preset.settings.with_number("live_look_ahead", options.look_ahead))
 
 
 def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None:
@@ -144,9 +156,12 @@ def listen(
         try:
             _attend(listener, seconds, lambda: None)
         finally:
+            latency = listener.latency  # before it is closed, and knows no microphone any more
             listener.close()
             if listener.lost_seconds:
                 print(f"phonemeanalyser: {listener.lost_seconds:.2f} s were lost on the way", file=sys.stderr)
+            if latency.analysis:
+                print(f"phonemeanalyser: {_late_in_words(latency, preset)}", file=sys.stderr)
 
 
 def record(
@@ -177,6 +192,17 @@ def record(
         raise RecordingError(
             f"{path.name}: no sound came from the microphone, so nothing was recorded; check its plug"
         )
+
+
+def _late_in_words(latency: Latency, preset: Preset) -> str:
+    """Return how late phonemes were, and how right they are so far ahead, where the model's training measured it."""
+    shares = " + ".join(f"{name.replace('_', '-')} {1000 * share:.0f}" for name, share in asdict(latency).items())
+    words = f"phonemes were {1000 * latency.total:.0f} ms late on the average ({shares})"
+    known = preset.model.by_look_ahead if preset.model is not None else {}
+    figures = known.get(round(latency.look_ahead / FRAME_PERIOD))
+    if figures is None:
+        return words
+    return f"{words}; so far ahead: macro F1 {figures.macro_f1:.2f}, mouth shapes {100 * figures.mouth_shapes:.0f} %"
 
 
 @contextmanager

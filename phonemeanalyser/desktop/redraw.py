@@ -5,6 +5,7 @@ import time
 from PySide6.QtCore import QObject, Qt, QTimer
 
 from phonemeanalyser.desktop import calibrate
+from phonemeanalyser.desktop.analyse.look_ahead_slider import LookAheadSlider
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport import Transport
@@ -31,6 +32,7 @@ class RedrawLoop(QObject):
     def __init__(
         self, parent: QObject, session: Session, pages: PageStack, analysis: AnalysisPage,
         calibration: "LazyPage[calibrate.CalibrationPage]", heads: Heads, transport: Transport, status: StatusLine,
+        look_ahead: LookAheadSlider,
     ) -> None:  # fmt: skip
         super().__init__(parent)
         self.frozen = False
@@ -43,6 +45,7 @@ class RedrawLoop(QObject):
         self._heads = heads
         self._transport = transport
         self._status = status
+        self._look_ahead = look_ahead
         self.timer = QTimer(self)
         self.timer.setTimerType(Qt.TimerType.PreciseTimer)
         self.timer.timeout.connect(self.tick)
@@ -75,8 +78,9 @@ class RedrawLoop(QObject):
         self._analysis.refresh_slow()
 
     def refresh_status(self) -> None:
-        """Draw the status line."""
+        """Draw the status line, and how late the microphone is."""
         self._status.refresh(frozen=self.frozen)
+        self._look_ahead.show_latency(self._status.without_look_ahead)
 
     def _draw_analysis(self, *, slow: bool, known_at: float | None) -> None:
         self._analysis.refresh_fast()

@@ -110,8 +110,9 @@ class MainWindow(QMainWindow):
         self._late_calibration = LazyPage(self.pages, self._make_calibration_page)
         self._late_talk = LazyPage(self.pages, self._make_talk_page)
         self.redraw = RedrawLoop(
-            self, session, self.pages, self.analysis, self._late_calibration, self.heads, self.transport, self.status
-        )
+            self, session, self.pages, self.analysis, self._late_calibration, self.heads, self.transport, self.status,
+            self.filters.look_ahead,
+        )  # fmt: skip
 
     def join_calibration(self, model: "calibrate.CalibrationModel") -> None:
         """Take up the takes of the last start, and show what the calibration says, whatever page is seen."""

@@ -5,6 +5,7 @@ import json
 import math
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from threading import Event
@@ -22,7 +23,7 @@ from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import RecordingError
 from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.files import DEFAULT_PRESET, factory_preset, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.microphones import Clock, HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in, offline
@@ -100,6 +101,7 @@ def over(monkeypatch: pytest.MonkeyPatch) -> Event:
         ["listen", "--rate=-44100"],
         ["listen", "--rate", "5"],
         ["listen", "--device"],
+        ["listen", "--look-ahead", "0.06"],
         ["record"],
         ["record", "a.wav", "b.wav"],
         ["record", "a.wav", "--format", "json"],
@@ -228,6 +230,31 @@ def test_listening_prints_the_changes_and_says_elsewhere_what_it_listens_to(
     expected = expected_changes(frames_in(len(SPEECH)), for_live_use(PRESET))
     assert [(line["time_s"], line["phoneme"]) for line in lines] == [change[:2] for change in expected]
     assert microphone.closed.is_set()
+
+
+def test_it_says_how_late_and_how_right_it_was_as_far_ahead_as_the_user_let_it_look(
+    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str]
+) -> None:
+    learned = factory_preset("learned")
+    assert learned.model is not None
+    model = replace(learned.model, about={"by_look_ahead_ms": {"50": [0.71, 0.742]}})
+    settings = replace(learned.settings, look_ahead=0.0, live_look_ahead=0.0).with_number("live_look_ahead", 0.05)
+    microphone.give(SPEECH)
+    preset = replace(learned, model=model, settings=settings)
+    listening.listen(preset, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json")
+    said = capsys.readouterr().err
+    assert "ms late on the average (capture " in said
+    assert " + look-ahead 50 + analysis " in said
+    assert "so far ahead: macro F1 0.71, mouth shapes 74 %" in said
+
+
+@pytest.mark.parametrize("words", [[], ["--look-ahead", "0.04"]])
+def test_the_look_ahead_is_the_presets_or_the_users(words: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    heard: list[Preset] = []
+    monkeypatch.setattr(listening, "listen", lambda preset, *_: heard.append(preset))
+    assert main(["listen", "--preset", "learned", *words]) == 0
+    expected = 0.04 if words else factory_preset("learned").settings.live_look_ahead
+    assert for_live_use(heard[0]).settings.look_ahead == expected
 
 
 def test_recording_keeps_the_length_and_reports_it(

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,6 +47,19 @@ class OutputHead:
     bias: Float32Array
 
 
+class LookAheadFigures(NamedTuple):
+    """How well a model recognised speakers whom it did not learn from, looking ahead so far; shares, 0..1.
+
+    Attributes
+    ----------
+    macro_f1 : mean over the phonemes of the harmonic mean of precision and recall.
+    mouth_shapes : share of frames with the right mouth shape.
+    """
+
+    macro_f1: float
+    mouth_shapes: float
+
+
 @dataclass(frozen=True, eq=False)
 class Model:
     """What a learned recogniser knows; two models are equal if their arrays are.
@@ -80,6 +93,15 @@ class Model:
         if self.centred:
             return sum(layer.dilation for layer in self.layers)
         return min(int(look_ahead / FRAME_PERIOD + 1e-6), len(self.heads) - 1)
+
+    @cached_property
+    def by_look_ahead(self) -> dict[int, LookAheadFigures]:
+        """How well it recognises, by the frames of 10 ms that it looks ahead; empty where that was not measured."""
+        try:
+            told = self.about.get("by_look_ahead_ms", {}).items()
+            return {round(float(ms) / 1000 / FRAME_PERIOD): LookAheadFigures(*map(float, f)) for ms, f in told}
+        except (AttributeError, TypeError, ValueError):  # words for people, in which anything may stand
+            return {}
 
     @cached_property
     def digest(self) -> str:

@@ -18,10 +18,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.analyse.look_ahead_slider import NAME as LIVE_LOOK_AHEAD
+from phonemeanalyser.desktop.analyse.look_ahead_slider import LookAheadSlider
 from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS, PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.presets.controls import unused_settings
 from phonemeengine.settings import LIMITS, QUANTISATIONS, SAMPLE_RATE, Decimation, Filter, WindowFunction
 
@@ -70,7 +73,7 @@ FIELDS: dict[str, FilterField] = {
     "minimum_hold": FilterField("hold", decimals=2, step=0.01),
     "hysteresis": FilterField("hysteresis", decimals=2, step=0.05),
     "look_ahead": FilterField("file", decimals=2, step=0.01),
-    "live_look_ahead": FilterField("live", decimals=2, step=0.01),
+    "live_look_ahead": FilterField("live"),
     "intensity_low": FilterField("0 at", decimals=0, step=1),
     "intensity_high": FilterField("1 at", decimals=0, step=1),
 }
@@ -109,6 +112,10 @@ class FilterColumn(QScrollArea):
     Signals
     -------
     bypass_asked : all filters off at once (True), or back to what they were.
+
+    Attributes
+    ----------
+    look_ahead : how far the recogniser of a microphone looks ahead.
     """
 
     bypass_asked = Signal(bool)
@@ -120,6 +127,7 @@ class FilterColumn(QScrollArea):
         self.switches: dict[str, QCheckBox] = {}
         self.fields: dict[str, QComboBox | NumberField] = {}
         self.resets: dict[str, QToolButton] = {}
+        self.look_ahead = LookAheadSlider(preset)
         self.bypass = QCheckBox("Bypass all filters")
         self.unused = QLabel()
         self._headings: dict[str, QWidget] = {}
@@ -149,9 +157,12 @@ class FilterColumn(QScrollArea):
             self._add_step(key, title, parameters, switch)
             resets = (key, *parameters) if switch else parameters
             self.resets[key].clicked.connect(lambda _checked, names=resets: self._preset.reset_settings(names))
+            if LIVE_LOOK_AHEAD in parameters:
+                self._grid.addWidget(self.look_ahead.words, self._grid.rowCount(), 0, 1, 3)
         self._grid.setRowStretch(self._grid.rowCount(), 1)
         body = QWidget()
         body.setLayout(self._grid)
+        leave_wheel(body)
         self.setWidget(body)
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -205,6 +216,8 @@ class FilterColumn(QScrollArea):
         return label
 
     def _field(self, name: str) -> QWidget:
+        if name == LIVE_LOOK_AHEAD:
+            return self.look_ahead
         field = FIELDS[name]
         widget: QComboBox | NumberField
         if field.choices:

@@ -16,11 +16,18 @@ STEADINESS = 0.02
 
 
 class StatusLine:
-    """Two labels for a status bar."""
+    """Two labels for a status bar.
+
+    Attributes
+    ----------
+    latency_ms : how late a microphone's phonemes are on the screen; None while none is heard.
+    without_look_ahead : seconds of that, without the recogniser's look-ahead, as measured last; None before.
+    """
 
     def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
         self.left, self.right = ElidedLabel(), QLabel()
         self.latency_ms: float | None = None
+        self.without_look_ahead: float | None = None
         self._display = 0.0
         self._session = session
         self._preset = preset
@@ -56,6 +63,7 @@ class StatusLine:
             return [lost]
         total = latency.total + self._display
         self.latency_ms = 1000 * total
+        self.without_look_ahead = total - latency.look_ahead
         words = {"capture": latency.capture, "window": latency.window, "hop": latency.hop,
                  **({"look-ahead": latency.look_ahead} if latency.look_ahead else {}),
                  "analysis": latency.analysis, "display": self._display}  # fmt: skip

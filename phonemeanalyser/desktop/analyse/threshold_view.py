@@ -23,6 +23,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.errors import EngineError
 from phonemeengine.features.measure import Features
 from phonemeengine.presets.controls import Control, ControlGroup, Moment
@@ -214,6 +215,7 @@ class ThresholdView(QScrollArea):
             for control in group.controls:
                 self.rows[control.name] = self._add_row(grid, grid.rowCount(), control)
         grid.setRowStretch(grid.rowCount(), 1)
+        leave_wheel(body)
         self.setWidget(body)
         self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.phonemes import Phoneme
 
 
@@ -40,6 +41,7 @@ class MappingDialog(QDialog):
             for column, widget in enumerate((label, QLabel(f"{count} ×"), box)):
                 grid.addWidget(widget, row, column)
         grid.setRowStretch(len(counts), 1)
+        leave_wheel(body)
         scroll = QScrollArea()
         scroll.setWidget(body)
         scroll.setWidgetResizable(True)

@@ -44,11 +44,6 @@ FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
     Filter.MEL: ("mel_bands",),
     Filter.NORMALISE: (),
 }
-PAIRS = (
-    ("high_pass_start", "high_pass_end"),
-    ("low_pass_start", "low_pass_end"),
-    ("intensity_low", "intensity_high"),
-)
 
 
 class _Edit(QUndoCommand):
@@ -210,13 +205,7 @@ class PresetModel(QObject):
 
     def set_setting(self, name: str, value: Any) -> None:
         """Change one field of the settings; of an ordered pair, the other one gives way."""
-        changes = {name: value}
-        for low, high in PAIRS:
-            if name == low:
-                changes[high] = max(value, getattr(self.preset.settings, high))
-            if name == high:
-                changes[low] = min(value, getattr(self.preset.settings, low))
-        settings = self.preset.settings.with_numbers(**changes)
+        settings = self.preset.settings.with_number(name, value)
         self.edit(replace(self.preset, settings=settings), f"change of {name.replace('_', ' ')}")
 
     def set_filter(self, step: Filter, on: bool) -> None:

@@ -30,6 +30,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.heading import heading
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
+from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.mouth.face_driver import FaceDriver
 
 PANEL_WIDTH = 480
@@ -216,6 +217,7 @@ class TalkPage(QWidget):
         hint.setWordWrap(True)
         hint.setStyleSheet(f"color: {self._theme.faint}")
         column.addWidget(hint)
+        leave_wheel(body)
         scroll = QScrollArea()
         scroll.setWidget(body)
         scroll.setWidgetResizable(True)

@@ -21,7 +21,7 @@ def dialog(qtbot, tmp_path, monkeypatch):
 
 
 def said(dialog, qtbot) -> str:
-    qtbot.waitUntil(lambda: dialog.buttons[0].isEnabled())
+    qtbot.waitUntil(dialog.buttons[0].isEnabled)
     return dialog.state.text()
 
 
