@@ -92,10 +92,14 @@ class Analysis:
 
     @property
     def confidences(self) -> Float32Array:
-        """How sure the phonemes are, float32, shape (n_frames,): the share of such answers that are right, 0..1."""
+        """How sure the phonemes are, float32, shape (n_frames,): the share of such answers that are right, 0..1.
+
+        NaN where nobody knows: the recogniser has no scores, and the preset was not measured.
+        """
         scores = scores_in(self.features)
         if scores is None:
-            return self.curve.of(np.ones(len(self), np.float32))
+            known = 1.0 if self.curve != UNFITTED else np.nan
+            return self.curve.of(np.full(len(self), known, np.float32))
         return self.curve.of(scores[np.arange(len(self)), self.phonemes])
 
     @property
@@ -290,7 +294,10 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
 
 
 class Reading(NamedTuple):
-    """A phoneme, how loud it is, 0..1, and how sure it is: the share of such answers that are right, 0..1."""
+    """A phoneme, how loud it is, 0..1, and how sure it is: the share of such answers that are right, 0..1, or NaN.
+
+    NaN says that nobody knows: the recogniser has no scores, and the preset's confidence was not measured.
+    """
 
     phoneme: Phoneme = Phoneme.SILENCE
     intensity: float = 0.0

@@ -21,7 +21,13 @@ from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import ear_in_words, for_files
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, labels_of_segments, segments_of
+from phonemeengine.recognition.segments import (
+    SEGMENT_COLUMNS,
+    Segment,
+    labels_of_segments,
+    rounded_confidence,
+    segments_of,
+)
 from phonemeengine.settings import FRAME_PERIOD
 
 Writer = Callable[[TextIO, Iterator[Analysis], SoundReader, Preset], None]
@@ -163,7 +169,7 @@ def _frames(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[
                 "end_s": _seconds(min(start + FRAME_PERIOD, max(reader.duration, start))),
                 "phoneme": Phoneme(int(analysis.phonemes[k])).label,
                 "intensity": round(float(analysis.intensities[k]), 3),
-                "confidence": round(float(confidences[k]), 3),
+                "confidence": rounded_confidence(float(confidences[k])),
                 **{name: float(f"{value:.6g}") for name, value in analysis.features.frame(k).items()},
             }
 
@@ -174,7 +180,7 @@ def _seconds(value: float) -> float:
 
 _OLDER = ",".join(SEGMENT_COLUMNS[:-1]).encode()  # tables had no confidence once
 _RUNS = re.compile(
-    b"%s(?:,confidence)?\n(?:[0-9.e-]+,[0-9.e-]+,(?:%s),[0-9.e-]+(?:,[0-9.e-]+)?\n)*"
+    b"%s(?:,confidence)?\n(?:[0-9.e-]+,[0-9.e-]+,(?:%s),[0-9.e-]+(?:,[0-9.e-]*)?\n)*"
     % (_OLDER, "|".join(phoneme.label for phoneme in Phoneme).encode())
 )
 _WORDS = ",".join(WORD_COLUMNS).encode() + b"\n"

@@ -42,6 +42,7 @@ from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.mouth.osc import OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE
+from phonemeengine.recognition.segments import rounded_confidence
 from phonemeengine.settings import LIMITS
 
 LOOK = 0.2
@@ -244,12 +245,13 @@ class _Changes:
 
 
 def _as_text(time_s: float, phoneme: str, intensity: float, confidence: float, _latency_ms: float) -> str:
-    return f"{time_s:8.2f} s  {phoneme:<12}  {intensity:.2f}  {100 * confidence:3.0f} % sure"
+    sure = "" if math.isnan(confidence) else f"  {100 * confidence:3.0f} % sure"
+    return f"{time_s:8.2f} s  {phoneme:<12}  {intensity:.2f}{sure}"
 
 
 def _as_json(time_s: float, phoneme: str, intensity: float, confidence: float, latency_ms: float) -> str:
     values = {"time_s": round(time_s, 2), "phoneme": phoneme, "intensity": round(intensity, 3)}
-    return json.dumps(values | {"confidence": round(confidence, 3), "latency_ms": round(latency_ms, 1)})
+    return json.dumps(values | {"confidence": rounded_confidence(confidence), "latency_ms": round(latency_ms, 1)})
 
 
 def _attend(listener: Listener, seconds: float | None, look: Callable[[], None]) -> None:

@@ -15,7 +15,7 @@ import pytest
 import soundfile
 
 from phonemeengine.features.variables import BUILT_IN_NAMES, SCORES, Kind, Variable
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
+from phonemeengine.presets.files import DEFAULT_PRESET, THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.bad_files import ODD_FILES
@@ -47,6 +47,18 @@ def test_silence_is_silence_with_no_intensity(tmp_path: Path, capsys: pytest.Cap
     (row,) = rows_of(capsys.readouterr().out)
     assert list(row.values())[:4] == ["0.0", "0.5", "silence", "0.0"]
     assert 0.5 < float(row["confidence"]) <= 1
+
+
+def test_how_sure_it_is_is_an_empty_cell_and_null_where_nobody_measured_it(
+    tmp_path: Path, sound: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    unmeasured = ["--preset", str(THESIS_PRESET.with_suffix(".phonemedata"))]
+    analysed(sound, *unmeasured)
+    assert {row["confidence"] for row in rows_of(capsys.readouterr().out)} == {""}
+    analysed(sound, *unmeasured, "--format", "json")
+    assert {run["confidence"] for run in json.loads(capsys.readouterr().out)["phonemes"]} == {None}
+    for _ in range(2):
+        analysed(sound, *unmeasured, "-o", tmp_path / "sound.csv")  # the table is known as one of its own
 
 
 def test_a_sound_that_begins_in_the_middle_begins_there_in_the_table(

@@ -1,6 +1,7 @@
 """``phonemeanalyser train`` and ``adapt``: what they write, say and refuse."""
 
 import json
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -142,8 +143,17 @@ def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, c
 
 def test_a_teacher_teaches_moves_labels_and_hears_files(corpus, tmp_path, capsys, whisper):
     out = tmp_path / "taught.npz"
+    folder = shutil.copytree(corpus, tmp_path / "corpus")
+    sound = shutil.copy(folder / "ann0.wav", folder / "unlabelled.wav")  # which the teacher alone is to tell of
+    with (folder / "manifest.csv").open("a") as manifest:
+        manifest.write("human_test,ann,en,human,unlabelled.wav,,28.0,CC0,made up\n")
+    again = tmp_path / "again"  # a recording that two folders have counts once
+    again.mkdir()
+    for name in ("ann1.wav", "ann1.csv"):
+        shutil.copy(folder / name, again)
+    (again / "manifest.csv").write_text("corpus,speaker,kind,wav,labels\nhuman_test,ann,human,ann1.wav,ann1.csv\n")
     arguments = ["--epochs", "1", "--width", "8", "--variations", "0", "--folds", "2", "--teacher", str(whisper)]
-    assert main(["train", str(corpus), "-o", str(out), *arguments]) == 0
+    assert main(["train", str(folder), str(again), "-o", str(out), *arguments]) == 0
     assert "whisper, people left out: macro F1 0." in capsys.readouterr().out
     preset = load_preset(tmp_path / "taught.toml")
     assert set(preset.confidences) == set(Ear)
@@ -156,7 +166,6 @@ def test_a_teacher_teaches_moves_labels_and_hears_files(corpus, tmp_path, capsys
         "| **whisper, all** | 3.7 |",
     ):
         assert told in card
-    sound = next(corpus.glob("*.wav"))
     assert main(["analyse", str(sound), "--preset", str(tmp_path / "taught.toml"), "--format", "json"]) == 0
     assert json.loads(capsys.readouterr().out)["heard_with"] == "Whisper base and network"
 

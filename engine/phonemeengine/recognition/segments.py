@@ -1,5 +1,6 @@
 """Stretches of equal phonemes, as time lines and mouth cues need them."""
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -15,6 +16,11 @@ SEGMENT_COLUMNS = ("start_s", "end_s", "phoneme", "intensity", "confidence")
 """The columns of a table of segments."""
 
 
+def rounded_confidence(confidence: float) -> float | None:
+    """Return a confidence as tables have it; None, which leaves a cell empty, where it is not known."""
+    return None if math.isnan(confidence) else round(confidence, 3)
+
+
 @dataclass(frozen=True)
 class Segment:
     """A stretch of one phoneme.
@@ -25,7 +31,8 @@ class Segment:
     phoneme : what is said.
     intensity : mean intensity, 0..1.
     phone : its symbol in the International Phonetic Alphabet; empty where only the phoneme is known.
-    confidence : the mean share of such answers that are right, 0..1; 1 where nobody recognised it.
+    confidence : the mean share of such answers that are right, 0..1; 1 where nobody recognised it, NaN where it is
+        not known.
     """
 
     start: float
@@ -37,8 +44,8 @@ class Segment:
 
     def row(self) -> dict[str, Any]:
         """Return it as a row of a table, in seconds to the microsecond."""
-        loudness, confidence = round(self.intensity, 3), round(self.confidence, 3)
-        values = (round(self.start, 6), round(self.end, 6), self.phoneme.label, loudness, confidence)
+        loudness, sure = round(self.intensity, 3), rounded_confidence(self.confidence)
+        values = (round(self.start, 6), round(self.end, 6), self.phoneme.label, loudness, sure)
         return dict(zip(SEGMENT_COLUMNS, values, strict=True))
 
 

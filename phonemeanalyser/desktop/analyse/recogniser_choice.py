@@ -8,6 +8,8 @@ from phonemeengine.presets.ears import WITHOUT_ENCODER, offered_ear
 from phonemeengine.recognition.spec import recogniser_names
 from phonemeengine.settings import Ear
 
+NAMES_WIDTH = 86
+"""Pixels that the recogniser's name has at least."""
 EARS = {Ear.LIVE: "live", Ear.TWIN: "twin", Ear.WHISPER: "Whisper"}
 
 
@@ -30,6 +32,7 @@ class RecogniserChoice(QWidget):
         self.names.addItems(recogniser_names())
         self.names.setAccessibleName("recogniser")
         self.names.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.names.setMinimumWidth(NAMES_WIDTH)
         self.names.setToolTip(
             "<p>What names the phoneme of each frame. Another one brings the front end and the numbers that it was "
             "tuned with, unless you tuned it yourself. What it is tuned by is below.</p><p>To add one, install its "

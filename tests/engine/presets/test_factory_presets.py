@@ -71,7 +71,7 @@ def test_a_factory_preset_says_in_one_line_what_it_is(path: Path):
 
 def test_thesis_toml_and_thesis_phonemedata_are_twins():
     thesis, twin = load_preset(FACTORY / "thesis.toml"), load_preset(FACTORY / "thesis.phonemedata")
-    assert replace(thesis, name=twin.name, notes="") == twin
+    assert replace(thesis, name=twin.name, notes="", confidences={}) == twin
     assert thesis.settings.hysteresis == 0
     assert thesis.settings.statistics
 
@@ -79,7 +79,8 @@ def test_thesis_toml_and_thesis_phonemedata_are_twins():
 def test_the_calm_variant_is_the_thesis_with_hysteresis():
     thesis, calm = load_preset(FACTORY / "thesis.toml"), load_preset(FACTORY / "thesis-calm.toml")
     settings = replace(thesis.settings, hysteresis=calm.settings.hysteresis)
-    assert replace(thesis, settings=settings, name=calm.name, notes=calm.notes) == calm
+    expected = replace(thesis, settings=settings, name=calm.name, notes=calm.notes, confidences=calm.confidences)
+    assert expected == calm
     assert calm.settings.hysteresis > 0
 
 

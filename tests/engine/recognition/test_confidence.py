@@ -9,6 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.analyser import Analyser, latest_reading
+from phonemeengine.calibration.scores.corpus import read_corpus
+from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.errors import PresetError
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.recognition.confidence import (
@@ -17,6 +19,7 @@ from phonemeengine.recognition.confidence import (
     fit_confidence,
 )
 from phonemeengine.settings import Ear
+from tests.conftest import CORPUS
 from tests.corpora import speech
 
 N = 40_000
@@ -69,7 +72,7 @@ def test_nothing_to_compare_is_not_a_number():
     assert all(np.isnan(calibration_errors(np.zeros(0, np.float32), np.zeros(0, bool))))
 
 
-@pytest.mark.parametrize("name", ["learned", "templates", "thesis"])
+@pytest.mark.parametrize("name", ["learned", "templates"])
 def test_every_frame_has_a_confidence_and_a_poll_gives_the_last_one(name: str):
     halved = replace(load_preset(name), confidences={Ear.LIVE: ConfidenceCurve((0.0, 1.0), (0.0, 0.5))})
     analysis = Analyser(halved).push(speech())
@@ -79,6 +82,22 @@ def test_every_frame_has_a_confidence_and_a_poll_gives_the_last_one(name: str):
     assert latest_reading(analysis).confidence == pytest.approx(analysis.confidences[-1])
     sure = replace(halved, confidences={})
     np.testing.assert_allclose(Analyser(sure).push(speech()).confidences, 2 * analysis.confidences, atol=1e-6)
+
+
+def test_rules_are_as_sure_as_they_were_measured_and_say_so_where_they_were_not():
+    thesis = load_preset("thesis")
+    analysis = Analyser(thesis).push(speech())
+    assert analysis.confidences == pytest.approx(np.full(len(analysis), thesis.confidences[Ear.LIVE].shares[0]))
+    unmeasured = Analyser(replace(thesis, confidences={})).push(speech())
+    assert np.isnan(unmeasured.confidences).all()
+    assert np.isnan(latest_reading(unmeasured).confidence)
+
+
+@pytest.mark.parametrize("name", ["thesis", "thesis-calm", "thesis-anti-aliased", "extended", "templates"])
+def test_confidence_holds_on_speech_that_the_presets_were_not_measured_on(name: str):
+    overall = score(load_preset(name), read_corpus(CORPUS)).overall
+    assert overall.calibration_error < 0.08
+    assert overall.largest_gap < 0.15
 
 
 def test_a_preset_keeps_its_curves(tmp_path: Path):

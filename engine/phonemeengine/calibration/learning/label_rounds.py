@@ -5,7 +5,8 @@ labels are right more often about people whom they did not hear, on the frames o
 same.
 """
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -62,9 +63,9 @@ class _Heard:
 
 def realign_people(
     utterances: Sequence[LabelledUtterance],
-    people: Collection[str],
+    people: AbstractSet[str],
     weights: dict[str, float],
-    groups: Sequence[Collection[str]],
+    groups: Sequence[AbstractSet[str]],
     soft_labels: SoftLabels,
     config: TrainingConfig,
     work: Path,
@@ -92,13 +93,13 @@ def realign_people(
         if not (folder / INDEX).is_file():
             write_examples(folder, labelled, 0, config.seed, soft_labels)
         parts = [
-            TrainingPart(f"without-{k}", small, tuple(u for u in labelled if u.voice in group))
+            TrainingPart(f"without-{k}", small, tuple(u for u in labelled if u.labels and u.voice in people & group))
             for k, group in enumerate(groups)
         ]  # fmt: skip
         found = train_parts(
             parts, folder, weights, _hear, lambda share: on_progress((number + share) / (ROUNDS + 1))
         )  # fmt: skip
-        return [heard for _, answers in found for heard in answers if heard.utterance.voice in people]
+        return [heard for _, answers in found for heard in answers]
 
     before = listen(kept, 0)
     for number in range(1, ROUNDS + 1):

@@ -9,16 +9,16 @@ from phonemeengine.calibration.learning.example_cache import INDEX, write_exampl
 from phonemeengine.calibration.learning.label_rounds import Round, realign_people
 from phonemeengine.calibration.learning.parallel_training import TrainingPart, train_parts
 from phonemeengine.calibration.learning.provenance import HUMAN, LabelSource, sources_of
+from phonemeengine.calibration.learning.soft_labels import key_of
 from phonemeengine.calibration.learning.teacher import encode_all, teach
 from phonemeengine.calibration.learning.training import BOTH_WAYS, TrainingConfig
 from phonemeengine.calibration.learning.validation import (
-    confidence_of,
     figures_by_look_ahead,
     folds_of,
     hear_held_out,
 )
-from phonemeengine.calibration.scores.corpus import read_corpus
-from phonemeengine.calibration.scores.evaluation import Predictions
+from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_corpus
+from phonemeengine.calibration.scores.evaluation import Predictions, confidence_of
 from phonemeengine.calibration.scores.scoring import Answers, Scores, scores_of
 from phonemeengine.encoder.head import EncoderHead
 from phonemeengine.errors import CorpusError
@@ -112,9 +112,7 @@ def train_and_validate(
     EngineError : a sound cannot be read.
     ModelError : the teacher cannot be used.
     """
-    utterances = [
-        u for corpus in corpora for u in read_corpus(corpus, channel=channel, unlabelled=whisper is not None)
-    ]
+    utterances = _recordings_of(corpora, channel, unlabelled=whisper is not None)
     scored = [u for u in utterances if u.labels]  # by the labels as they came
     sources = tuple(sources_of(corpora))
     if sum(source.minutes for source in sources) * 60 < config.batch_size * config.n_frames * 0.02:
@@ -158,6 +156,15 @@ def train_and_validate(
     )
     together = _validated([h.with_encoder for h in held_out[-1] if h.with_encoder is not None], people)
     return TrainingResult(sources, live, files, tuple(rounds), head, together)
+
+
+def _recordings_of(corpora: Sequence[Path], channel: Channel, *, unlabelled: bool) -> list[LabelledUtterance]:
+    """Read all folders; a recording that several of them have counts once."""
+    known: dict[str, LabelledUtterance] = {}
+    for corpus in corpora:
+        for utterance in read_corpus(corpus, channel=channel, unlabelled=unlabelled):
+            known.setdefault(key_of(utterance), utterance)
+    return list(known.values())
 
 
 def _begin(work: Path, plan: str) -> None:

@@ -40,12 +40,13 @@ class LabelSource:
 
 
 def sources_of(corpora: Iterable[Path]) -> list[LabelSource]:
-    """Return the speakers of all corpora, sorted by name; a speaker of several corpora is one."""
-    rows: dict[str, list[dict[str, str]]] = {}
+    """Return the speakers of all corpora, sorted by name; a speaker, or a recording, of several corpora is one."""
+    rows: dict[str, dict[str, dict[str, str]]] = {}
     for corpus in corpora:
         with (corpus / "manifest.csv").open(newline="", encoding="utf-8-sig") as file:
             for row in csv.DictReader(file):
-                rows.setdefault(f"{row['corpus']}/{row['speaker']}", []).append(row)
+                recordings = rows.setdefault(f"{row['corpus']}/{row['speaker']}", {})
+                recordings.setdefault(Path(row["wav"]).stem, row)
     return [
         LabelSource(
             name,
@@ -56,5 +57,5 @@ def sources_of(corpora: Iterable[Path]) -> list[LabelSource]:
             minutes=sum(float(row.get("duration_s") or 0) for row in entries) / 60,
             n_recordings=len(entries),
         )
-        for name, entries in sorted(rows.items())
+        for name, entries in sorted((name, list(recordings.values())) for name, recordings in rows.items())
     ]

@@ -16,7 +16,6 @@ from phonemeengine.calibration.scores.scoring import Answers, scores_of
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.encoder.head import load_head
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve, fit_confidence
 from phonemeengine.recognition.encoded import OVERLAP, STRETCH, EncodedRecogniser
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import Model
@@ -114,16 +113,6 @@ def figures_by_look_ahead(held_out: Sequence[HeldOut]) -> dict[float, tuple[floa
         for seconds in sorted({s for heard in held_out for s in heard.answers})
     }
     return {seconds: (s.macro_f1, s.viseme_accuracy) for seconds, s in scores.items()}
-
-
-def confidence_of(predictions: Sequence[Predictions]) -> ConfidenceCurve:
-    """Fit how sure answers are, where labels are certain; scores are taken for what they are if there are none."""
-    pairs = [(p.confidences, p.right, p.labels.certain) for p in predictions]
-    known = [(sure[certain], right[certain]) for sure, right, certain in pairs if sure is not None and certain.any()]
-    if not known:
-        return UNFITTED
-    sure, right = (np.concatenate(part) for part in zip(*known, strict=True))
-    return fit_confidence(sure, right)
 
 
 def preset_of(model: Model) -> Preset:

@@ -26,7 +26,7 @@ from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.confidence import calibration_errors
+from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve, calibration_errors, fit_confidence
 from phonemeengine.recognition.segments import count_changes
 from phonemeengine.recognition.spec import Recogniser
 from phonemeengine.settings import FRAME_PERIOD, HOP
@@ -262,13 +262,29 @@ def group_scores_of(predictions: Sequence[Predictions]) -> GroupScores:
 
 
 def _calibration_of(predictions: Iterable[Predictions]) -> tuple[float, float]:
-    """Compare confidences with what was right, where the labels are certain."""
+    """Compare confidences with what was right, where both are known."""
+    sure, right = _confidences_in(predictions)
+    known = ~np.isnan(sure)
+    return calibration_errors(sure[known], right[known])
+
+
+def _confidences_in(predictions: Iterable[Predictions]) -> tuple[Float32Array, BoolArray]:
+    """Return how sure answers are, NaN where nobody knows, and whether they are right, where labels are certain."""
     sure, right = [np.zeros(0, np.float32)], [np.zeros(0, bool)]
     for prediction in predictions:
         if prediction.confidences is not None:
             sure.append(prediction.confidences[prediction.labels.certain])
             right.append(prediction.right[prediction.labels.certain])
-    return calibration_errors(np.concatenate(sure), np.concatenate(right))
+    return np.concatenate(sure), np.concatenate(right)
+
+
+def confidence_of(predictions: Iterable[Predictions]) -> ConfidenceCurve:
+    """Fit how sure answers are, where labels are certain; scores are taken for what they are if there are none.
+
+    Of a recogniser without scores it is one share for all answers.
+    """
+    sure, right = _confidences_in(predictions)
+    return fit_confidence(np.nan_to_num(sure, nan=1.0), right) if len(sure) else UNFITTED
 
 
 def kind_of(utterance: LabelledUtterance) -> str:
