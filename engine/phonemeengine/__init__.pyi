@@ -7,13 +7,13 @@ from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
-from phonemeengine.calibration.alignment import aligned
+from phonemeengine.calibration.alignment import aligned, read_sentence
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_recordings
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions, score
 from phonemeengine.calibration.scores.scoring import Scores
-from phonemeengine.calibration.sentences import SENTENCES, Sentence
+from phonemeengine.calibration.sentences import SENTENCES, Sentence, sentences_in
 from phonemeengine.calibration.takes.room_noise import ConfidenceInterval, SilenceAccuracy
 from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
 from phonemeengine.encoder.head import EncoderHead
@@ -111,7 +111,7 @@ from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Cancelled, Progress
 from phonemeengine.recognition.confidence import ConfidenceCurve
-from phonemeengine.recognition.model import Model, OutputHead
+from phonemeengine.recognition.model import LookAheadFigures, Model, OutputHead
 from phonemeengine.recognition.network import Layer
 from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
 from phonemeengine.recognition.recognition import Recognition
@@ -216,6 +216,7 @@ __all__ = [
     "Level",
     "Lexicon",
     "Listener",
+    "LookAheadFigures",
     "MadeCorpus",
     "Material",
     "Mesh",
@@ -373,12 +374,14 @@ __all__ = [
     "pinyin_track",
     "read_expression",
     "read_recordings",
+    "read_sentence",
     "read_utterance",
     "recognise_window",
     "recorded_expression",
     "save_morph_targets",
     "save_preset",
     "score",
+    "sentences_in",
     "speak",
     "speak_by_program",
     "spoken_text",

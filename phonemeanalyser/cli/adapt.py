@@ -4,8 +4,9 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset
+from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset, add_script
 from phonemeanalyser.cli.jobs import say_cut_off
+from phonemeanalyser.cli.scripts import NO_TEXTS, spoken_texts
 from phonemeengine import (
     CalibrationResult,
     Channel,
@@ -15,13 +16,18 @@ from phonemeengine import (
     PresetError,
     SoundReader,
     TakeError,
+    Utterance,
     calibrate,
     load_phoneme_map,
     load_preset,
     read_recordings,
+    read_sentence,
     save_preset,
+    sentences_in,
 )
 from phonemeengine.arrays import Float32Array
+from phonemeengine.calibration.alignment import labels_of
+from phonemeengine.calibration.sentences import LANGUAGES
 from phonemeengine.calibration.takes.room_noise import measure_room
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -35,7 +41,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "The learned recogniser is adapted, rules get thresholds, templates become those of the voice. What gets "
         "worse than before by more than 0.01 (mouth shapes, silence) on what is held back is refused."
     )
-    parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help="takes, or labelled recordings")
+    words = "takes, or labelled recordings; with --line or --text, sounds of somebody who reads"
+    parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help=words)
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="PRESET", help="the new preset, .toml")
     add_preset(parser, words="preset to begin with (default: learned)")
     parser.add_argument(
@@ -45,6 +52,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--room", type=Path, metavar="SOUND", help="seconds of the room in which nobody speaks (default: the takes')"
     )
+    parser.add_argument(
+        "--line", choices=[language.lower() for language in LANGUAGES],
+        help="somebody reads the line that the window shows: " + sentences_in(LANGUAGES[0])[0].text + " (english)",
+    )  # fmt: skip
+    add_script(parser)
     add_map(parser)
     add_channel(parser)
 
@@ -68,11 +80,13 @@ def run(options: argparse.Namespace) -> int:
 
 def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Namespace) -> Preset:
     mapping = load_phoneme_map(options.map) if options.map else PhonemeMap()
-    takes, held_back = (_read(sources, mapping, options.channel) for sources in (options.folders, options.held_back))
+    held_back = _read(options.held_back, mapping, options.channel)
+    takes = _read_aloud(options) or _read(options.folders, mapping, options.channel)
     say_cut_off([*takes, *held_back])
     result = calibrate(preset, takes, held_back=held_back, room=room)
     seconds = sum(utterance.labels[-1].end for utterance in takes if utterance.labels)
-    print(f"{options.out}: {len(takes)} recordings, {seconds:.0f} s; {_gain_in_words(result)}")
+    several = "s" if len(takes) != 1 else ""
+    print(f"{options.out}: {len(takes)} recording{several}, {seconds:.0f} s; {_gain_in_words(result)}")
     for sentence in (result.refusal, f"{result.silence_accuracy}." if result.silence_accuracy else ""):
         if sentence:
             print(sentence)
@@ -100,6 +114,28 @@ def _gain_in_words(result: CalibrationResult) -> str:
         f"{other.viseme_accuracy:.1%}, silence found {one.silence_recall:.1%} -> {other.silence_recall:.1%}, "
         f"speech called silence {one.false_silence:.1%} -> {other.false_silence:.1%}"
     )
+
+
+def _read_aloud(options: argparse.Namespace) -> list[LabelledUtterance]:
+    """Label the sounds of somebody who reads by what is read; none where the command line does not say it."""
+    texts = spoken_texts(options, options.folders)
+    if options.line is not None:
+        if options.text is not None or options.script is not None:
+            options.parser.error("--line goes without --text and --script: it is what is read")
+        return [read_sentence(sound, sentences_in(options.line)[0], options.channel) for sound in options.folders]
+    if texts is NO_TEXTS:
+        return []
+    found = []
+    for sound in options.folders:
+        with SoundReader(sound, options.channel) as reader:
+            said = texts.script_of(sound, reader.duration)
+        if said is None:
+            raise TakeError(f"{sound.name}: nothing says what is read in it; name it in the script")
+        if isinstance(said, Utterance):
+            found.append(LabelledUtterance(sound, labels_of(said), sound.stem, "read", options.channel))
+        else:
+            found.append(read_sentence(sound, said, options.channel))
+    return found
 
 
 def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[LabelledUtterance]:

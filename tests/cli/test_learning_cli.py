@@ -12,12 +12,17 @@ import soundfile
 from phonemeanalyser.cli.main import main
 from phonemeengine.analyser import Analyser, analyse_blocks
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.calibration.alignment import read_sentence
+from phonemeengine.calibration.calibrate import calibrate
+from phonemeengine.calibration.sentences import SENTENCES, sentences_in
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.model import load_model
 from phonemeengine.settings import SAMPLE_RATE, Ear
+from phonemeengine.text.pronunciation import words_of
 from tests.corpora import put
+from tests.reading import english_read
 from tests.sounds import noise, vowel
 from tests.tables import refused
 
@@ -73,6 +78,45 @@ def test_a_voice_is_adapted_to_and_the_preset_written_with_its_model(takes, tmp_
     assert preset.recogniser == "learned"
     assert (preset.model != load_preset(DEFAULT_PRESET).model) == ("unchanged" not in said)
     assert (tmp_path / "voice.npz").is_file()
+
+
+@pytest.fixture
+def read(tmp_path: Path) -> Path:
+    """Somebody reads the English line."""
+    soundfile.write(tmp_path / "me.wav", english_read()[0], SAMPLE_RATE)
+    return tmp_path / "me.wav"
+
+
+def test_one_read_line_is_aligned_with_what_is_read_and_learned(read, tmp_path, capsys):
+    out = tmp_path / "voice.toml"
+    assert main(["adapt", str(read), "--line", "english", "-o", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith(f"{out}: 1 recording, 8 s; ")
+    assert "quarters held back in turn, 6 s" in said
+    by_api = calibrate(load_preset("learned"), [read_sentence(read, sentences_in("English")[0])])
+    assert load_preset(out).model == by_api.preset.model
+
+
+@pytest.mark.parametrize("where", ["text", "script"])
+def test_any_text_may_be_read(read, tmp_path, capsys, where):
+    text = SENTENCES[0].text
+    (tmp_path / "me.txt").write_text(text)
+    words = ["--text", text] if where == "text" else ["--script", str(tmp_path / "me.txt")]
+    out = tmp_path / "voice.toml"
+    assert main(["adapt", str(read), *words, "--language", "en-us", "-o", str(out)]) == 0
+    by_api = calibrate(load_preset("learned"), [read_sentence(read, words_of(text, "en-us"))])
+    assert load_preset(out).model == by_api.preset.model
+
+
+def test_another_text_is_refused_and_nothing_is_written(read, tmp_path, capsys):
+    out = tmp_path / "voice.toml"
+    assert refused(capsys, "adapt", read, "--line", "german", "-o", out) == (
+        "me.wav: what was heard is not this sentence; read it again, as it stands there, without haste"
+    )
+    with pytest.raises(SystemExit):
+        main(["adapt", str(read), "--line", "german", "--text", "Hallo", "-o", str(out)])
+    assert "--line goes without --text" in capsys.readouterr().err
+    assert not out.exists()
 
 
 @pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])

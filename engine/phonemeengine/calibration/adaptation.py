@@ -13,7 +13,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
-from phonemeengine.calibration.fine_tuning import TrainingSegment, TunedLayers, first_tuned
+from phonemeengine.calibration.fine_tuning import (
+    KINDS,
+    TrainingSegment,
+    TunedLayers,
+    first_tuned,
+    heads_of,
+    softmax_of,
+)
 from phonemeengine.calibration.learning.training_examples import TrainingExample, example_of_recording
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.dsp.log_mel import silent_log_mels
@@ -24,6 +31,7 @@ from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Layer, Network, StreamingLayer
 from phonemeengine.recognition.scores import MOST_LOG_ODDS
+from phonemeengine.visemes import Viseme
 
 FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 40, 120, 50
 """Steps that are taken: one for so many frames of the voice, within these bounds."""
@@ -42,6 +50,8 @@ LEAST_SECONDS = 2.0
 BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
 
+N_CLASSES = (len(Phoneme), len(Viseme))
+"""Of each kind."""
 GIVEN_TO_SILENCE = 0.5
 """By how much silence becomes likelier in the second of each pair of adapted presets, nats."""
 STEP_SIZES = (1.0, 0.5, 0.25)
@@ -50,32 +60,44 @@ STEP_SIZES = (1.0, 0.5, 0.25)
 
 @dataclass(frozen=True)
 class _Encoded:
-    """What the layers that move hear in a recording, its labels, and what each frame counts."""
+    """What the layers that move hear in a recording, its labels, and what each frame counts.
+
+    Attributes
+    ----------
+    hidden : float32, shape (n_frames + look-ahead, n_channels).
+    codes : of the phonemes, and of the visemes where the model knows any, each of shape (n_frames,).
+    weights : by kind as `codes`, each of shape (n_frames,); 0 where the labels do not say.
+    """
 
     hidden: Float32Array
-    phonemes: UInt8Array
-    weights: Float32Array
+    codes: tuple[UInt8Array, ...]
+    weights: tuple[Float32Array, ...]
 
 
 @dataclass(frozen=True)
 class _LabelStats:
-    """Which phonemes are in the labels, and what a frame of each counts.
+    """Which classes of a kind are in the labels, and what a frame of each counts.
 
     Attributes
     ----------
-    competing : the phonemes among which an answer is chosen, bool, shape (n_phonemes,).
-    class_weights : float32, shape (n_phonemes,).
+    competing : the classes among which an answer is chosen, bool, shape (n_classes,).
+    class_weights : float32, shape (n_classes,).
+    targets : what is to be answered for each class, float32, shape (n_classes, n_classes).
     """
 
     competing: BoolArray
     class_weights: Float32Array
+    targets: Float32Array
 
     @classmethod
-    def of(cls, encoded: Sequence[_Encoded]) -> "_LabelStats":
+    def of(cls, encoded: Sequence[_Encoded], kind: int) -> "_LabelStats":
         """Count the frames of the labels."""
-        totals = sum(np.bincount(e.phonemes, e.weights, len(Phoneme)) for e in encoded)
+        n = N_CLASSES[kind]
+        totals = sum(np.bincount(e.codes[kind], e.weights[kind], n) for e in encoded)
         competing = np.asarray(totals >= LEAST_FRAMES)
-        return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32))
+        smoothed = (SMOOTHING * competing / max(1, int(competing.sum()))).astype(np.float32)
+        targets = smoothed + np.float32(1 - SMOOTHING) * np.eye(n, dtype=np.float32)
+        return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32), targets)
 
 
 def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...]:
@@ -86,15 +108,15 @@ def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...
     CorpusError : there are less than two seconds of labelled sound, or only one phoneme.
     """
     encoded = [_encode(model, example) for example in examples if len(example)]
-    known = np.concatenate([e.phonemes[e.weights > 0] for e in encoded]) if encoded else np.zeros(0, np.uint8)
+    known = np.concatenate([np.zeros(0, np.uint8), *(e.codes[0][e.weights[0] > 0] for e in encoded)])
     if len(known) < LEAST_SECONDS * 100 or len(np.unique(known)) < 2:
         raise CorpusError(
             f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are too little to adapt to; "
             f"give {LEAST_SECONDS:g} s or more of several phonemes"
         )
-    stats = _LabelStats.of(encoded)
+    segments = _segments_of(encoded, len(model.heads))
     anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
-    tuned_model = _fine_tuned(model, encoded, stats, anchors)
+    tuned_model = _fine_tuned(model, segments, anchors)
     return tuple(replace(_interpolated(model, tuned_model, share), warps=NO_WARP) for share in STEP_SIZES)
 
 
@@ -122,12 +144,9 @@ def _with_more_silence(preset: Preset) -> Preset:
     return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: given})
 
 
-def _fine_tuned(
-    model: Model, encoded: Sequence[_Encoded], stats: _LabelStats, anchors: Sequence[TrainingSegment]
-) -> Model:
+def _fine_tuned(model: Model, segments: Sequence[TrainingSegment], anchors: Sequence[TrainingSegment]) -> Model:
     """Return the model that has learned from the recordings."""
     generator = np.random.default_rng(1)
-    segments = _segments_of(encoded, stats, len(model.heads))
     n_frames = sum(len(segment.inputs) for segment in segments)
     n_steps = int(np.clip(n_frames / FRAMES_PER_STEP, FEWEST_STEPS, MOST_STEPS))
     tuned = TunedLayers(model, n_steps, generator)
@@ -147,11 +166,13 @@ def _interpolated(model: Model, tuned_model: Model, share: float) -> Model:
         Layer(between(a.weights, b.weights), between(a.bias, b.bias), a.dilation)
         for a, b in zip(model.layers, tuned_model.layers, strict=True)
     )
-    heads = tuple(
-        OutputHead(between(a.weights, b.weights), between(a.bias, b.bias))
-        for a, b in zip(model.heads, tuned_model.heads, strict=True)
+    heads, viseme_heads = (
+        tuple(
+            OutputHead(between(a.weights, b.weights), between(a.bias, b.bias)) for a, b in zip(old, new, strict=True)
+        )
+        for old, new in ((model.heads, tuned_model.heads), (model.viseme_heads, tuned_model.viseme_heads))
     )
-    return replace(model, layers=layers, heads=heads).rounded()
+    return replace(model, layers=layers, heads=heads, viseme_heads=viseme_heads).rounded()
 
 
 def _draw(segments: Sequence[TrainingSegment], generator: np.random.Generator) -> list[TrainingSegment]:
@@ -170,31 +191,36 @@ def _encode(model: Model, example: TrainingExample) -> _Encoded:
     """Run the first layers over an example, and as many frames of silence after it as the model looks ahead."""
     after = silent_log_mels(len(model.heads) - 1)
     hidden = _first_layers(model).forward(np.concatenate((example.log_powers.astype(np.float32), after)))
-    return _Encoded(hidden, example.phonemes, example.certainties.astype(np.float32))
+    weights = example.certainties.astype(np.float32)
+    said = example.visemes < len(Viseme)
+    codes = (example.phonemes, np.where(said, example.visemes, 0).astype(np.uint8))
+    n = 2 if model.viseme_heads else 1
+    return _Encoded(hidden, codes[:n], (weights, weights * said)[:n])
 
 
-def _segments_of(encoded: Sequence[_Encoded], stats: _LabelStats, n_heads: int) -> list[TrainingSegment]:
-    smoothed = (SMOOTHING * stats.competing / max(1, int(stats.competing.sum()))).astype(np.float32)
-    targets = smoothed + np.float32(1 - SMOOTHING) * np.eye(len(Phoneme), dtype=np.float32)
-    return [
-        TrainingSegment(
-            e.hidden,
-            _ahead(targets[e.phonemes], n_heads),
-            _ahead(e.weights * stats.class_weights[e.phonemes], n_heads),
-            stats.competing,
-        )
-        for e in encoded
-        if e.weights.any()
-    ]
+def _segments_of(encoded: Sequence[_Encoded], n_heads: int) -> list[TrainingSegment]:
+    kinds = range(len(encoded[0].codes))
+    stats = [_LabelStats.of(encoded, kind) for kind in kinds]
+    competing = np.concatenate([stat.competing for stat in stats])
+    segments = []
+    for e in encoded:
+        targets = np.concatenate([stats[k].targets[e.codes[k]] for k in kinds], axis=1)
+        weights = np.stack([e.weights[k] * stats[k].class_weights[e.codes[k]] for k in kinds], axis=1)
+        if weights.any():
+            segments.append(TrainingSegment(e.hidden, _ahead(targets, n_heads), _ahead(weights, n_heads), competing))
+    return segments
 
 
 def _anchor_of(model: Model, log_powers: Float32Array) -> TrainingSegment:
     """Return a stretch of other voices, to be named as the model names it now."""
     hidden = _first_layers(model).forward(log_powers)
     outputs = _through_last_layers(model, hidden)
-    everything = np.ones(len(Phoneme), bool)
-    targets = np.stack([_probabilities_of(outputs, head, everything) for head in model.heads], axis=1)
-    return TrainingSegment(hidden, targets, np.ones(targets.shape[:2], np.float32), everything)
+    heads = heads_of(model)
+    everything = np.ones(len(heads[0].bias), bool)
+    scores = np.stack([outputs @ head.weights + head.bias for head in heads], axis=1)
+    kinds = KINDS[: 2 if model.viseme_heads else 1]
+    targets = np.concatenate([softmax_of(scores[..., kind], everything[kind]) for kind in kinds], axis=2)
+    return TrainingSegment(hidden, targets, np.ones((*targets.shape[:2], len(kinds)), np.float32), everything)
 
 
 def _ahead(values: Float32Array, n_heads: int) -> Float32Array:
@@ -204,12 +230,6 @@ def _ahead(values: Float32Array, n_heads: int) -> Float32Array:
     for k in range(n_heads):
         placed[k : k + n, k] = values
     return placed
-
-
-def _probabilities_of(outputs: Float32Array, head: OutputHead, competing: BoolArray) -> Float32Array:
-    scores = np.where(competing, outputs @ head.weights + head.bias, -np.inf)
-    shares = np.exp(scores - scores.max(axis=1, keepdims=True))
-    return np.asarray(shares / shares.sum(axis=1, keepdims=True), np.float32)
 
 
 def _first_layers(model: Model) -> Network:

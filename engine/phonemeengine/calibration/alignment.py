@@ -6,15 +6,20 @@ shipped one itself: that one is favoured a little where two sounds meet. So what
 30 ms of a silence, does not count.
 """
 
+import os
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
+from pathlib import Path
 
 from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import TakeError
+from phonemeengine.files import printable_name
 from phonemeengine.labels.label import CORE, Label
 from phonemeengine.labels.phone_sets import phone_classes_in
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
@@ -22,15 +27,20 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
+from phonemeengine.text.pronunciation import ScriptWord
 
 LEAST_FRAMES = 3
 """Of a sound that is read without haste, 10 ms each, in the mean."""
+LONGEST = 30
+"""Seconds of a sound that are read."""
+SPOKEN = "read"
+"""What the corpus of a sentence that was read is called, and its folder."""
 AROUND, AROUND_SILENCE = 0.01, 0.03
 """What does not count on each side of a place where two sounds meet, seconds."""
 
 
-def aligned(samples: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
+def aligned(samples: Float32Array, said: Sentence | Sequence[ScriptWord]) -> tuple[Label, ...]:
     """Label a recording of a sentence by its known text.
 
     Where sounds meet, and around silence, labels have the certainty ``trimmed``: nobody knows the place so well.
@@ -38,19 +48,47 @@ def aligned(samples: Float32Array, sentence: Sentence) -> tuple[Label, ...]:
     Parameters
     ----------
     samples : float32, shape (n,), 44.1 kHz, ±1.
-    sentence : what was read.
+    said : what was read: a sentence, or the words of a text (`phonemeengine.words_of`).
 
     Raises
     ------
     TakeError : it is too short for the sentence, or something else was read.
     """
+    words = said.words if isinstance(said, Sentence) else said
     duration = len(samples) / SAMPLE_RATE
-    if duration < LEAST_FRAMES * len(sentence.sounds) * FRAME_PERIOD:
+    n_sounds = sum(len(word.pronunciations[0].phones) for word in words)
+    if duration < LEAST_FRAMES * n_sounds * FRAME_PERIOD:
         raise TakeError("what was heard is too short for this sentence; read all of it, without haste")
-    found = align_analyses(analyse_blocks([samples], _judge()), sentence.words, duration)
+    found = align_analyses(analyse_blocks([samples], _judge()), words, duration)
     if found.skipped or any(word.text == UNKNOWN_WORD for word in found.words):
         raise TakeError("what was heard is not this sentence; read it again, as it stands there, without haste")
     return labels_of(found)
+
+
+def read_sentence(
+    sound: str | os.PathLike[str], said: Sentence | Sequence[ScriptWord], channel: Channel = Channel.MIX
+) -> LabelledUtterance:
+    """Return a recording of a sentence, labelled by its known text: what `calibrate` learns a voice from.
+
+    Parameters
+    ----------
+    sound : the file; at most half a minute of it is read.
+    said : as for `aligned`.
+    channel : what is heard of a file of several channels.
+
+    Raises
+    ------
+    AudioError : the file cannot be read.
+    TakeError : it is too short for the sentence, or something else was read.
+    """
+    path = Path(sound)
+    with SoundReader(path, channel) as reader:
+        samples = reader.read_mono(LONGEST * SAMPLE_RATE)
+    try:
+        labels = aligned(samples, said)
+    except TakeError as error:
+        raise TakeError(f"{printable_name(path)}: {error}") from error
+    return LabelledUtterance(path, labels, path.stem, SPOKEN, channel=channel)
 
 
 def labels_of(utterance: Utterance) -> tuple[Label, ...]:

@@ -10,10 +10,15 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array
 from phonemeengine.calibration.learning.optimiser import Optimiser
-from phonemeengine.calibration.learning.trainable_network import HEAD_SHARES
+from phonemeengine.calibration.learning.trainable_network import HEAD_SHARES, VISEME_SHARE
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
+from phonemeengine.visemes import Viseme
 
+KINDS = (slice(0, len(Phoneme)), slice(len(Phoneme), len(Phoneme) + len(Viseme)))
+"""The classes of a head that compete with each other: phonemes, and visemes."""
+KIND_SHARES = np.array([1.0, VISEME_SHARE], np.float32)
 N_TUNED = 3
 """Layers that move, at most; the first one of a network, which hears the sound itself, does not."""
 RATE = 2e-3
@@ -28,9 +33,10 @@ class TrainingSegment:
     Attributes
     ----------
     inputs : float32, shape (n_frames, n_channels); silence before it is understood.
-    targets : shares of the phonemes, float32, shape (n_frames, n_heads, n_phonemes).
-    weights : how much each answer counts, float32, shape (n_frames, n_heads).
-    competing : the phonemes among which an answer is chosen, bool, shape (n_phonemes,).
+    targets : shares of the phonemes, and of the visemes where the model knows any, float32,
+        shape (n_frames, n_heads, n_classes).
+    weights : how much each answer counts, of either kind, float32, shape (n_frames, n_heads, n_kinds).
+    competing : the classes among which an answer is chosen, bool, shape (n_classes,).
     """
 
     inputs: Float32Array
@@ -42,6 +48,16 @@ class TrainingSegment:
 def first_tuned(model: Model) -> int:
     """Return the number of the first layer that moves."""
     return max(1, len(model.layers) - N_TUNED)
+
+
+def heads_of(model: Model) -> tuple[OutputHead, ...]:
+    """Return for each look-ahead the head of the phonemes, with that of the visemes behind it where there is one."""
+    if not model.viseme_heads:
+        return model.heads
+    return tuple(
+        OutputHead(np.concatenate((a.weights, b.weights), axis=1), np.concatenate((a.bias, b.bias)))
+        for a, b in zip(model.heads, model.viseme_heads, strict=True)
+    )
 
 
 class TunedLayers:
@@ -57,8 +73,9 @@ class TunedLayers:
     def __init__(self, model: Model, n_steps: int, generator: np.random.Generator) -> None:
         self._model = model
         self._layers = [_TunableLayer(layer) for layer in model.layers[first_tuned(model) :]]
-        self._weights = np.concatenate([head.weights for head in model.heads], axis=1)
-        self._bias = np.concatenate([head.bias for head in model.heads])
+        heads = heads_of(model)
+        self._weights = np.concatenate([head.weights for head in heads], axis=1)
+        self._bias = np.concatenate([head.bias for head in heads])
         values = [v for layer in self._layers for v in layer.values] + [self._weights, self._bias]
         self._optimiser = Optimiser(values, n_steps, RATE)
         self._generator = generator
@@ -68,8 +85,11 @@ class TunedLayers:
         gradients = [np.zeros_like(v) for layer in self._layers for v in layer.values]
         gradients += [np.zeros_like(self._weights), np.zeros_like(self._bias)]
         for segments, weight in parts:
-            total = sum(segment.weights.sum(axis=0) for segment in segments)
-            factors = weight * HEAD_SHARES[: len(self._model.heads)] / np.maximum(total, 1e-9)
+            if not segments:
+                continue
+            total = np.sum([segment.weights.sum(axis=0) for segment in segments], axis=0)
+            shares = HEAD_SHARES[: len(total), np.newaxis] * KIND_SHARES[: total.shape[1]]
+            factors = weight * shares / np.maximum(total, 1e-9)
             for segment in segments:
                 for k, more in enumerate(self._gradients_of(segment, factors)):
                     gradients[k] += more
@@ -78,9 +98,11 @@ class TunedLayers:
     def model(self) -> Model:
         """Return the model as it is now."""
         n_heads = len(self._model.heads)
-        heads = zip(np.split(self._weights, n_heads, axis=1), np.split(self._bias, n_heads), strict=True)
+        heads = list(zip(np.split(self._weights, n_heads, axis=1), np.split(self._bias, n_heads), strict=True))
         layers = (*self._model.layers[: first_tuned(self._model)], *(layer.finished() for layer in self._layers))
-        return replace(self._model, layers=layers, heads=tuple(OutputHead(w, b) for w, b in heads)).rounded()
+        phonemes, visemes = (tuple(OutputHead(w[:, kind], b[kind]) for w, b in heads) for kind in KINDS)
+        known = visemes if self._model.viseme_heads else ()
+        return replace(self._model, layers=layers, heads=phonemes, viseme_heads=known).rounded()
 
     def _gradients_of(self, segment: TrainingSegment, factors: Float32Array) -> list[Float32Array]:
         kept = self._generator.random(segment.inputs.shape, np.float32) >= DROPOUT
@@ -88,8 +110,10 @@ class TunedLayers:
         for layer in self._layers:
             hidden = layer.forward(hidden)
         scores = (hidden @ self._weights + self._bias).reshape(segment.targets.shape)
-        errors = _softmax_of(scores, segment.competing) - segment.targets
-        errors *= (segment.weights * factors)[:, :, np.newaxis]
+        errors = -segment.targets
+        for k, kind in enumerate(KINDS[: segment.weights.shape[2]]):
+            errors[..., kind] += softmax_of(scores[..., kind], segment.competing[kind])
+            errors[..., kind] *= (segment.weights[..., k] * factors[:, k])[..., np.newaxis]
         sums = errors.reshape(len(hidden), -1)
         back = sums @ self._weights.T
         found = [hidden.T @ sums, sums.sum(axis=0)]
@@ -131,10 +155,12 @@ class _TunableLayer:
         return Layer(self.values[0], self.values[1], self._dilation)
 
 
-def _softmax_of(scores: Float32Array, competing: BoolArray) -> Float32Array:
-    """Return the probabilities of the competing phonemes; those of the others are 0."""
+def softmax_of(scores: Float32Array, competing: BoolArray) -> Float32Array:
+    """Return the probabilities of the competing classes, which lie on the last axis; those of the others are 0."""
+    if not competing.any():
+        return np.zeros_like(scores)
     shares = np.where(competing, scores, -np.inf)
-    shares -= shares.max(axis=2, keepdims=True)
+    shares -= shares.max(axis=-1, keepdims=True)
     np.exp(shares, out=shares)
-    shares /= shares.sum(axis=2, keepdims=True)
+    shares /= shares.sum(axis=-1, keepdims=True)
     return np.asarray(shares, np.float32)

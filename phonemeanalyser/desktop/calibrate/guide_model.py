@@ -1,7 +1,8 @@
-"""The guided calibration: it waits for each sound, hears it, checks it, and says what to repeat.
+"""The guided calibration: it waits for each thing that is said, hears it, checks it, and says what to repeat.
 
-After the sounds a sentence is read, from which nothing is learned: what the calibration gains is told on it alone.
-Time is told by the sound that comes, not by a clock: where the microphone stands still, so does the guide.
+A sentence is read, from which the voice is learned, or nine single sounds are said instead. Then another sentence is
+read, from which nothing is learned: what the calibration gains is told on it alone. Time is told by the sound that
+comes, not by a clock: where the microphone stands still, so does the guide.
 """
 
 from dataclasses import dataclass, replace
@@ -16,7 +17,7 @@ from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.sentences import SENTENCES, Sentence
+from phonemeengine.calibration.sentences import LANGUAGES, Sentence, sentences_in
 from phonemeengine.calibration.takes.onset import onset_in, quiet_at_end
 from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.room_noise import RoomNoise, measure_room
@@ -40,28 +41,41 @@ BEFORE_SENTENCE, AFTER_SENTENCE = 0.6, 0.8
 """What is kept from before the sentence, and the quiet that ends it, seconds."""
 LONGEST_SENTENCE = 15.0
 """Seconds after which nobody waits for its end."""
+SOUNDS_PER_S = 10
+"""Of a sentence that is read; the ring fills so fast."""
 
 
 @dataclass(frozen=True)
 class Step:
-    """One sound that is asked for.
+    """One sound or sentence that is asked for.
 
     Attributes
     ----------
-    phoneme : which one.
+    phoneme : which one; unidentified for a sentence.
     say : what to say, in large letters.
     hint : how.
     seconds : for how long.
+    sentence : what is read; None for a sound.
+    teaches : whether it is learned from; else it is to judge by.
     """
 
     phoneme: Phoneme
     say: str
     hint: str
     seconds: float = 1.4
+    sentence: Sentence | None = None
+    teaches: bool = True
+
+    @property
+    def name(self) -> str:
+        """What it is called where there is little room."""
+        if self.sentence is None:
+            return self.phoneme.label
+        return "sentence" if self.teaches else "check"
 
 
-STEPS = (
-    Step(Phoneme.SILENCE, "keep quiet", "two seconds of your room, with nobody speaking", 2.0),
+QUIET = Step(Phoneme.SILENCE, "keep quiet", "two seconds of your room, with nobody speaking", 2.0)
+SOUNDS = (
     Step(Phoneme.A, "aaaa", "hold the a of “father”"),
     Step(Phoneme.E, "eeee", "hold the e of “bed”"),
     Step(Phoneme.I, "iiii", "hold the sound of “see”"),
@@ -74,9 +88,17 @@ STEPS = (
 )
 
 
-READING = len(STEPS)
-"""The number of the step after the sounds: the sentence."""
-N_STEPS = READING + 1
+def steps_of(language: str, *, by_sounds: bool) -> tuple[Step, ...]:
+    """Return what is asked for, in order: the room, a sentence or single sounds, and a sentence to judge by."""
+    learned, judged = sentences_in(language)
+    if by_sounds:
+        return (QUIET, *SOUNDS, _reading(learned, teaches=False))
+    return (QUIET, _reading(learned, teaches=True), _reading(judged, teaches=False))
+
+
+def _reading(sentence: Sentence, *, teaches: bool) -> Step:
+    seconds = len(sentence.sounds) / SOUNDS_PER_S
+    return Step(Phoneme.UNIDENTIFIED, "read aloud", sentence.text, seconds, sentence, teaches)
 
 
 class Phase(StrEnum):
@@ -92,12 +114,21 @@ class Phase(StrEnum):
 
 
 class GuideModel(QObject):
-    """Leads through all sounds; it goes on whenever sound was heard.
+    """Leads through all that is asked for; it goes on whenever sound was heard.
 
     Signals
     -------
     changed : another phase or another step.
     error : a sentence for the user.
+
+    Attributes
+    ----------
+    steps : what is asked for, in order.
+    index : the number of the step at hand; that of steps when all were taken.
+    by_sounds : whether single sounds are said, in place of the sentence that teaches.
+    language : of the sentences.
+    numbers : the takes of the sounds that were said, by their steps.
+    sentences : what was read, by its step.
     """
 
     changed = Signal()
@@ -111,8 +142,9 @@ class GuideModel(QObject):
         self.numbers: dict[int, int] = {}
         self.room: RoomNoise | None = None
         self.outcome: CalibrationResult | None = None
-        self.sentence = SENTENCES[0]
-        self.spoken: LabelledUtterance | None = None
+        self.language, self.by_sounds = LANGUAGES[0], False
+        self.steps = steps_of(self.language, by_sounds=self.by_sounds)
+        self.sentences: dict[int, LabelledUtterance] = {}
         self._session = session
         self._capture = session.microphone.capture
         self._preset = preset
@@ -137,16 +169,17 @@ class GuideModel(QObject):
     @property
     def step(self) -> Step:
         """What is asked for."""
-        return STEPS[self.index] if self.index < READING else self._reading
-
-    @property
-    def _reading(self) -> Step:
-        return Step(Phoneme.UNIDENTIFIED, "read aloud", self.sentence.text, float(len(self.sentence.sounds)) / 10)
+        return self.steps[min(self.index, len(self.steps) - 1)]
 
     @property
     def reading(self) -> bool:
-        """Whether the sentence is asked for."""
-        return self.index == READING and self.phase not in {Phase.OFF, Phase.LEARNING, Phase.DONE}
+        """Whether a sentence is asked for."""
+        return self.step.sentence is not None and self.phase not in {Phase.OFF, Phase.LEARNING, Phase.DONE}
+
+    @property
+    def spoken(self) -> LabelledUtterance | None:
+        """The sentence that was read last: to judge by, or else to learn from."""
+        return self.sentences[max(self.sentences)] if self.sentences else None
 
     @property
     def measured_on(self) -> str:
@@ -154,7 +187,7 @@ class GuideModel(QObject):
         if self.outcome is None:
             return ""
         if self.outcome.cross_validated:
-            return f"on quarters of the takes, each held back in turn, {self.outcome.seconds:.0f} s"
+            return f"on quarters of what was said, each held back in turn, {self.outcome.seconds:.0f} s"
         seconds = f"{self.outcome.seconds:.1f} s"
         return f"on one sentence that was held back, {seconds}, labels aligned by the known text"
 
@@ -173,30 +206,39 @@ class GuideModel(QObject):
 
     def begin(self) -> None:
         """Begin with the silence."""
-        self.numbers, self.room, self.outcome, self.spoken, self._awaited = {}, None, None, None, []
+        self.numbers, self.room, self.outcome, self.sentences, self._awaited = {}, None, None, {}, []
         self._go_to(0)
 
     def back(self) -> None:
-        """Say the sound before once more; its take makes room for the new one."""
+        """Say what came before once more; its take makes room for the new one."""
         self._forget_work()
-        self._go_to(max(0, min(self.index, N_STEPS) - 1))
+        self._go_to(max(0, min(self.index, len(self.steps)) - 1))
 
     def skip(self) -> None:
-        """Go on without this sound, or the sentence."""
+        """Go on without this sound or sentence."""
         if self.phase not in {Phase.LEARNING, Phase.DONE}:
-            if self.index == READING:
-                self.spoken = None
+            self.sentences.pop(self.index, None)
             self._go_to(self.index + 1)
 
-    def choose(self, sentence: Sentence) -> None:
-        """Have another sentence read."""
-        self.sentence = sentence
-        if self.reading:
+    def choose(self, language: str, *, by_sounds: bool) -> None:
+        """Have sentences of a language read, or single sounds said; from the first of them on, after the room."""
+        same_way = by_sounds == self.by_sounds
+        self.language, self.by_sounds = language, by_sounds
+        self.steps = steps_of(language, by_sounds=by_sounds)
+        if not same_way:
+            self.numbers = {k: number for k, number in self.numbers.items() if k == 0}
+            self.sentences = {}
+        if self.phase in {Phase.OFF, Phase.LEARNING, Phase.DONE} or self.index == 0:
+            self.changed.emit()
+        elif not same_way:
+            self._forget_work()
+            self._go_to(1)
+        elif self.reading:
             self.again()
 
     def again(self) -> None:
-        """Say this sound once more."""
-        self._go_to(min(self.index, READING))
+        """Say this once more."""
+        self._go_to(min(self.index, len(self.steps) - 1))
 
     def cancel(self) -> None:
         """End it; what was recorded stays."""
@@ -236,7 +278,7 @@ class GuideModel(QObject):
 
     def _go_to(self, index: int, advice: str = "") -> None:
         self.index, self.advice, self._voice_at = index, advice, None
-        if index >= N_STEPS:
+        if index >= len(self.steps):
             self._capture.end()
             self._show(Phase.LEARNING)
             self._learn()
@@ -264,7 +306,7 @@ class GuideModel(QObject):
 
     def _has_ended(self, voice_at: float) -> bool:
         capture = self._capture
-        if self.index != READING:
+        if self.step.sentence is None:
             return capture.seconds >= voice_at + self.step.seconds
         sound, rate = capture.heard()
         quiet = quiet_at_end(sound, rate, self._least_voice)
@@ -275,11 +317,11 @@ class GuideModel(QObject):
         """How loud a voice is at least, an amplitude."""
         return max(ABOVE_ROOM * (self.room.level if self.room is not None else 0.0), LEAST_VOICE)
 
-    def _check_sentence(self) -> None:
+    def _check_sentence(self, sentence: Sentence) -> None:
         """Label the sentence, or say why it must be read again."""
         samples, rate = self._capture.end()
         samples = samples[round(max(0.0, (self._voice_at or 0.0) - BEFORE_SENTENCE) * rate) :]
-        room, sentence, folder = self.room.level if self.room else 0.0, self.sentence, self._takes.folder
+        room, teaches, folder = self.room.level if self.room else 0.0, self.step.teaches, self._takes.folder
         speaker = self._takes.speaker.strip() or UNNAMED
 
         def keep(_progress: Progress) -> LabelledUtterance:
@@ -287,14 +329,14 @@ class GuideModel(QObject):
             for fault in check_take(mono, room, Phoneme.A).faults.values():
                 raise TakeError(fault)
             if folder is None:
-                raise TakeError("No sound was kept before it; go back and say some.")
-            return keep_sentence(folder, samples, rate, mono, sentence, speaker)
+                raise TakeError("No sound was kept before it; go back, and keep quiet for two seconds.")
+            return keep_sentence(folder, samples, rate, mono, sentence, speaker, teaches=teaches)
 
         self._checks.replace(keep, self._take_sentence)
         self._show(Phase.CHECKING)
 
     def _take_sentence(self, spoken: LabelledUtterance) -> None:
-        self.spoken = spoken
+        self.sentences[self.index] = spoken
         self._tell_checked("")
 
     def _ask_again(self, sentence: str) -> None:
@@ -308,8 +350,8 @@ class GuideModel(QObject):
         self._show(Phase.SHOWING)
 
     def _check(self) -> None:
-        if self.index == READING:
-            self._check_sentence()
+        if self.step.sentence is not None:
+            self._check_sentence(self.step.sentence)
             return
         phoneme = self.step.phoneme
         samples, rate = self._capture.end()
@@ -336,14 +378,16 @@ class GuideModel(QObject):
         return list(room.notes)
 
     def _learn(self) -> None:
-        """Begin to learn, as soon as all takes are on the disk."""
+        """Begin to learn from the takes and the sentence that teaches, as soon as all takes are on the disk."""
         if self.phase is not Phase.LEARNING or self._takes.busy or self._work.busy:
             return
         numbers = set(self.numbers.values())
         wanted = [t for t in self._takes.now.takes if t.number in numbers and not t.excluded]
         sounds = {self._takes.path_of(take) for take in wanted}
         takes = [u for u in self._takes.utterances() if u.path in sounds]
-        preset, held_back = self._preset.preset, (self.spoken,) if self.spoken else ()
+        preset = self._preset.preset
+        takes += [said for k, said in self.sentences.items() if self.steps[k].teaches]
+        held_back = [said for k, said in self.sentences.items() if not self.steps[k].teaches]
         self._work.replace(
             lambda progress: calibrate(preset, takes, held_back=held_back, progress=progress), self._take_outcome
         )  # fmt: skip

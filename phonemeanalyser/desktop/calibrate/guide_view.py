@@ -1,4 +1,4 @@
-"""What the user sees while he is led through all sounds."""
+"""What the user sees while he is led through what is to be said."""
 
 import math
 from typing import Any
@@ -8,12 +8,12 @@ from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
-from phonemeanalyser.desktop.calibrate.guide_model import N_STEPS, READING, STEPS, Phase
+from phonemeanalyser.desktop.calibrate.guide_model import Phase
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, size_that_fills
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
-from phonemeengine.calibration.sentences import SENTENCES
+from phonemeengine.calibration.sentences import LANGUAGES
 
 RING = 15
 """Width of the ring in pixels."""
@@ -65,7 +65,7 @@ class CountdownRing(QWidget):
 
 
 class StepsLine(QWidget):
-    """All sounds in a row, and the sentence: done, at hand, and to come."""
+    """All that is asked for in a row: done, at hand, and to come."""
 
     def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
         super().__init__()
@@ -74,26 +74,26 @@ class StepsLine(QWidget):
         self.setFixedHeight(40)
 
     def paintEvent(self, _event: Any) -> None:
-        """Paint a cell for each sound."""
+        """Paint a cell for each step."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        cell = self.width() / N_STEPS
-        for k in range(N_STEPS):
+        guide = self._guide
+        cell = self.width() / len(guide.steps)
+        for k, step in enumerate(guide.steps):
             box = QRectF(k * cell + 2, 2, cell - 4, self.height() - 4)
-            name = STEPS[k].phoneme.label if k < READING else "sentence"
-            done, here = k in self._guide.numbers or (k == READING and self._guide.spoken), k == self._guide.index
+            done, here = k in guide.numbers or k in guide.sentences, k == guide.index
             painter.setPen(QPen(QColor(self._theme.accent if here else self._theme.line), 2 if here else 1))
             painter.setBrush(QColor(self._theme.raised))
             painter.drawRoundedRect(box, 4, 4)
-            line = PHONEME_COLOURS[STEPS[k].phoneme] if k < READING else self._theme.accent
+            line = PHONEME_COLOURS[step.phoneme] if step.sentence is None else self._theme.accent
             painter.fillRect(QRectF(box.left() + 4, box.bottom() - 5, box.width() - 8, 3), QColor(line))
             colour = self._theme.text if here or done else self._theme.faint
-            words = f"✓ {name}" if done else name
+            words = f"✓ {step.name}" if done else step.name
             draw_text(painter, box.adjusted(0, 0, 0, -5), words, colour, 12, CENTRED)
 
 
 class GuideView(QWidget):
-    """Leads through the sounds, and shows at the end what was learned: in figures, and by a head that says it.
+    """Leads through what is to be said; shows at the end what was learned: in figures, and by a head that says it.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ class GuideView(QWidget):
         self.meter = LevelMeterView(calibration.session.microphone.read_level, theme)
         self.figures = FiguresTable(("before", "after"), theme)
         self.head = head
-        self.language = QComboBox()
+        self.language, self.sounds = QComboBox(), QToolButton()
         self.hear_old, self.hear_new, self.save = QToolButton(), QToolButton(), QToolButton()
         self.back, self.again, self.skip = QToolButton(), QToolButton(), QToolButton()
         self.cancel, self.refuse, self.accept = QToolButton(), QToolButton(), QToolButton()
@@ -153,7 +153,16 @@ class GuideView(QWidget):
         row = QHBoxLayout()
         row.addStretch(1)
         row.addWidget(self.language)
-        for button in (self.back, self.again, self.skip, self.cancel, self.refuse, self.save, self.accept):
+        for button in (
+            self.sounds,
+            self.back,
+            self.again,
+            self.skip,
+            self.cancel,
+            self.refuse,
+            self.save,
+            self.accept,
+        ):
             button.setMinimumHeight(28)
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             row.addWidget(button)
@@ -176,16 +185,22 @@ class GuideView(QWidget):
 
     def _connect(self) -> None:
         guide = self._calibration.guide
-        for sentence in SENTENCES:
-            self.language.addItem(sentence.language, sentence)
-        self.language.setToolTip("The language of the sentence that is read")
-        self.language.setAccessibleName("language of the sentence")
+        self.language.addItems(LANGUAGES)
+        self.language.setToolTip("The language of the sentences that are read")
+        self.language.setAccessibleName("language of the sentences")
         self.language.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.language.activated.connect(lambda k: guide.choose(SENTENCES[k]))
+        self.language.activated.connect(lambda k: guide.choose(LANGUAGES[k], by_sounds=guide.by_sounds))
+        self.sounds.setCheckable(True)
         for button, text, tip, act in (
-            (self.back, "◀ back", "Say the sound before once more (Backspace)", guide.back),
-            (self.again, "again", "Say this sound once more (R)", guide.again),
-            (self.skip, "skip ▶", "Go on without this sound (Right)", guide.skip),
+            (
+                self.sounds,
+                "single sounds",
+                "Say nine single sounds in place of the sentence that is learned from",
+                lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
+            ),
+            (self.back, "◀ back", "Say what came before once more (Backspace)", guide.back),
+            (self.again, "again", "Say this once more (R)", guide.again),
+            (self.skip, "skip ▶", "Go on without this (Right)", guide.skip),
             (self.cancel, "cancel", "End the guide; what was recorded stays (Escape)", guide.cancel),
             (self.refuse, "keep the old preset", "Leave the preset as it was; the takes stay (Escape)", guide.cancel),
             (self.save, "use and save as…", "Change the preset, and save it under a name of its own", self._save),
@@ -235,9 +250,8 @@ class GuideView(QWidget):
 
     def _show(self) -> None:
         guide, done = self._calibration.guide, self._calibration.guide.phase is Phase.DONE
-        n = min(guide.index + 1, N_STEPS)
         asking = guide.phase in {Phase.WAITING, Phase.HEARING, Phase.CHECKING, Phase.SHOWING}
-        self.title.setText(f"<h2>{self._title(n)}</h2>")
+        self.title.setText(f"<h2>{self._title()}</h2>")
         self.hint.setText(f"<span style='font-size: {24 if guide.reading else 16}px'>{self._hint()}</span>")
         self.advice.setText(self._advice())
         room = guide.room
@@ -246,7 +260,9 @@ class GuideView(QWidget):
         for widget in (self.skip, self.again, self.meter, self.room):
             widget.setVisible(asking)
         self.back.setVisible(asking or done)
-        self.language.setVisible(guide.reading)
+        self.language.setVisible(asking)
+        self.sounds.setVisible(asking)
+        self.sounds.setChecked(guide.by_sounds)
         gains = done and guide.outcome is not None and guide.outcome.gains
         self.cancel.setVisible(not done)
         self.refuse.setVisible(done)
@@ -264,14 +280,16 @@ class GuideView(QWidget):
         self.steps.update()
         self.ring.update()
 
-    def _title(self, n: int) -> str:
+    def _title(self) -> str:
         guide = self._calibration.guide
         if guide.phase is Phase.LEARNING:
             return "Learning your voice"
         if guide.phase is Phase.DONE:
             better = guide.outcome is not None and guide.outcome.gains
             return "It knows your voice better now" if better else "Nothing better was found"
-        return "Now a sentence, to tell what was gained" if guide.reading else f"Sound {n} of {N_STEPS - 1}"
+        if guide.step.sentence is None:
+            return f"Sound {guide.index + 1} of {len(guide.steps) - 1}" if guide.by_sounds else "First your room"
+        return "Read this as you speak" if guide.step.teaches else "Now this one, to tell what was gained"
 
     def _hint(self) -> str:
         guide = self._calibration.guide

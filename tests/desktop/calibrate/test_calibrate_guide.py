@@ -9,11 +9,10 @@ import pytest
 from PySide6.QtCore import Qt
 
 from phonemeanalyser.cli.main import main
-from phonemeanalyser.desktop.calibrate.guide_model import READING, STEPS, Phase
-from phonemeengine.audio.files import SoundReader
+from phonemeanalyser.desktop.calibrate.guide_model import QUIET, SOUNDS, Phase
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.guard import loss_of
-from phonemeengine.calibration.scores.corpus import read_labels, read_recordings
+from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.sentences import SENTENCES
 from phonemeengine.calibration.takes.onset import onset_in
 from phonemeengine.phonemes import Phoneme
@@ -23,9 +22,13 @@ from tests.desktop.calibrate.calibrating import Calibrator, in_room, said
 from tests.desktop.hands import click, press
 from tests.desktop.studio import Booth
 from tests.fakes.microphones import HandDrivenMicrophone
+from tests.reading import english_read
 from tests.sounds import noise, silence, tone
 
 Open = Callable[..., Booth]
+STEPS = (QUIET, *SOUNDS)
+READING = len(STEPS)
+"""The number of the step after the single sounds: the sentence to judge by."""
 
 
 @pytest.fixture
@@ -35,6 +38,13 @@ def guided(open_booth: Open, mic: HandDrivenMicrophone) -> Calibrator:
     press(calibrator.booth.window, Qt.Key.Key_G)
     calibrator.until(lambda: calibrator.model.guide.index == 1, silently=False)
     return calibrator
+
+
+@pytest.fixture
+def by_sounds(guided: Calibrator) -> Calibrator:
+    """Somebody who says single sounds, in place of the sentence to learn from."""
+    click(guided.page.guide.sounds)
+    return guided
 
 
 def give(calibrator: Calibrator, sound: np.ndarray) -> None:
@@ -50,96 +60,132 @@ def answer(calibrator: Calibrator, k: int, *, loud: float = 1.0) -> None:
     calibrator.until(lambda: guide.phase is Phase.SHOWING, silently=False)
 
 
-def sentence_read() -> np.ndarray:
-    """The demo's voice reads the English sentence: its second sentence, and the beginning of its first."""
-    demo = DEFAULT_PRESET.parents[1] / "phonemeanalyser" / "demo" / "demo.flac"
-    with SoundReader(demo) as reader:
-        sound = np.concatenate(list(reader.blocks(1 << 16)))
-    labels = read_labels(demo.with_suffix(".csv"))
-    names = [label.phone for label in labels]
-    begins = next(k for k in range(len(names)) if names[k : k + 4] == ["p", "aa", "p", "ax"])
-    ends = next(k for k in range(begins, len(names)) if names[k : k + 1] == ["pau"] and names[k - 1] == "z")
-    shells = next(k for k in range(1, len(names)) if names[k] == "pau")
-    spans = [(labels[begins].start, labels[ends].start), (labels[1].start, labels[shells].start)]
-    return np.concatenate([sound[round(start * SAMPLE_RATE) : round(end * SAMPLE_RATE)] for start, end in spans])
-
-
-def read_aloud(calibrator: Calibrator, sound: np.ndarray) -> None:
+def read_aloud(calibrator: Calibrator, sound: np.ndarray, k: int = READING) -> None:
     """Read a sentence when it is asked for, and wait until it was judged."""
     guide = calibrator.model.guide
-    calibrator.until(lambda: (guide.index, guide.phase) == (READING, Phase.WAITING), silently=False)
+    calibrator.until(lambda: (guide.index, guide.phase) == (k, Phase.WAITING), silently=False)
     give(calibrator, silence(0.7))
     give(calibrator, sound)
     calibrator.until(lambda: guide.phase is Phase.SHOWING, silently=False)
 
 
-def test_who_follows_gets_a_better_preset_for_his_voice_and_undo_brings_the_old_one_back(guided: Calibrator):
-    guide, preset = guided.model.guide, guided.booth.desktop.preset
+def test_who_follows_gets_a_better_preset_for_his_voice_and_undo_brings_the_old_one_back(by_sounds: Calibrator):
+    guide, preset = by_sounds.model.guide, by_sounds.booth.desktop.preset
     before = preset.preset
-    n_given = guided.booth.studio.given[guided.mic]
+    n_given = by_sounds.booth.studio.given[by_sounds.mic]
     for k in range(1, len(STEPS)):
-        answer(guided, k)
+        answer(by_sounds, k)
         assert guide.advice == "", STEPS[k].say
-    guided.until(lambda: guide.reading, silently=False)
-    asked = (guided.booth.studio.given[guided.mic] - n_given) / SAMPLE_RATE
+    by_sounds.until(lambda: guide.reading, silently=False)
+    asked = (by_sounds.booth.studio.given[by_sounds.mic] - n_given) / SAMPLE_RATE
     assert asked + 2 < 60  # in under a minute
     guide.skip()
-    guided.until(lambda: guide.phase is Phase.DONE, silently=False)
-    assert [take.phoneme for take in guided.takes] == [step.phoneme for step in STEPS]
+    by_sounds.until(lambda: guide.phase is Phase.DONE, silently=False)
+    assert [take.phoneme for take in by_sounds.takes] == [step.phoneme for step in STEPS]
     assert guide.outcome is not None
     assert guide.outcome.after.macro_f1 > guide.outcome.before.macro_f1
-    figures = guided.page.guide.figures
+    figures = by_sounds.page.guide.figures
     assert figures.item(0, 1).text() == f"{guide.outcome.after.macro_f1:.1%}"
-    assert "Measured on quarters of the takes, each held back in turn" in guided.page.guide.hint.text()
-    assert "of the room is called silence" in guided.page.guide.hint.text()
-    assert guided.page.guide.head.isHidden()  # nothing was read that it could say
+    assert "Measured on quarters of what was said, each held back in turn" in by_sounds.page.guide.hint.text()
+    assert "of the room is called silence" in by_sounds.page.guide.hint.text()
+    assert by_sounds.page.guide.head.isHidden()  # nothing was read that it could say
     assert preset.preset == before
-    click(guided.page.guide.accept)
+    click(by_sounds.page.guide.accept)
     assert preset.preset.thresholds == guide.outcome.preset.thresholds != before.thresholds
     assert not guide.running
-    press(guided.booth.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    press(by_sounds.booth.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert preset.preset == before
+
+
+def test_one_sentence_that_is_read_teaches_the_voice_and_another_tells_what_was_gained(
+    guided: Calibrator, tmp_path: Path
+):
+    guide, preset, view = guided.model.guide, guided.booth.desktop.preset, guided.page.guide
+    preset.load(DEFAULT_PRESET)
+    before = preset.preset
+    assert "Read this as you speak" in view.title.text()
+    assert SENTENCES[0].text in view.hint.text()
+    read_aloud(guided, noise(6.0, 0.1), 1)
+    assert "this sentence; read" in guide.advice
+    read_aloud(guided, english_read()[0], 1)
+    assert guide.advice == ""
+    guided.until(lambda: guide.index == 2, silently=False)
+    assert "to tell what was gained" in view.title.text()
+    assert SENTENCES[1].text in view.hint.text()
+    guide.skip()
+    guided.until(lambda: guide.phase is Phase.DONE, silently=False)
+    outcome, spoken = guide.outcome, guide.spoken
+    assert outcome is not None
+    assert spoken is not None
+    assert outcome.cross_validated
+    assert "Measured on quarters of what was said" in view.hint.text()
+    assert outcome.after.macro_f1 >= outcome.before.macro_f1
+    assert loss_of(outcome.before, outcome.after) == ""
+    folder = guided.model.takes.folder
+    assert folder is not None
+    assert spoken.path == folder / "read" / "me" / "english-1.flac"
+    assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE]
+    takes = [*read_recordings(folder), *read_recordings(spoken.path)]
+    assert calibrate(before, takes).preset == outcome.preset
+    mine = tmp_path / "mine.toml"
+    assert main(["adapt", str(folder), str(spoken.path), "--preset", str(DEFAULT_PRESET), "-o", str(mine)]) == 0
+    assert load_preset(mine).model == outcome.preset.model
+
+
+def test_single_sounds_may_be_said_instead_and_the_sentence_comes_back(guided: Calibrator):
+    guide, view = guided.model.guide, guided.page.guide
+    click(view.sounds)
+    assert view.sounds.isChecked()
+    assert (guide.step, guide.index) == (SOUNDS[0], 1)
+    assert f"Sound 2 of {len(STEPS)}" in view.title.text()
+    answer(guided, 1)
+    click(view.sounds)
+    assert guide.index == 1
+    assert guide.step.sentence == SENTENCES[0]
+    assert guide.numbers.keys() <= {0}
+    view.language.activated.emit(2)
+    assert "Papa a mis la soupe" in view.hint.text()
 
 
 def test_a_sentence_that_is_read_teaches_nothing_and_tells_what_was_gained(
-    guided: Calibrator, monkeypatch: pytest.MonkeyPatch
+    by_sounds: Calibrator, monkeypatch: pytest.MonkeyPatch
 ):
-    guide, view = guided.model.guide, guided.page.guide
+    guide, view = by_sounds.model.guide, by_sounds.page.guide
     for k in range(1, len(STEPS)):
-        answer(guided, k)
-    guided.until(lambda: guide.reading, silently=False)
+        answer(by_sounds, k)
+    by_sounds.until(lambda: guide.reading, silently=False)
     assert view.hint.text().count(SENTENCES[0].text) == 1
     view.language.activated.emit(1)
-    assert SENTENCES[1].text in view.hint.text()
-    guide.choose(SENTENCES[0])
-    read_aloud(guided, noise(4.0, 0.1))
+    assert SENTENCES[2].text in view.hint.text()
+    view.language.activated.emit(0)
+    read_aloud(by_sounds, noise(4.0, 0.1))
     assert "this sentence; read" in guide.advice
-    read_aloud(guided, sentence_read())
+    read_aloud(by_sounds, english_read()[0])
     assert guide.advice == ""
-    guided.until(lambda: guide.phase is Phase.DONE, silently=False)
-    outcome, spoken, folder = guide.outcome, guide.spoken, guided.model.takes.folder
+    by_sounds.until(lambda: guide.phase is Phase.DONE, silently=False)
+    outcome, spoken, folder = guide.outcome, guide.spoken, by_sounds.model.takes.folder
     assert outcome is not None
     assert spoken is not None
     assert folder is not None
     assert not outcome.cross_validated
     assert "Measured on one sentence that was held back, " in view.hint.text()
     assert " s, labels aligned by the known text." in view.hint.text()
-    assert len(guided.takes) == len(STEPS)  # the sentence is no take
+    assert len(by_sounds.takes) == len(STEPS)  # the sentence is no take
     assert loss_of(outcome.before, outcome.after) == ""
 
 
 @pytest.mark.parametrize("name", ["thesis", "learned", "templates", "brightness"])
 def test_window_api_and_command_line_make_the_same_of_a_voice(
-    guided: Calibrator, brightness: Path, tmp_path: Path, name: str
+    by_sounds: Calibrator, brightness: Path, tmp_path: Path, name: str
 ):
-    guide, preset = guided.model.guide, guided.booth.desktop.preset
+    guide, preset = by_sounds.model.guide, by_sounds.booth.desktop.preset
     preset.set_recogniser(name)
     before = preset.preset
     for k in range(1, len(STEPS)):
-        answer(guided, k)
-    read_aloud(guided, sentence_read())
-    guided.until(lambda: guide.phase is Phase.DONE, silently=False)
-    outcome, spoken, folder = guide.outcome, guide.spoken, guided.model.takes.folder
+        answer(by_sounds, k)
+    read_aloud(by_sounds, english_read()[0])
+    by_sounds.until(lambda: guide.phase is Phase.DONE, silently=False)
+    outcome, spoken, folder = guide.outcome, guide.spoken, by_sounds.model.takes.folder
     assert outcome is not None
     assert spoken is not None
     assert folder is not None
@@ -154,9 +200,9 @@ def test_window_api_and_command_line_make_the_same_of_a_voice(
 
 
 def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_one_is_saved(
-    guided: Calibrator, monkeypatch: pytest.MonkeyPatch, tmp_path
+    by_sounds: Calibrator, monkeypatch: pytest.MonkeyPatch, tmp_path
 ):
-    guide, preset, view = guided.model.guide, guided.booth.desktop.preset, guided.page.guide
+    guide, preset, view = by_sounds.model.guide, by_sounds.booth.desktop.preset, by_sounds.page.guide
     before = preset.preset
     better = load_preset(DEFAULT_PRESET)  # whatever the takes teach: the learned one hears this voice better
     learn = calibrate
@@ -165,12 +211,12 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
         lambda preset, takes, **given: replace(learn(preset, takes, **given), preset=better),
     )
     for k in range(1, 4):
-        answer(guided, k)
+        answer(by_sounds, k)
     while guide.index < READING:
         guide.skip()
-    read_aloud(guided, sentence_read())
-    guided.until(lambda: guide.phase is Phase.DONE, silently=False)
-    session = guided.booth.desktop.session
+    read_aloud(by_sounds, english_read()[0])
+    by_sounds.until(lambda: guide.phase is Phase.DONE, silently=False)
+    session = by_sounds.booth.desktop.session
     assert view.head.isVisibleTo(view)
     heard: list[object] = []
     session.heard.connect(heard.extend)
@@ -181,8 +227,8 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
         assert preset.in_force == hears
         assert preset.preset == before  # hearing it changes nothing
         heard.clear()
-        guided.until(lambda: len(heard) > 2)
-    assert guided.booth.desktop.talking.watched  # the head follows it
+        by_sounds.until(lambda: len(heard) > 2)
+    assert by_sounds.booth.desktop.talking.watched  # the head follows it
     saved = tmp_path / "mine.toml"
     monkeypatch.setattr(
         "phonemeanalyser.desktop.dialogs.QFileDialog.getSaveFileName", lambda *_args: (str(saved), "Preset (*.toml)")
@@ -223,14 +269,14 @@ def test_a_room_in_which_somebody_speaks_changes_nothing(open_booth: Open, mic: 
     assert calibrator.booth.desktop.preset.preset == before
 
 
-def test_a_clipped_sound_is_asked_for_once_more_with_what_to_do(guided: Calibrator):
-    guide = guided.model.guide
-    answer(guided, 1, loud=5.0)
-    assert "too loud for the microphone" in guided.page.guide.advice.text()
-    assert guided.takes == () or all(take.phoneme is not Phoneme.A for take in guided.takes)
-    answer(guided, 1)
+def test_a_clipped_sound_is_asked_for_once_more_with_what_to_do(by_sounds: Calibrator):
+    guide = by_sounds.model.guide
+    answer(by_sounds, 1, loud=5.0)
+    assert "too loud for the microphone" in by_sounds.page.guide.advice.text()
+    assert by_sounds.takes == () or all(take.phoneme is not Phoneme.A for take in by_sounds.takes)
+    answer(by_sounds, 1)
     assert guide.advice == ""
-    guided.until(lambda: guide.index == 2, silently=False)
+    by_sounds.until(lambda: guide.index == 2, silently=False)
 
 
 def test_a_room_that_is_not_quiet_is_measured_again(open_booth: Open, mic: HandDrivenMicrophone):
@@ -254,28 +300,28 @@ def test_who_says_nothing_is_told_so_and_asked_again(guided: Calibrator):
     assert (guide.index, guide.phase) == (1, Phase.WAITING)
 
 
-def test_back_lets_a_take_make_room_for_a_new_one(guided: Calibrator):
-    guide = guided.model.guide
-    answer(guided, 1)
-    guided.until(lambda: guide.index == 2, silently=False)
-    press(guided.booth.window, Qt.Key.Key_Backspace)
+def test_back_lets_a_take_make_room_for_a_new_one(by_sounds: Calibrator):
+    guide = by_sounds.model.guide
+    answer(by_sounds, 1)
+    by_sounds.until(lambda: guide.index == 2, silently=False)
+    press(by_sounds.booth.window, Qt.Key.Key_Backspace)
     assert guide.index == 1
-    answer(guided, 1)
-    guided.settle()
-    assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE, Phoneme.A]
-    assert guided.takes[-1].number == 3
+    answer(by_sounds, 1)
+    by_sounds.settle()
+    assert [take.phoneme for take in by_sounds.takes] == [Phoneme.SILENCE, Phoneme.A]
+    assert by_sounds.takes[-1].number == 3
 
 
-def test_skipped_sounds_are_left_out_and_cancel_keeps_what_was_recorded(guided: Calibrator):
-    guide = guided.model.guide
-    press(guided.booth.window, Qt.Key.Key_Right)
+def test_skipped_sounds_are_left_out_and_cancel_keeps_what_was_recorded(by_sounds: Calibrator):
+    guide = by_sounds.model.guide
+    press(by_sounds.booth.window, Qt.Key.Key_Right)
     assert guide.index == 2
-    answer(guided, 2)
-    click(guided.page.guide.cancel)
-    guided.settle()
+    answer(by_sounds, 2)
+    click(by_sounds.page.guide.cancel)
+    by_sounds.settle()
     assert not guide.running
-    assert guided.page.workbench.isVisible()
-    assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE, Phoneme.E]
+    assert by_sounds.page.workbench.isVisible()
+    assert [take.phoneme for take in by_sounds.takes] == [Phoneme.SILENCE, Phoneme.E]
 
 
 def test_escape_ends_the_guide_and_leaves_the_microphone_alone(guided: Calibrator):
@@ -286,15 +332,15 @@ def test_escape_ends_the_guide_and_leaves_the_microphone_alone(guided: Calibrato
     assert not guided.booth.studio.model.active
 
 
-def test_r_asks_for_the_same_sound_again_and_records_nothing(guided: Calibrator):
-    guide = guided.model.guide
-    answer(guided, 1, loud=5.0)
-    press(guided.booth.window, Qt.Key.Key_R)
+def test_r_asks_for_the_same_sound_again_and_records_nothing(by_sounds: Calibrator):
+    guide = by_sounds.model.guide
+    answer(by_sounds, 1, loud=5.0)
+    press(by_sounds.booth.window, Qt.Key.Key_R)
     assert (guide.index, guide.phase, guide.advice) == (1, Phase.WAITING, "")
-    assert not guided.booth.studio.model.recording
+    assert not by_sounds.booth.studio.model.recording
     guide.cancel()
-    press(guided.booth.window, Qt.Key.Key_R)  # now it is Record again
-    assert guided.booth.studio.model.recording
+    press(by_sounds.booth.window, Qt.Key.Key_R)  # now it is Record again
+    assert by_sounds.booth.studio.model.recording
 
 
 def test_beside_the_page_of_the_guide_escape_and_r_are_the_window_s(guided: Calibrator):
@@ -305,14 +351,14 @@ def test_beside_the_page_of_the_guide_escape_and_r_are_the_window_s(guided: Cali
     assert not guided.booth.studio.model.active
 
 
-def test_too_little_to_learn_from_is_said_and_the_takes_stay(guided: Calibrator):
-    guide, before = guided.model.guide, guided.booth.desktop.preset.preset
+def test_too_little_to_learn_from_is_said_and_the_takes_stay(by_sounds: Calibrator):
+    guide, before = by_sounds.model.guide, by_sounds.booth.desktop.preset.preset
     for _ in range(1, len(STEPS) + 1):
         guide.skip()
-    guided.until(lambda: guide.phase is Phase.DONE, silently=False)
-    assert guided.page.guide.accept.isHidden() or guide.outcome is None or not guide.outcome.gains
-    assert guided.booth.desktop.preset.preset == before
-    assert len(guided.takes) == 1
+    by_sounds.until(lambda: guide.phase is Phase.DONE, silently=False)
+    assert by_sounds.page.guide.accept.isHidden() or guide.outcome is None or not guide.outcome.gains
+    assert by_sounds.booth.desktop.preset.preset == before
+    assert len(by_sounds.takes) == 1
 
 
 def test_a_voice_begins_after_quiet_and_where_it_stays_loud():

@@ -9,7 +9,7 @@ import pytest
 import soundfile
 
 from phonemeanalyser.cli.main import main
-from phonemeanalyser.desktop.calibrate.guide_model import STEPS
+from phonemeanalyser.desktop.calibrate.guide_model import QUIET, SOUNDS
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.fits.templates import adapt_to_takes
 from phonemeengine.calibration.guard import MOST_LOSS, loss_of
@@ -39,7 +39,7 @@ ORDER = (P.SILENCE, P.M, P.A, P.SZ, P.I, P.SCH, P.E, P.SILENCE, P.O, P.M, P.U, P
 def project(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TakeProject]:
     """A take of each sound by one voice."""
     with TakeProject(tmp_path_factory.mktemp("project")) as project:
-        for step in STEPS:
+        for step in (QUIET, *SOUNDS):
             sound = in_room(np.concatenate((silence(0.2), said(step.phoneme, 1.4))))
             project.add(sound, "Ann", step.phoneme, report=check_take(sound, ROOM, step.phoneme))
         yield project

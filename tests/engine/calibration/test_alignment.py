@@ -4,11 +4,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import soundfile
 
-from phonemeengine.audio.files import SoundReader
-from phonemeengine.calibration.alignment import aligned
-from phonemeengine.calibration.scores.corpus import frame_labels_of, read_labels, read_recordings
-from phonemeengine.calibration.sentences import SENTENCES, Sentence
+from phonemeengine.calibration.alignment import aligned, read_sentence
+from phonemeengine.calibration.scores.corpus import frame_labels_of, read_recordings
+from phonemeengine.calibration.sentences import LANGUAGES, SENTENCES, Sentence, sentences_in
 from phonemeengine.calibration.takes.onset import quiet_at_end
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.spoken import keep_sentence
@@ -19,30 +19,15 @@ from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.labels.table import format_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
+from tests.reading import english_read
 from tests.sounds import Sound, noise, silence, tone
 
-DEMO = Path(__file__).parents[3] / "phonemeanalyser" / "demo" / "demo.flac"
 ENGLISH = SENTENCES[0]
 
 
 @pytest.fixture(scope="module")
 def read() -> tuple[Sound, tuple[Label, ...]]:
-    """The demo's voice reads the English sentence: its second one, and the beginning of its first."""
-    with SoundReader(DEMO) as reader:
-        sound = np.concatenate(list(reader.blocks(1 << 16)))
-    labels = read_labels(DEMO.with_suffix(".csv"))
-    names = [label.phone for label in labels]
-    begins = next(k for k in range(len(names)) if names[k : k + 4] == ["p", "aa", "p", "ax"])
-    ends = next(k for k in range(begins, len(names)) if names[k] == "pau" and names[k - 1] == "z") + 1
-    shells = next(k for k in range(len(names)) if names[k] == "pau" and k > 1)
-    chosen = [*labels[begins - 1 : ends], *labels[1:shells], labels[shells]]
-    parts, moved, at = [], [], 0.0
-    for label in chosen:
-        part = sound[round(label.start * SAMPLE_RATE) : round(label.end * SAMPLE_RATE)]
-        parts.append(part)
-        moved.append(Label(at, at + label.end - label.start, label.phone, label.phoneme, label.certainty))
-        at = moved[-1].end
-    return np.concatenate(parts), tuple(moved)
+    return english_read()
 
 
 def counted(labels: tuple[Label, ...], n: int) -> np.ndarray:
@@ -66,16 +51,41 @@ def test_the_labels_lie_where_the_sounds_are(read: tuple[Sound, tuple[Label, ...
 def test_another_sentence_is_not_taken_for_it(read: tuple[Sound, tuple[Label, ...]]):
     sound, _ = read
     with pytest.raises(TakeError, match="is not this sentence; read it again"):
-        aligned(sound, SENTENCES[1])
+        aligned(sound, SENTENCES[2])
     with pytest.raises(TakeError, match="is not this sentence"):
         aligned(noise(6.0, 0.05), ENGLISH)
     with pytest.raises(TakeError, match="too short for this sentence"):
         aligned(sound[:SAMPLE_RATE], ENGLISH)
 
 
-@pytest.mark.parametrize("sentence", SENTENCES, ids=lambda sentence: sentence.language)
-def test_every_sentence_holds_all_vowels_m_p_s_and_sh(sentence: Sentence):
-    assert {ipa_phoneme(sound) for sound in sentence.sounds} == set(Phoneme) - {Phoneme.SILENCE}
+@pytest.mark.parametrize("sentence", SENTENCES, ids=lambda sentence: f"{sentence.language} {sentence.text[:8]}")
+def test_every_sentence_holds_all_vowels_m_p_s_and_sh_where_there_is_one(sentence: Sentence):
+    missing = {Phoneme.SILENCE, Phoneme.SCH} if sentence.language == "Spanish" else {Phoneme.SILENCE}
+    assert {ipa_phoneme(sound) for sound in sentence.sounds} == set(Phoneme) - missing
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_each_language_has_one_to_learn_from_and_a_shorter_one_to_judge_by(language: str):
+    learned, judged = sentences_in(language.upper())
+    assert learned.language == judged.language == language
+    assert 50 <= len(learned.sounds) <= 80  # five to ten seconds
+    assert len(judged.sounds) < len(learned.sounds)
+
+
+def test_a_language_without_sentences_is_refused():
+    with pytest.raises(CorpusError, match="no sentence in 'Latin'; choose one of English, German, "):
+        sentences_in("Latin")
+
+
+def test_a_file_is_labelled_by_the_sentence_or_by_any_text(read: tuple[Sound, tuple[Label, ...]], tmp_path: Path):
+    sound, _ = read
+    soundfile.write(tmp_path / "me.wav", sound, SAMPLE_RATE)
+    utterance = read_sentence(tmp_path / "me.wav", ENGLISH)
+    assert utterance.labels == read_sentence(tmp_path / "me.wav", ENGLISH.words).labels
+    assert utterance.path == tmp_path / "me.wav"
+    assert {label.phoneme for label in utterance.labels} == set(Phoneme)
+    with pytest.raises(TakeError, match=r"^me\.wav: what was heard is not this sentence; read it again"):
+        read_sentence(tmp_path / "me.wav", SENTENCES[2])
 
 
 def test_a_sound_that_nobody_knows_is_refused():
@@ -83,14 +93,19 @@ def test_a_sound_that_nobody_knows_is_refused():
         Sentence("None", "?", "m a 3")
 
 
-def test_what_was_read_lies_beside_the_takes_and_teaches_nothing(
+def test_what_was_read_lies_beside_the_takes_and_is_none_of_them(
     read: tuple[Sound, tuple[Label, ...]], tmp_path: Path
 ):
     sound, _ = read
     with TakeProject(tmp_path) as project:
         project.add(tone(300, 1.0, 0.2), "Ann", Phoneme.A)
-        kept = [keep_sentence(tmp_path, sound[:, np.newaxis], SAMPLE_RATE, sound, ENGLISH, "Ann") for _ in range(2)]
-    assert kept[0].path != kept[1].path
+        kept = [
+            keep_sentence(tmp_path, sound[:, np.newaxis], SAMPLE_RATE, sound, ENGLISH, "Ann", teaches=teaches)
+            for teaches in (False, False, True)
+        ]
+    assert [str(k.path.relative_to(tmp_path).as_posix()) for k in kept] == [
+        "held-back/Ann/english-1.flac", "held-back/Ann/english-1 (2).flac", "read/Ann/english-1.flac"
+    ]  # fmt: skip
     (again,) = read_recordings(kept[0].path)
     assert format_table(again.labels) == format_table(kept[0].labels)
     assert [u.path.name for u in read_recordings(tmp_path)] == ["a-1.flac"]

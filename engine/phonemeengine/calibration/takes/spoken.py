@@ -1,13 +1,14 @@
 """A sentence that somebody read, kept beside his takes: sound and labels, which no manifest names.
 
-So nothing learns from it: who reads the project as a corpus gets the takes alone.
+Who reads the project as a corpus gets the takes alone. What was read to learn from, and what was held back to judge
+by, lie in folders of their own.
 """
 
 from pathlib import Path
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.flac import write_flac
-from phonemeengine.calibration.alignment import aligned
+from phonemeengine.calibration.alignment import SPOKEN, aligned
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import folder_for
@@ -16,13 +17,14 @@ from phonemeengine.files import free_path, printable_name, reason_of
 from phonemeengine.labels.table import format_table
 from phonemeengine.labels.text_io import write_text
 
-FOLDER = "held-back"
-"""Of sentences, in a project of takes."""
+HELD_BACK = "held-back"
+"""The folder of sentences from which nothing is learned, in a project of takes; that of the others is `SPOKEN`."""
 
 
 def keep_sentence(
-    folder: Path, samples: Float32Array, rate: int, mono: Float32Array, sentence: Sentence, speaker: str
-) -> LabelledUtterance:
+    folder: Path, samples: Float32Array, rate: int, mono: Float32Array, sentence: Sentence, speaker: str, *,
+    teaches: bool,
+) -> LabelledUtterance:  # fmt: skip
     """Label a sentence by its known text, and keep it in a project of takes.
 
     Parameters
@@ -32,6 +34,7 @@ def keep_sentence(
     mono : the same as one channel at 44.1 kHz, shape (m,).
     sentence : what was to be read.
     speaker : who read it.
+    teaches : whether it is learned from; else it is to judge by.
 
     Raises
     ------
@@ -39,7 +42,8 @@ def keep_sentence(
     RecordingError, CorpusError : the disk refuses.
     """
     labels = aligned(mono, sentence)
-    place = folder / FOLDER / folder_for(speaker)
+    part = SPOKEN if teaches else HELD_BACK
+    place = folder / part / folder_for(speaker)
     try:
         place.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -49,4 +53,4 @@ def keep_sentence(
     path = free_path(place / f"{sentence.language.lower()}-1.flac")
     write_flac(path, samples, rate)
     write_text(format_table(labels), path.with_suffix(".csv"))
-    return LabelledUtterance(path, labels, speaker, FOLDER)
+    return LabelledUtterance(path, labels, speaker, part)
