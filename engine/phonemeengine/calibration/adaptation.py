@@ -52,6 +52,9 @@ BALANCE = 30
 
 N_CLASSES = (len(Phoneme), len(Viseme))
 """Of each kind."""
+CORNERS = ([Phoneme.A, Phoneme.I, Phoneme.U], [Viseme.AA, Viseme.IH, Viseme.OU])
+VOWELS = ([*CORNERS[0], Phoneme.E, Phoneme.O], [*CORNERS[1], Viseme.E, Viseme.OH])
+"""Of each kind. A network that learned some vowels alone would hear them in all others too."""
 GIVEN_TO_SILENCE = 0.5
 """By how much silence becomes likelier in the second of each pair of adapted presets, nats."""
 STEP_SIZES = (1.0, 0.5, 0.25)
@@ -91,10 +94,12 @@ class _LabelStats:
 
     @classmethod
     def of(cls, encoded: Sequence[_Encoded], kind: int) -> "_LabelStats":
-        """Count the frames of the labels."""
+        """Count the frames of the labels; vowels count only where the corners of the vowel space are there."""
         n = N_CLASSES[kind]
-        totals = sum(np.bincount(e.codes[kind], e.weights[kind], n) for e in encoded)
-        competing = np.asarray(totals >= LEAST_FRAMES)
+        totals = sum((np.bincount(e.codes[kind], e.weights[kind], n) for e in encoded), np.zeros(n))
+        if (totals[CORNERS[kind]] < LEAST_FRAMES).any():
+            totals[VOWELS[kind]] = 0
+        competing = totals >= LEAST_FRAMES
         smoothed = (SMOOTHING * competing / max(1, int(competing.sum()))).astype(np.float32)
         targets = smoothed + np.float32(1 - SMOOTHING) * np.eye(n, dtype=np.float32)
         return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32), targets)
@@ -114,10 +119,11 @@ def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...
             f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are too little to adapt to; "
             f"give {LEAST_SECONDS:g} s or more of several phonemes"
         )
-    segments = _segments_of(encoded, len(model.heads))
+    stats = [_LabelStats.of(encoded, kind) for kind in range(len(encoded[0].codes))]
     anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
-    tuned_model = _fine_tuned(model, segments, anchors)
-    return tuple(replace(_interpolated(model, tuned_model, share), warps=NO_WARP) for share in STEP_SIZES)
+    tuned_model = _fine_tuned(model, _segments_of(encoded, stats, len(model.heads)), anchors)
+    warps = NO_WARP if stats[0].competing[CORNERS[0]].all() else model.warps
+    return tuple(replace(_interpolated(model, tuned_model, share), warps=warps) for share in STEP_SIZES)
 
 
 def adapt_to_takes(
@@ -198,9 +204,10 @@ def _encode(model: Model, example: TrainingExample) -> _Encoded:
     return _Encoded(hidden, codes[:n], (weights, weights * said)[:n])
 
 
-def _segments_of(encoded: Sequence[_Encoded], n_heads: int) -> list[TrainingSegment]:
-    kinds = range(len(encoded[0].codes))
-    stats = [_LabelStats.of(encoded, kind) for kind in kinds]
+def _segments_of(
+    encoded: Sequence[_Encoded], stats: Sequence[_LabelStats], n_heads: int
+) -> list[TrainingSegment]:  # fmt: skip
+    kinds = range(len(stats))
     competing = np.concatenate([stat.competing for stat in stats])
     segments = []
     for e in encoded:

@@ -65,6 +65,15 @@ def accuracy_of(model: Model, voices: list[SpeakerExamples]) -> float:
     return float(np.concatenate(right).mean())
 
 
+def viseme_accuracy_of(model: Model, example: TrainingExample) -> float:
+    """The share of frames of which the model tells the viseme, as far as the labels do."""
+    n_ahead, head = len(model.heads) - 1, model.viseme_heads[-1]
+    heard = np.concatenate((example.log_powers.astype(np.float32), silent_log_mels(n_ahead)))
+    found = Network(model.layers, silent_log_mels()).forward(heard)[n_ahead:]
+    known = example.visemes < len(Viseme)
+    return float(((found @ head.weights + head.bias).argmax(axis=1) == example.visemes)[known].mean())
+
+
 @pytest.fixture(scope="module")
 def model():
     voices = [voice(f"{f0}", f0, tract) for f0, tract in ((110, 0.95), (150, 1.0), (200, 1.1))]
@@ -267,6 +276,27 @@ def test_a_phoneme_that_was_not_said_stays_as_likely_as_it_was(model):
     whole, *_ = adapt(trained, [said([Phoneme.A, Phoneme.U] * 3, 300, 1.5) for _ in range(4)])
     for head, moved in zip(trained.heads, whole.heads, strict=True):
         np.testing.assert_allclose(moved.weights[:, Phoneme.I], head.weights[:, Phoneme.I], atol=1e-3)
+
+
+def test_some_vowels_alone_teach_no_vowel_lest_all_others_become_them(model):
+    trained, voices = model
+    trained = replace(trained, anchors=anchors_of(voices, 1), warps=(0.8, 1.0, 1.2))
+    few = [said([Phoneme.A, Phoneme.A], 300, 1.5) for _ in range(4)]
+    other = SpeakerExamples("same", ((said([Phoneme.I, Phoneme.U] * 3, 310, 1.5),),))
+    for adapted in adapt(trained, few):
+        assert adapted.warps == trained.warps
+        assert accuracy_of(adapted, [other]) > accuracy_of(trained, [other]) - 0.01
+
+
+def test_the_visemes_of_a_voice_are_learned_with_its_phonemes(model):
+    trained, voices = model
+    trained = replace(trained, anchors=anchors_of(voices, 1))
+    strange = [said([Phoneme.A, Phoneme.U, Phoneme.I] * 2, 300, 1.5) for _ in range(4)]
+    whole, *_ = adapt(trained, strange)
+    other = said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5)
+    assert viseme_accuracy_of(whole, other) > viseme_accuracy_of(trained, other)
+    phonemes_alone = replace(trained, viseme_heads=())
+    assert adapt(phonemes_alone, strange)[0].viseme_heads == ()
 
 
 @pytest.mark.parametrize("examples", [[], [said([Phoneme.A], 120, 1.0)]])

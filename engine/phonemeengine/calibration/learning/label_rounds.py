@@ -8,6 +8,7 @@ same.
 from collections.abc import Callable, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -93,11 +94,11 @@ def realign_people(
         if not (folder / INDEX).is_file():
             write_examples(folder, labelled, 0, config.seed, soft_labels)
         parts = [
-            TrainingPart(f"without-{k}", small, tuple(u for u in labelled if u.labels and u.voice in people & group))
+            TrainingPart(f"without-{k}", small, tuple(u for u in labelled if u.labels and u.voice in group))
             for k, group in enumerate(groups)
         ]  # fmt: skip
         found = train_parts(
-            parts, folder, weights, _hear, lambda share: on_progress((number + share) / (ROUNDS + 1))
+            parts, folder, weights, partial(_hear, people), lambda share: on_progress((number + share) / (ROUNDS + 1))
         )  # fmt: skip
         return [heard for _, answers in found for heard in answers]
 
@@ -115,10 +116,11 @@ def realign_people(
     return kept, rounds
 
 
-def _hear(model: Model, utterances: Sequence[LabelledUtterance]) -> list[_Heard]:
+def _hear(people: AbstractSet[str], model: Model, utterances: Sequence[LabelledUtterance]) -> list[_Heard]:
+    """Recognise those of the recordings that are of people."""
     preset = preset_of(model)
     found = []
-    for utterance in utterances:
+    for utterance in (u for u in utterances if u.voice in people):
         with utterance.opened() as reader:
             parts = [scores_in(a.features) for a in analyse_blocks(reader.blocks(BLOCK * HOP), preset)]
         known = [part.astype(np.float16) for part in parts if part is not None]
