@@ -5,6 +5,7 @@ from dataclasses import fields
 
 import numpy as np
 
+from phonemeengine.calibration.learning.one_voice import LEAST_READ, MOST_JUDGED, MOST_READ
 from phonemeengine.calibration.learning.parallel_training import HESITATION, WARPS
 from phonemeengine.calibration.learning.pipeline import TrainedModel, TrainingResult, Validation
 from phonemeengine.calibration.learning.provenance import LabelSource
@@ -124,7 +125,8 @@ def _validation(result: TrainingResult) -> str:
         "definitions are those of `phonemeanalyser score`. The teacher's heads had not heard them either. Single "
         "speakers are heard by the model for live sound.\n\n"
     )
-    return lead + _table(rows) + _by_look_ahead(result.live) + _confidence(result.live.validation)
+    further = (_by_look_ahead(result.live), _one_voice(result.live), _confidence(result.live.validation))
+    return lead + _table(rows) + "".join(further)
 
 
 def _by_look_ahead(trained: TrainedModel) -> str:
@@ -136,6 +138,19 @@ def _by_look_ahead(trained: TrainedModel) -> str:
         for seconds, pair in trained.by_look_ahead.items()
     ]
     return f"\nBy the look-ahead, on every {SAMPLED}th of the recordings:\n\n{_table(rows)}"
+
+
+def _one_voice(trained: TrainedModel) -> str:
+    if not trained.adapted:
+        return ""
+    rows = [["", "minutes", *HEADINGS.values()]]
+    for group, gained in trained.adapted.items():
+        rows += [[f"{group}, {when}", *_figures(s)] for when, s in zip(("before", "after"), gained, strict=True)]
+    return (
+        f"\nBefore and after {LEAST_READ:g} to {MOST_READ:g} s of the speaker were learned, one recording or the "
+        "first ones that are as long together, as the guided calibration does; on at most "
+        f"{MOST_JUDGED} further recordings of each:\n\n{_table(rows)}"
+    )
 
 
 def _confidence(found: Validation) -> str:

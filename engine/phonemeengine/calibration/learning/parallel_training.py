@@ -48,9 +48,9 @@ def train_parts(
     parts: Sequence[TrainingPart],
     examples: Path,
     weights: dict[str, float],
-    answers_of: Callable[[Model, Sequence[LabelledUtterance]], list[Answer]],
+    answers_of: Callable[[Model, Sequence[LabelledUtterance]], Answer],
     on_progress: Callable[[float], object],
-) -> list[tuple[Model, list[Answer]]]:
+) -> list[tuple[Model, Answer]]:
     """Return the model of each training and its answers in what was left out; as many at a time as there are cores.
 
     Parameters
@@ -83,8 +83,8 @@ def _share(done: Any) -> None:
 
 def _train_without(
     number: int, part: TrainingPart, examples: Path, weights: dict[str, float],
-    answers_of: Callable[[Model, Sequence[LabelledUtterance]], list[Answer]],
-) -> tuple[Model, list[Answer]]:  # fmt: skip
+    answers_of: Callable[[Model, Sequence[LabelledUtterance]], Answer],
+) -> tuple[Model, Answer]:  # fmt: skip
     """Train on all voices but those left out, and let the model recognise these."""
     path, state = examples / f"{part.name}.npz", examples / f"{part.name}-state.npz"
     if not path.is_file():

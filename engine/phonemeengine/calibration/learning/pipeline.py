@@ -13,6 +13,7 @@ from phonemeengine.calibration.learning.soft_labels import key_of
 from phonemeengine.calibration.learning.teacher import encode_all, teach
 from phonemeengine.calibration.learning.training import BOTH_WAYS, TrainingConfig
 from phonemeengine.calibration.learning.validation import (
+    HeldOutGroup,
     figures_by_look_ahead,
     folds_of,
     hear_held_out,
@@ -59,12 +60,15 @@ class TrainedModel:
     config : how.
     validation : how well others of its kind did.
     by_look_ahead : macro F1 and the share of right mouth shapes by look-ahead, seconds, of some of their recordings.
+    adapted : for ``all`` speakers and ``people``, the figures on some of their recordings before and after a few
+        seconds of their voice were learned.
     """
 
     model: Model
     config: TrainingConfig
     validation: Validation
     by_look_ahead: dict[float, tuple[float, float]] = field(default_factory=dict)
+    adapted: dict[str, tuple[Scores, Scores]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -149,12 +153,12 @@ def train_and_validate(
     ]
     hear = partial(hear_held_out, teacher=None if head is None else work)
     found = train_parts(parts, work, weights, hear, partial(on_progress, "training"))
-    held_out = [[heard for _, part in found[k :: len(configs)] for heard in part] for k in range(len(configs))]
+    by_kind = [[group for _, group in found[k :: len(configs)]] for k in range(len(configs))]
     live, files = (
-        TrainedModel(model, kind, _validated([h.predictions for h in heard], people), figures_by_look_ahead(heard))
-        for (model, _), kind, heard in zip(found, configs, held_out, strict=False)
+        _trained(model, kind, done, people) for (model, _), kind, done in zip(found, configs, by_kind, strict=False)
     )
-    together = _validated([h.with_encoder for h in held_out[-1] if h.with_encoder is not None], people)
+    with_encoder = [h.with_encoder for group in by_kind[-1] for h in group.heard]
+    together = _validated([predictions for predictions in with_encoder if predictions is not None], people)
     return TrainingResult(sources, live, files, tuple(rounds), head, together)
 
 
@@ -174,6 +178,21 @@ def _begin(work: Path, plan: str) -> None:
     if told.is_file() and told.read_text(encoding="utf-8") != plan:
         raise CorpusError(f"{work}: another training was begun here; remove the folder, or name another output")
     told.write_text(plan, encoding="utf-8")
+
+
+def _trained(
+    model: Model, config: TrainingConfig, groups: Sequence[HeldOutGroup], people: Collection[str]
+) -> TrainedModel:  # fmt: skip
+    heard = [h for group in groups for h in group.heard]
+    adapted = [a for group in groups for a in group.adapted]
+    chosen = {"all": adapted, PEOPLE: [a for a in adapted if a.voice in people]}
+    gains = {
+        name: (scores_of(a.before for a in some), scores_of(a.after for a in some))
+        for name, some in chosen.items()
+        if some
+    }
+    validation = _validated([h.predictions for h in heard], people)
+    return TrainedModel(model, config, validation, figures_by_look_ahead(heard), gains)
 
 
 def _validated(predictions: list[Predictions], people: Collection[str]) -> Validation:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.learning.example_cache import SpeakerExamples
+from phonemeengine.calibration.learning.one_voice import Adapted, adapted_to_each
 from phonemeengine.calibration.learning.soft_labels import HEAD, SOFT_LABELS, key_of, load_soft_labels
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
@@ -40,6 +41,20 @@ def folds_of(names: Sequence[str], n_folds: int) -> list[set[str]]:
 
 
 @dataclass(frozen=True)
+class HeldOutGroup:
+    """How a model did on speakers whom it had not heard.
+
+    Attributes
+    ----------
+    heard : each of their recordings.
+    adapted : some of them, before and after it knew a few seconds of their speakers; of a model for live sound.
+    """
+
+    heard: list["HeldOut"]
+    adapted: list[Adapted]
+
+
+@dataclass(frozen=True)
 class HeldOut:
     """How a model recognised a recording of somebody whom it had not heard.
 
@@ -57,8 +72,8 @@ class HeldOut:
 
 def hear_held_out(
     model: Model, utterances: Sequence[LabelledUtterance], teacher: Path | None = None
-) -> list[HeldOut]:  # fmt: skip
-    """Recognise recordings as a user's program does, and some with other look-aheads.
+) -> HeldOutGroup:  # fmt: skip
+    """Recognise recordings as a user's program does, some with other look-aheads, and some once it knows the voice.
 
     Parameters
     ----------
@@ -87,7 +102,7 @@ def hear_held_out(
             soft_labels, priors = known
             with_encoder = _with_encoder(utterance, preset, soft_labels[key_of(utterance)], priors)
         found.append(HeldOut(predictions, answers, with_encoder))
-    return found
+    return HeldOutGroup(found, [] if model.centred else list(adapted_to_each(preset, utterances)))
 
 
 def _with_encoder(
