@@ -69,8 +69,13 @@ def find_whisper() -> ModelFolder:
 
 def has_whisper() -> bool:
     """Return whether there seems to be a model, or what one is put together from."""
-    is_named = bool(os.environ.get(FOLDER_VARIABLE)) or (data_folder() / _CHOSEN).is_file()
-    return is_named or _is_model(_own_folder()) or _halves() is not None
+    is_named = bool(os.environ.get(FOLDER_VARIABLE))
+    return is_named or has_chosen_folder() or _is_model(_own_folder()) or _halves() is not None
+
+
+def has_chosen_folder() -> bool:
+    """Return whether `choose_whisper` named a folder."""
+    return (data_folder() / _CHOSEN).is_file()
 
 
 def open_whisper() -> SpeechEncoder:

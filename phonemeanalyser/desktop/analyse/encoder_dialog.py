@@ -7,9 +7,16 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QLabel, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
-from phonemeengine.encoder.model_folder import choose_whisper, fetch_whisper, whisper_in_words
+from phonemeengine.encoder.model_folder import (
+    choose_whisper,
+    fetch_whisper,
+    has_chosen_folder,
+    has_whisper,
+    whisper_in_words,
+)
 
 WIDTH = 560
+LOOKING = "Looking for the model …"
 
 
 class EncoderDialog(QDialog):
@@ -34,6 +41,7 @@ class EncoderDialog(QDialog):
         self.state = QLabel()
         for label in (intro, self.state):
             label.setWordWrap(True)
+            label.setFixedWidth(WIDTH)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.buttons = [
@@ -46,8 +54,8 @@ class EncoderDialog(QDialog):
         layout = QVBoxLayout(self)
         for part in (intro, self.state, buttons):
             layout.addWidget(part)
-        self.resize(WIDTH, self.sizeHint().height())
-        self._do("Looking for the model …", lambda: None)
+        layout.setSizeConstraint(QVBoxLayout.SizeConstraint.SetFixedSize)  # as high as the words need
+        self._do(LOOKING, lambda: None)
 
     def ask_folder(self) -> None:
         """Let the user choose the folder of a model."""
@@ -57,7 +65,7 @@ class EncoderDialog(QDialog):
 
     def forget(self) -> None:
         """Use the chosen folder no longer."""
-        self._do("Looking for the model …", lambda: choose_whisper(None))
+        self._do(LOOKING, lambda: choose_whisper(None))
 
     def fetch(self) -> None:
         """Get the model over the network."""
@@ -70,6 +78,7 @@ class EncoderDialog(QDialog):
 
     def _do(self, words: str, act: Callable[[], object]) -> None:
         """Do something in the background, then say which model is used."""
+        self._asked = words
         self._show(words, is_idle=False)
 
         def acted(_progress: object) -> str:
@@ -83,6 +92,8 @@ class EncoderDialog(QDialog):
         self.model_changed.emit()
 
     def _refuse(self, words: str) -> None:
+        if not has_whisper() and self._asked == LOOKING:
+            words = "there is no model yet: fetch it, or choose the folder of one that you have"
         self._show(f"{words[:1].upper()}{words[1:]}.", is_idle=True)
         self.model_changed.emit()
 
@@ -90,3 +101,4 @@ class EncoderDialog(QDialog):
         self.state.setText(words)
         for button in self.buttons:
             button.setEnabled(is_idle)
+        self.buttons[1].setEnabled(is_idle and has_chosen_folder())

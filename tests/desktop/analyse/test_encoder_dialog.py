@@ -1,7 +1,7 @@
 """Where the speech encoder's model is, in the window: found, chosen, forgotten, fetched."""
 
 import pytest
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
 
 from phonemeanalyser.desktop.analyse import encoder_dialog
 from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
@@ -26,7 +26,18 @@ def said(dialog, qtbot) -> str:
 
 
 def test_without_a_model_it_says_how_to_get_one(dialog, qtbot):
-    assert said(dialog, qtbot).startswith("There is no Whisper model; phonemeanalyser whisper --fetch gets it")
+    assert said(dialog, qtbot) == "There is no model yet: fetch it, or choose the folder of one that you have."
+    assert not dialog.buttons[1].isEnabled()  # there is nothing to forget
+
+
+def test_all_that_it_says_has_room(dialog, qtbot):
+    said(dialog, qtbot)
+    for words in ("No.", "There is no such folder; " * 12):
+        dialog._refuse(words)
+        QApplication.processEvents()
+        for label in dialog.findChildren(QLabel):
+            assert label.height() >= label.heightForWidth(label.width())
+            assert dialog.rect().contains(label.geometry())
 
 
 def test_a_chosen_folder_is_used_and_forgotten(dialog, qtbot, whisper_folder, monkeypatch):
@@ -37,7 +48,7 @@ def test_a_chosen_folder_is_used_and_forgotten(dialog, qtbot, whisper_folder, mo
     wanted = f"In use: Whisper base, multilingual, by OpenAI, MIT licence; chosen: {whisper_folder}."
     assert said(dialog, qtbot) == wanted
     dialog.buttons[1].click()
-    assert said(dialog, qtbot).startswith("There is no Whisper model")
+    assert said(dialog, qtbot).startswith("There is no model yet")
 
 
 def test_a_folder_without_a_model_is_refused(dialog, qtbot, tmp_path, monkeypatch):
