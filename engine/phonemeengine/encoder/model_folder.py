@@ -176,4 +176,5 @@ def _put_together(halves: list[Path], folder: Path) -> Path:
 
 
 def _first_line(error: Exception) -> str:
-    return (str(error).strip() or type(error).__name__).splitlines()[0][:120]
+    words = (str(error).strip() or type(error).__name__).splitlines()[0]
+    return words.removeprefix("Got: ")[:120]
