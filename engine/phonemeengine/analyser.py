@@ -4,6 +4,7 @@ Live and offline are the same: live pushes the few samples since the last tick, 
 frames, and the result does not depend on how the sound was cut.
 """
 
+import math
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -294,14 +295,14 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
 
 
 class Reading(NamedTuple):
-    """A phoneme, how loud it is, 0..1, and how sure it is: the share of such answers that are right, 0..1, or NaN.
+    """A phoneme, how loud it is, 0..1, and how sure it is: the share of such answers that are right, 0..1, or None.
 
-    NaN says that nobody knows: the recogniser has no scores, and the preset's confidence was not measured.
+    None says that nobody knows: the recogniser has no scores, and the preset's confidence was not measured.
     """
 
     phoneme: Phoneme = Phoneme.SILENCE
     intensity: float = 0.0
-    confidence: float = 0.0
+    confidence: float | None = 0.0
 
 
 def latest_reading(newest: Analysis | None) -> Reading:
@@ -309,7 +310,8 @@ def latest_reading(newest: Analysis | None) -> Reading:
     if newest is None or len(newest) == 0:
         return Reading()
     last = newest.part(slice(len(newest) - 1, None))
-    return Reading(Phoneme(int(last.phonemes[0])), float(last.intensities[0]), float(last.confidences[0]))
+    sure = float(last.confidences[0])
+    return Reading(Phoneme(int(last.phonemes[0])), float(last.intensities[0]), None if math.isnan(sure) else sure)
 
 
 def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import re
 from collections import deque
 from collections.abc import Callable, Iterator
@@ -21,13 +22,7 @@ from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import ear_in_words, for_files
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.segments import (
-    SEGMENT_COLUMNS,
-    Segment,
-    labels_of_segments,
-    rounded_confidence,
-    segments_of,
-)
+from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, labels_of_segments, segments_of
 from phonemeengine.settings import FRAME_PERIOD
 
 Writer = Callable[[TextIO, Iterator[Analysis], SoundReader, Preset], None]
@@ -161,7 +156,7 @@ def _labels(analyses: Iterator[Analysis], reader: SoundReader) -> tuple[Label, .
 
 def _frames(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[str, Any]]:
     for analysis in analyses:
-        confidences = analysis.confidences
+        confidences = [None if math.isnan(sure) else round(sure, 3) for sure in analysis.confidences.tolist()]
         for k in range(len(analysis)):
             start = (analysis.start + k) * FRAME_PERIOD
             yield {
@@ -169,7 +164,7 @@ def _frames(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[dict[
                 "end_s": _seconds(min(start + FRAME_PERIOD, max(reader.duration, start))),
                 "phoneme": Phoneme(int(analysis.phonemes[k])).label,
                 "intensity": round(float(analysis.intensities[k]), 3),
-                "confidence": rounded_confidence(float(confidences[k])),
+                "confidence": confidences[k],
                 **{name: float(f"{value:.6g}") for name, value in analysis.features.frame(k).items()},
             }
 

@@ -37,12 +37,12 @@ from phonemeengine import (
     load_table,
     timed_frames,
 )
+from phonemeengine.analyser import latest_reading
 from phonemeengine.audio.devices import chosen_input, inputs_of
 from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.mouth.osc import OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE
-from phonemeengine.recognition.segments import rounded_confidence
 from phonemeengine.settings import LIMITS
 
 LOOK = 0.2
@@ -225,7 +225,7 @@ def _sending(osc: OscSettings | None) -> Iterator[Performer | None]:
 class _Changes:
     """Prints a line whenever the phoneme is another."""
 
-    def __init__(self, line_of: Callable[[float, str, float, float, float], str]) -> None:
+    def __init__(self, line_of: Callable[[float, str, float, float | None, float], str]) -> None:
         self.listener: Listener | None = None
         self._line_of = line_of
         self._last = -1
@@ -238,20 +238,21 @@ class _Changes:
                 frame = analysis.start + k
                 age = self.listener.age_of(frame) if self.listener else 0.0
                 began = self.listener.time_of(frame) if self.listener else frame * FRAME_PERIOD
-                sure = float(analysis.part(slice(k, k + 1)).confidences[0])
+                _, _, sure = latest_reading(analysis.part(slice(k, k + 1)))
                 line = self._line_of(began, Phoneme(code).label, float(analysis.intensities[k]), sure, 1000 * age)
                 sys.stdout.write(line + "\n")
                 sys.stdout.flush()
 
 
-def _as_text(time_s: float, phoneme: str, intensity: float, confidence: float, _latency_ms: float) -> str:
-    sure = "" if math.isnan(confidence) else f"  {100 * confidence:3.0f} % sure"
+def _as_text(time_s: float, phoneme: str, intensity: float, confidence: float | None, _latency_ms: float) -> str:
+    sure = "" if confidence is None else f"  {100 * confidence:3.0f} % sure"
     return f"{time_s:8.2f} s  {phoneme:<12}  {intensity:.2f}{sure}"
 
 
-def _as_json(time_s: float, phoneme: str, intensity: float, confidence: float, latency_ms: float) -> str:
+def _as_json(time_s: float, phoneme: str, intensity: float, confidence: float | None, latency_ms: float) -> str:
     values = {"time_s": round(time_s, 2), "phoneme": phoneme, "intensity": round(intensity, 3)}
-    return json.dumps(values | {"confidence": rounded_confidence(confidence), "latency_ms": round(latency_ms, 1)})
+    sure = None if confidence is None else round(confidence, 3)
+    return json.dumps(values | {"confidence": sure, "latency_ms": round(latency_ms, 1)})
 
 
 def _attend(listener: Listener, seconds: float | None, look: Callable[[], None]) -> None:

@@ -218,8 +218,8 @@ def test_lines_of_text_have_time_phoneme_and_intensity_in_columns(capsys: pytest
 
 
 def test_how_sure_it_is_is_not_said_where_nobody_measured_it() -> None:
-    assert _as_text(1.0, "a", 0.5, math.nan, 40.0).split() == ["1.00", "s", "a", "0.50"]
-    assert json.loads(_as_json(1.0, "a", 0.5, math.nan, 40.0))["confidence"] is None
+    assert _as_text(1.0, "a", 0.5, None, 40.0).split() == ["1.00", "s", "a", "0.50"]
+    assert json.loads(_as_json(1.0, "a", 0.5, None, 40.0))["confidence"] is None
 
 
 # -- whole commands -------------------------------------------------------------------------------------------

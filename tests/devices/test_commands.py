@@ -87,7 +87,7 @@ def test_a_reader_that_leaves_ends_listening_without_noise(card: VirtualSound, t
         card.play_into_microphone(speech(tmp_path)).wait(PATIENCE)
         assert listen.wait(PATIENCE) == 0
         said = listen.stderr.read().splitlines()
-    assert set(first) == {"time_s", "phoneme", "intensity", "latency_ms"}
+    assert set(first) == {"time_s", "phoneme", "intensity", "confidence", "latency_ms"}
     assert all(line.startswith(SENTENCE) for line in said)
 
 

@@ -16,11 +16,6 @@ SEGMENT_COLUMNS = ("start_s", "end_s", "phoneme", "intensity", "confidence")
 """The columns of a table of segments."""
 
 
-def rounded_confidence(confidence: float) -> float | None:
-    """Return a confidence as tables have it; None, which leaves a cell empty, where it is not known."""
-    return None if math.isnan(confidence) else round(confidence, 3)
-
-
 @dataclass(frozen=True)
 class Segment:
     """A stretch of one phoneme.
@@ -31,7 +26,7 @@ class Segment:
     phoneme : what is said.
     intensity : mean intensity, 0..1.
     phone : its symbol in the International Phonetic Alphabet; empty where only the phoneme is known.
-    confidence : the mean share of such answers that are right, 0..1; 1 where nobody recognised it, NaN where it is
+    confidence : the mean share of such answers that are right, 0..1; 1 where nobody recognised it, None where it is
         not known.
     """
 
@@ -40,11 +35,11 @@ class Segment:
     phoneme: Phoneme
     intensity: float
     phone: str = ""
-    confidence: float = 1.0
+    confidence: float | None = 1.0
 
     def row(self) -> dict[str, Any]:
         """Return it as a row of a table, in seconds to the microsecond."""
-        loudness, sure = round(self.intensity, 3), rounded_confidence(self.confidence)
+        loudness, sure = round(self.intensity, 3), None if self.confidence is None else round(self.confidence, 3)
         values = (round(self.start, 6), round(self.end, 6), self.phoneme.label, loudness, sure)
         return dict(zip(SEGMENT_COLUMNS, values, strict=True))
 
@@ -87,8 +82,8 @@ class SegmentBuilder:
 
     def _segment(self, end: float) -> Segment:
         n = self._frame - self._first
-        intensity, confidence = self._intensity / n, self._confidence / n
-        return Segment(self._first * FRAME_PERIOD, end, Phoneme(self._code), intensity, self._phone, confidence)
+        sure = None if math.isnan(self._confidence) else self._confidence / n
+        return Segment(self._first * FRAME_PERIOD, end, Phoneme(self._code), self._intensity / n, self._phone, sure)
 
 
 Frames = tuple[UInt8Array, Float32Array] | tuple[UInt8Array, Float32Array, Float32Array]

@@ -1,6 +1,5 @@
 """The recognised phoneme in large letters, its intensity, why it was recognised, and the plain measures."""
 
-import math
 from typing import Any
 
 from PySide6.QtCore import QRectF
@@ -37,7 +36,7 @@ class PhonemeView(QWidget):
         self.trace: Trace | None = None
         self.phoneme = self.recognised = Phoneme.SILENCE
         self.intensity = 0.0
-        self.confidence = math.nan
+        self.confidence: float | None = None
         self.changes: float | None = None
         self.input_silent = False
         self.meters: dict[str, str] = {}
@@ -63,7 +62,7 @@ class PhonemeView(QWidget):
         newest = None if self.input_silent else self._session.history.newest
         if newest is None:
             self.phoneme = self.recognised = Phoneme.SILENCE
-            self.intensity, self.confidence, self.meters = 0.0, math.nan, {}
+            self.intensity, self.confidence, self.meters = 0.0, None, {}
         else:
             values = newest.features.frame(len(newest) - 1)
             self.phoneme, self.recognised = Phoneme(int(newest.phonemes[-1])), Phoneme(int(newest.recognised[-1]))
@@ -100,7 +99,7 @@ class PhonemeView(QWidget):
         painter.fillRect(bar, QColor(accent.red(), accent.green(), accent.blue(), 110))
         inner = box.adjusted(5, 0, -5, 0)
         draw_text(painter, inner, f"intensity {self.intensity:.2f}", self._theme.text, 10)
-        if not math.isnan(self.confidence):
+        if self.confidence is not None:
             draw_text(painter, inner, f"{100 * self.confidence:.0f} % sure", self._theme.text, 10, CENTRED)
         if self.changes is not None:
             draw_text(painter, inner, f"{self.changes:.1f} changes/s", self._theme.text, 10, AT_RIGHT)

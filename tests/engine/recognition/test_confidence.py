@@ -90,7 +90,7 @@ def test_rules_are_as_sure_as_they_were_measured_and_say_so_where_they_were_not(
     assert analysis.confidences == pytest.approx(np.full(len(analysis), thesis.confidences[Ear.LIVE].shares[0]))
     unmeasured = Analyser(replace(thesis, confidences={})).push(speech())
     assert np.isnan(unmeasured.confidences).all()
-    assert np.isnan(latest_reading(unmeasured).confidence)
+    assert latest_reading(unmeasured).confidence is None
 
 
 @pytest.mark.parametrize("name", ["thesis", "thesis-calm", "thesis-anti-aliased", "extended", "templates"])

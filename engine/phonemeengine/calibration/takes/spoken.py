@@ -14,6 +14,7 @@ from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import folder_for
 from phonemeengine.errors import TakeError
 from phonemeengine.files import free_path, printable_name, reason_of
+from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.table import format_table
 from phonemeengine.labels.text_io import write_text
 
@@ -53,4 +54,4 @@ def keep_sentence(
     path = free_path(place / f"{sentence.language.lower()}-1.flac")
     write_flac(path, samples, rate)
     write_text(format_table(labels), path.with_suffix(".csv"))
-    return LabelledUtterance(path, labels, speaker, part)
+    return LabelledUtterance(path, read_labels(path.with_suffix(".csv")), speaker, part)  # as others will read it
