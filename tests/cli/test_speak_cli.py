@@ -1,4 +1,5 @@
 import json
+import re
 import shlex
 import sys
 from itertools import pairwise
@@ -89,7 +90,7 @@ def test_the_words_of_a_program_are_found_by_its_text(tmp_path: Path, capsys: py
     assert len({cue["value"] for cue in json.loads(mouth.read_text("utf-8"))["mouthCues"]}) > 4
     assert capsys.readouterr().err == ""
     assert main(["speak", TEXT + " Und Schnee.", *program, *written, "--language", "de"]) == 0
-    assert "note: nobody says: Und Schnee" in capsys.readouterr().err
+    assert re.search("note: nobody says: (Und )?Schnee", capsys.readouterr().err)
 
 
 def test_a_lexicon_tells_the_voice_and_what_it_cannot_say_is_told(

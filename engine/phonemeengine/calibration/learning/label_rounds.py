@@ -29,8 +29,8 @@ from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import HOP
 
-ROUNDS = 2
-"""Most rounds: a third has little left to move."""
+ROUNDS = 1
+"""Most rounds: each costs as much as a third of a network."""
 WIDTH, EPOCHS = 48, 2
 """Of the networks that align: small ones that are soon trained."""
 

@@ -6,6 +6,8 @@ Normalization", arXiv:1502.03167); afterwards that is a factor of the weights, s
 et al., JMLR 15, 2014).
 """
 
+import math
+
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
@@ -63,12 +65,16 @@ class TrainableLayer:
         starts = [k * self.dilation for k in range(TAPS)]
         self._taps = np.concatenate([padded[:, s : s + n_frames] for s in starts], axis=2).reshape(-1, TAPS * n_in)
         sums = self._taps @ self.values["weights"]
-        mean, variance = sums.mean(axis=0), sums.var(axis=0)
+        mean = np.full(len(sums), 1 / len(sums), np.float32) @ sums
+        sums -= mean
+        variance = np.einsum("ij,ij->j", sums, sums) / np.float32(len(sums))
         self.mean += (1 - MEMORY) * (mean - self.mean)
         self.variance += (1 - MEMORY) * (variance - self.variance)
         self._spread = np.sqrt(variance + LEAST_VARIANCE)
-        self._normal = (sums - mean) / self._spread
-        found = np.maximum(self._normal * self.values["scale"] + self.values["shift"], 0)
+        self._normal = np.divide(sums, self._spread, out=sums)
+        found = self._normal * self.values["scale"]
+        found += self.values["shift"]
+        np.maximum(found, 0, out=found)
         self._fires = found > 0
         out: Float32Array = found.reshape(n_batch, n_frames, -1)
         if self._residual:
@@ -78,12 +84,12 @@ class TrainableLayer:
     def back(self, gradient: Float32Array) -> Float32Array:
         """Take the gradient of what `forward` gave, set `gradients`, and give the gradient of what it took."""
         n_batch, n_frames, n_out = gradient.shape
-        shifted = gradient.reshape(-1, n_out) * self._fires
-        self.gradients["scale"] = (shifted * self._normal).sum(axis=0)
-        self.gradients["shift"] = shifted.sum(axis=0)
-        normal = shifted * self.values["scale"]
-        normal -= normal.mean(axis=0) + self._normal * (normal * self._normal).mean(axis=0)
-        sums = normal / self._spread
+        sums = gradient.reshape(-1, n_out) * self._fires
+        self.gradients["scale"] = np.einsum("ij,ij->j", sums, self._normal)
+        self.gradients["shift"] = sums.sum(axis=0)
+        sums -= self.gradients["shift"] / np.float32(len(sums))
+        sums -= self._normal * (self.gradients["scale"] / np.float32(len(sums)))
+        sums *= self.values["scale"] / self._spread
         self.gradients["weights"] = self._taps.T @ sums
         taps = (sums @ self.values["weights"].T).reshape(n_batch, n_frames, TAPS, -1)
         padded = np.zeros((n_batch, n_frames + (TAPS - 1) * self.dilation, taps.shape[3]), np.float32)
@@ -106,5 +112,6 @@ class TrainableLayer:
         """Choose what is not dropped, scaled so that the mean stays."""
         if not self._dropout:
             return None
-        kept = self._generator.random(shape, np.float32) >= self._dropout
-        return kept.astype(np.float32) / np.float32(1 - self._dropout)
+        drawn = np.frombuffer(self._generator.bytes(math.prod(shape)), np.uint8).reshape(shape)
+        n_dropped = round(256 * self._dropout)
+        return (drawn >= n_dropped) * np.float32(256 / (256 - n_dropped))

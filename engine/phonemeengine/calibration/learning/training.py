@@ -42,9 +42,9 @@ class TrainingConfig:
     dropout: float = 0.1
     centred: bool = False
     n_epochs: int = 10
-    batch_size: int = 24
+    batch_size: int = 8
     n_frames: int = 400
-    rate: float = 2e-3
+    rate: float = 4e-3
     seed: int = 1
 
 
