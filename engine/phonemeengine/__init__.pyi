@@ -7,6 +7,7 @@ from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
+from phonemeengine.averaged_spectrum import AveragedSpectrum
 from phonemeengine.calibration.alignment import aligned, read_sentence
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
@@ -15,6 +16,7 @@ from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScore
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.sentences import SENTENCES, Sentence, sentences_in
 from phonemeengine.calibration.takes.room_noise import ConfidenceInterval, SilenceAccuracy
+from phonemeengine.conversion import CONVERSIONS, Conversion, convert
 from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
 from phonemeengine.encoder.head import EncoderHead
 from phonemeengine.encoder.model_folder import (
@@ -58,6 +60,7 @@ from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.live.sound import Sound
 from phonemeengine.live.status import Status
+from phonemeengine.measurement import Statistics, StretchMeasurement, average_spectrum, measure, save_stretch
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import Cue, cues_of
@@ -106,6 +109,7 @@ from phonemeengine.performance.table_file import Example, PerformanceTable, Tabl
 from phonemeengine.performance.track import PerformanceTrack, PerformedMouth, face_table, format_units
 from phonemeengine.performance.units import Unit, UnitKind, units_of
 from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
+from phonemeengine.preset_difference import DifferentStretch, PresetDifference, difference
 from phonemeengine.presets.ears import ear_in_words, for_files
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
@@ -150,6 +154,7 @@ from phonemeengine.visemes import NO_VISEME, Viseme, viseme_of
 
 __all__ = [
     "BIN_WIDTH",
+    "CONVERSIONS",
     "FORMATS",
     "FRAME_PERIOD",
     "HOP",
@@ -166,6 +171,7 @@ __all__ = [
     "AnalysisSettings",
     "Animation",
     "AudioError",
+    "AveragedSpectrum",
     "Blinker",
     "BuiltTable",
     "CalibrationResult",
@@ -174,6 +180,7 @@ __all__ = [
     "Condition",
     "ConfidenceCurve",
     "ConfidenceInterval",
+    "Conversion",
     "CorpusError",
     "CorpusScores",
     "Cue",
@@ -182,6 +189,7 @@ __all__ = [
     "Detail",
     "Device",
     "DeviceError",
+    "DifferentStretch",
     "Ear",
     "EncoderHead",
     "EngineError",
@@ -270,6 +278,7 @@ __all__ = [
     "PoseTable",
     "Predictions",
     "Preset",
+    "PresetDifference",
     "PresetError",
     "Progress",
     "Pronunciation",
@@ -298,7 +307,9 @@ __all__ = [
     "SpokenSyllable",
     "SpokenText",
     "Spring",
+    "Statistics",
     "Status",
+    "StretchMeasurement",
     "Syllable",
     "TableAbout",
     "TakeError",
@@ -326,13 +337,16 @@ __all__ = [
     "aligned",
     "analyse_blocks",
     "animation_of",
+    "average_spectrum",
     "build_table",
     "calibrate",
     "choose_whisper",
+    "convert",
     "cues",
     "cues_of",
     "denoise",
     "devices",
+    "difference",
     "ear_in_words",
     "export",
     "export_transcript",
@@ -362,6 +376,7 @@ __all__ = [
     "low_pass_gains",
     "make_corpus",
     "matched",
+    "measure",
     "mesh_of",
     "morph_targets_of",
     "movestate_at",
@@ -380,6 +395,7 @@ __all__ = [
     "recorded_expression",
     "save_morph_targets",
     "save_preset",
+    "save_stretch",
     "score",
     "sentences_in",
     "speak",

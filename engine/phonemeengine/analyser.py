@@ -16,12 +16,14 @@ from numpy.typing import ArrayLike
 from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import Framer
+from phonemeengine.dsp.mel import spread_mel
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_files, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.recognition import Recognition
@@ -29,12 +31,12 @@ from phonemeengine.recognition.scores import scores_in
 from phonemeengine.recognition.smoothing import PhonemeSmoother
 from phonemeengine.recognition.spec import Finishing, Recogniser, spec_of
 from phonemeengine.recognition.viseme_smoothing import VisemeSmoother
-from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
 BLOCK = 512
 """Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
 
-HELD_FRAMES = 5
+HELD_FRAMES = 4
 """Frames for which a single window is taken to last: with fewer or more, the network is right less often."""
 
 PRE_ROLL = 100
@@ -80,6 +82,11 @@ class Analysis:
     def mel(self) -> Float32Array | None:
         """The same through the mel bank, float32, shape (n_frames, n_bands), or None while it is off."""
         return self.frames.mel
+
+    @property
+    def linear_spectra(self) -> Float32Array:
+        """The amplitudes on the linear axis, also while the mel bank is on, float32, shape (n_frames, n_bins)."""
+        return self.spectra if self.mel is None else spread_mel(self.mel, self.spectra.shape[1], BIN_WIDTH)
 
     @property
     def waveforms(self) -> Float32Array:
@@ -372,9 +379,19 @@ def analyse_blocks(
         yield analysis
 
 
-def analyse_file(reader: SoundReader, preset: Preset, *, pitch: bool = False) -> Iterator[Analysis]:
-    """Analyse the rest of a sound file with the best ear that the preset has for files, a few seconds at a time."""
-    return analyse_blocks(reader.blocks(BLOCK * HOP), for_files(preset), pitch=pitch)
+def analyse_file(
+    reader: SoundReader, preset: Preset, *, pitch: bool = False, progress: Progress = no_progress
+) -> Iterator[Analysis]:
+    """Analyse the rest of a sound file with the best ear that the preset has for files, a few seconds at a time.
+
+    Raises
+    ------
+    AudioError : the sound cannot be read.
+    Cancelled : `progress`, which is called with the share that is done, did not want to go on.
+    """
+    for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), for_files(preset), pitch=pitch):
+        report_progress(progress, min(1.0, (analysis.start + len(analysis)) * HOP / max(1, reader.n_samples)))
+        yield analysis
 
 
 def analyse_range(

@@ -120,7 +120,23 @@ def _chosen(tiers: tuple[Tier, ...], mapping: PhonemeMap, wanted: str | None, fi
         raise CorpusError(
             f"{file}: there is no tier of intervals with a label, found {names}; label the sounds in one"
         )
-    return max(filled, key=lambda tier: (_known_share(tier, mapping), tier.name.lower().startswith(TIER_NAMES)))
+    return phoneme_tier_of(filled, mapping)
+
+
+def phoneme_tier_of(tiers: Sequence[Tier], mapping: PhonemeMap) -> Tier:
+    """Return the one of some tiers with labels whose names are phonemes more often than those of the others."""
+    return max(tiers, key=lambda tier: (_known_share(tier, mapping), tier.name.lower().startswith(TIER_NAMES)))
+
+
+def known_labels(raw_labels: Iterable[RawLabel], mapping: PhonemeMap, file: str) -> tuple[Label, ...]:
+    """Return those of some marks as labels whose names somebody knows; the others, such as words, are left out.
+
+    Raises
+    ------
+    UnknownPhonemeError : names are doubtful, since alphabets do not agree on them.
+    """
+    known = [raw for raw in raw_labels if mapping.knows(raw.name)]
+    return labels_named(known, mapping.phone_classes_of(names_in(known), file))
 
 
 def _known_share(tier: Tier, mapping: PhonemeMap) -> float:

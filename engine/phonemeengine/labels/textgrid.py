@@ -35,19 +35,26 @@ number of an item."""
 
 @dataclass(frozen=True)
 class Tier:
-    """A tier of stretches: its name, and those stretches that have a name."""
+    """A tier: its name, and those of its stretches, or points, that have a name.
+
+    Attributes
+    ----------
+    points : whether it is one of points, whose labels end where they start.
+    """
 
     name: str
     raw_labels: tuple[RawLabel, ...]
+    points: bool = False
 
 
-def tiers_of(text: str, file: str) -> tuple[Tier, ...]:
-    """Read the tiers of stretches from the text of a TextGrid; tiers of points are passed over.
+def tiers_of(text: str, file: str, *, points: bool = False) -> tuple[Tier, ...]:
+    """Read the tiers of stretches from the text of a TextGrid.
 
     Parameters
     ----------
     text : of the whole file, lines ending in ``\\n``.
     file : what the file is called in a refusal.
+    points : whether tiers of points are given, too; else they are passed over.
 
     Raises
     ------
@@ -61,9 +68,9 @@ def tiers_of(text: str, file: str) -> tuple[Tier, ...]:
     words.number("where it begins")
     words.number("where it ends")
     n_tiers = words.count("the number of tiers") if words.flag() == "<exists>" else 0
-    tiers = [tier for k in range(n_tiers) if (tier := _next_tier(words, k + 1)) is not None]
+    tiers = [_next_tier(words, k + 1) for k in range(n_tiers)]
     words.check_end()
-    return tuple(tiers)
+    return tuple(tier for tier in tiers if points or not tier.points)
 
 
 def format_textgrid(labels: Sequence[Label], duration: float, *, short: bool = False) -> str:
@@ -80,6 +87,14 @@ def format_textgrid(labels: Sequence[Label], duration: float, *, short: bool = F
 
 def format_tiers(tiers: Mapping[str, Sequence[Interval]], end: float, *, short: bool = False) -> str:
     """Write tiers of stretches, by name, as the text of a TextGrid that ends at `end` seconds."""
+    stretches = {
+        name: [RawLabel(first, last, text, "") for first, last, text in found] for name, found in tiers.items()
+    }
+    return format_grid([Tier(name, tuple(found)) for name, found in stretches.items()], end, short=short)
+
+
+def format_grid(tiers: Sequence[Tier], end: float, *, short: bool = False) -> str:
+    """Write tiers, of stretches and of points, as the text of a TextGrid that ends at `end` seconds."""
     lines = list(_lines(tiers, end))
     if short:
         return _HEADER + "".join(f"{value}\n" for _, value in lines if value is not None)
@@ -147,7 +162,7 @@ class _Words:
         )
 
 
-def _next_tier(words: _Words, number: int) -> Tier | None:
+def _next_tier(words: _Words, number: int) -> Tier:
     kind = words.text(f"the kind of tier {number}")
     name = words.text(f"the name of tier {number}")
     words.number(f"where tier {name!r:.40} begins")
@@ -156,7 +171,7 @@ def _next_tier(words: _Words, number: int) -> Tier | None:
     raw_labels = [
         raw for k in range(n_labels) if (raw := _next_label(words, kind, f"tier {name!r:.40}, interval {k + 1}")).name
     ]
-    return Tier(name, tuple(raw_labels)) if kind == INTERVALS else None
+    return Tier(name, tuple(raw_labels), kind != INTERVALS)
 
 
 def _next_label(words: _Words, kind: str, place: str) -> RawLabel:
@@ -165,32 +180,44 @@ def _next_label(words: _Words, kind: str, place: str) -> RawLabel:
     return RawLabel(start, end, words.text(f"the name of {place}").strip(), place)
 
 
-def _lines(tiers: Mapping[str, Sequence[Interval]], end: float) -> Iterator[tuple[str, str | None]]:
+def _lines(tiers: Sequence[Tier], end: float) -> Iterator[tuple[str, str | None]]:
     """Return what stands in front of each value in the long format, and the value; None where there is none."""
     yield "xmin = ", "0"
     yield "xmax = ", _seconds(end)
     yield "tiers? ", "<exists>"
     yield "size = ", str(len(tiers))
     yield "item []:", None
-    for number, (name, stretches) in enumerate(tiers.items(), 1):
-        filled = list(_filled(stretches, end))
+    for number, tier in enumerate(tiers, 1):
         yield f"    item [{number}]:", None
-        yield "        class = ", _quoted(INTERVALS)
-        yield "        name = ", _quoted(name)
+        yield "        class = ", _quoted(POINTS if tier.points else INTERVALS)
+        yield "        name = ", _quoted(tier.name)
         yield "        xmin = ", "0"
         yield "        xmax = ", _seconds(end)
-        yield "        intervals: size = ", str(len(filled))
-        for k, (first, last, text) in enumerate(filled, 1):
-            yield f"        intervals [{k}]:", None
-            yield "            xmin = ", first
-            yield "            xmax = ", last
-            yield "            text = ", _quoted(text)
+        yield from _points(tier.raw_labels) if tier.points else _intervals(tier.raw_labels, end)
 
 
-def _filled(stretches: Sequence[Interval], end: float) -> Iterator[tuple[str, str, str]]:
+def _intervals(labels: Sequence[RawLabel], end: float) -> Iterator[tuple[str, str | None]]:
+    filled = list(_filled(labels, end))
+    yield "        intervals: size = ", str(len(filled))
+    for k, (first, last, text) in enumerate(filled, 1):
+        yield f"        intervals [{k}]:", None
+        yield "            xmin = ", first
+        yield "            xmax = ", last
+        yield "            text = ", _quoted(text)
+
+
+def _points(labels: Sequence[RawLabel]) -> Iterator[tuple[str, str | None]]:
+    yield "        points: size = ", str(len(labels))
+    for k, label in enumerate(labels, 1):
+        yield f"        points [{k}]:", None
+        yield "            number = ", _seconds(label.start)
+        yield "            mark = ", _quoted(label.name)
+
+
+def _filled(labels: Sequence[RawLabel], end: float) -> Iterator[tuple[str, str, str]]:
     """Return stretches that follow each other from 0 to the end, with empty ones in between."""
     at = "0"
-    for first, last, text in [*((_seconds(a), _seconds(b), text) for a, b, text in stretches)]:
+    for first, last, text in [(_seconds(x.start), _seconds(x.end), x.name) for x in labels]:
         if float(first) > float(at):
             yield at, first, ""
         if float(last) > float(first):

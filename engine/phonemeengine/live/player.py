@@ -65,6 +65,8 @@ class Player:
         self._next_frame = 0
         self._closing = False
         self._target: int | None = None
+        self._stretch: tuple[int, int] | None = None
+        self._to_read: int | None = None
         self._error: Exception | None = None
         self._segments: tuple[tuple[int, int], ...] = ((0, 0),)
         self._waiting = PlaybackQueue()
@@ -123,9 +125,24 @@ class Player:
         self._do(self._hold)
 
     def seek(self, seconds: float) -> None:
-        """Go to a place in the file, rounded down to a frame."""
-        frame = _frame_at(max(0.0, min(seconds, self.reader.duration)))
-        self._target = frame
+        """Go to a place in the file, rounded down to a frame; what is played then ends with the file."""
+        self._go(_frame_at(max(0.0, min(seconds, self.reader.duration))), None)
+
+    def play_stretch(self, start: float, end: float) -> None:
+        """Play from one time to another, seconds, rounded to frames; over and over, while `loop` is set."""
+        duration = self.reader.duration
+        first, last = (_frame_at(max(0.0, min(seconds, duration))) for seconds in (start, end))
+        self._go(first, (first, max(last, first + 1)))
+        self.play()
+
+    @property
+    def stretch(self) -> tuple[float, float] | None:
+        """The stretch that is played, seconds; None for the whole sound."""
+        stretch = self._stretch
+        return None if stretch is None else (stretch[0] * FRAME_PERIOD, stretch[1] * FRAME_PERIOD)
+
+    def _go(self, frame: int, stretch: tuple[int, int] | None) -> None:
+        self._target, self._stretch = frame, stretch
         self._do(lambda: self._jump(frame))
 
     @property
@@ -221,15 +238,18 @@ class Player:
         if self._read_ahead:
             self._output.write(self._read_ahead.popleft())
         elif self.loop:
-            rest = max(0, PART * HOP - self.reader.n_samples)  # a few samples would leave no time for anything
+            first, last = self._stretch or (0, self.reader.n_samples // HOP)
+            rest = max(0, PART - (last - first)) * HOP  # a few samples would leave no time for anything
             self._output.write(np.zeros((rest, self.reader.n_channels), np.float32))
-            self._begin(0)
+            self._begin(first)
         else:
             self._at_end = True
 
     def _read_on(self) -> None:
-        block = self.reader.read(STEP)
+        block = self.reader.read(STEP if self._to_read is None else min(STEP, self._to_read))
         self._all_read = not len(block)
+        if self._to_read is not None:
+            self._to_read -= len(block)
         if self._all_read:
             self._queue(self._analyser.finish())
             return
@@ -261,6 +281,7 @@ class Player:
         self._analyser = Analyser(self._preset, pitch=True, start=start)
         self._segments = (*self._segments[-8:], (self._output.n_written, frame * HOP))
         self._next_frame = frame
+        self._to_read = None if self._stretch is None else max(0, self._stretch[1] - frame) * HOP
         self._read_ahead.clear()
         self._all_read = False
         if frame > start:

@@ -15,6 +15,7 @@ from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript, transcript_of
 from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress
 from phonemeengine.settings import Channel
 
 
@@ -25,6 +26,7 @@ def transcribe(
     channel: Channel = Channel.MIX,
     pitch: bool = False,
     script: Script | None = None,
+    progress: Progress = no_progress,
 ) -> Transcript:
     """Return what a sound file says: its stretches of equal phonemes, and how loud it is.
 
@@ -36,14 +38,16 @@ def transcribe(
     pitch : measure the fundamental frequency too, by which a head moves.
     script : what is said in it, where that is known: its words (see `words_of`), or an `Utterance`; far more exact
         than listening alone.
+    progress : called with the share that is done, 0..1.
 
     Raises
     ------
     AudioError : the file cannot be read.
     CorpusError : there is no word in the script.
+    Cancelled : `progress` did not want to go on.
     """
     with SoundReader(sound, channel) as reader:
-        analyses = analyse_file(reader, preset, pitch=pitch)
+        analyses = analyse_file(reader, preset, pitch=pitch, progress=progress)
         name, duration = printable_name(reader.path), reader.duration
         if script is None:
             return transcript_of(analyses, name, duration, reader.path)
@@ -88,12 +92,13 @@ def export(
     *,
     channel: Channel = Channel.MIX,
     script: Script | None = None,
+    progress: Progress = no_progress,
 ) -> None:
     """Write what a sound file says, as mouth cues or the movement of a face for another program.
 
     Parameters
     ----------
-    sound, preset, channel, script : as in `transcribe`.
+    sound, preset, channel, script, progress : as in `transcribe`.
     target : the new file; an old one stays until the new one is complete.
     form : name of the format, such as ``rhubarb-json``, ``textgrid``, ``livelink`` or ``gltf``; see `FORMATS`.
     options : how it shall be written; what suits the format, unless they are given.
@@ -103,10 +108,11 @@ def export(
     AudioError : the sound cannot be read.
     MouthError : its table cannot be used.
     ExportError : there is no such format, it cannot do what is asked for, or the file cannot be written.
+    Cancelled : `progress` did not want to go on; what was there stays.
     """
     exporter = Exporter(form, options)
     pitch = exporter.format.moves_head and exporter.idle.head
-    said = transcribe(sound, preset, channel=channel, pitch=pitch, script=script)
+    said = transcribe(sound, preset, channel=channel, pitch=pitch, script=script, progress=progress)
     _write(exporter.chunks_of(said), Path(target))
 
 

@@ -194,3 +194,32 @@ def test_a_sound_of_one_sample_can_be_looped(tmp_path: Path) -> None:
     rig.player.close()
     assert set(frames_of(taken)) == {0}
     assert 15 <= len(taken) <= 40
+
+
+def test_a_stretch_ends_at_its_end_and_is_analysed_like_the_whole(rig: Rig, path: Path) -> None:
+    rig.player.play_stretch(0.3, 0.6)
+    assert rig.player.stretch == pytest.approx((0.3, 0.6))
+    taken = rig.hear_all()
+    assert frames_of(taken) == list(range(30, 60))
+    np.testing.assert_array_equal(np.concatenate(rig.output.played)[:, 0], SPEECH[30 * HOP : 60 * HOP])
+    assert rig.player.finished
+
+
+def test_a_looped_stretch_begins_again_at_its_beginning_until_a_seek(rig: Rig) -> None:
+    rig.player.loop = True
+    rig.player.play_stretch(0.3, 0.4)
+    taken: list[Analysis] = []
+    while len(frames_of(taken)) < 35:
+        rig.settle()
+        rig.output.move(HOP)
+        taken += rig.player.take_analyses()
+    assert frames_of(taken)[:35] == [*range(30, 40)] * 3 + [*range(30, 35)]
+    rig.player.loop = False
+    rig.player.seek(0.9)
+    assert rig.player.stretch is None
+    assert frames_of(rig.hear_all())[0] == 90
+
+
+def test_a_stretch_of_nothing_is_a_frame(rig: Rig) -> None:
+    rig.player.play_stretch(0.3, 0.3)
+    assert frames_of(rig.hear_all()) == [30]

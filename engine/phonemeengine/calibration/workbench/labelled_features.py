@@ -18,10 +18,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, UInt8Array
+from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
-from phonemeengine.calibration.workbench.batch_smoother import BatchSmoother
 from phonemeengine.calibration.workbench.measuring import (
     Measurement,
     front_end_key,
@@ -30,14 +29,13 @@ from phonemeengine.calibration.workbench.measuring import (
     recogniser_key,
     rules_in,
 )
-from phonemeengine.calibration.workbench.rule_cache import RuleCache
+from phonemeengine.calibration.workbench.retuner import Retuner
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import DEFICITS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress, subrange
-from phonemeengine.recognition.rules import RuleRecogniser
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, Sensitivity, deficits_of
 
 _Stamp = tuple[Path, int, int, int]
@@ -85,7 +83,6 @@ class LabelledFeatures:
         )  # fmt: skip
         # of the files as they are before they are measured: one that changes meanwhile is measured again
         self._stamps = [_stamp_of(u.path, n) for u, n in zip(self._utterances, lengths, strict=True)]
-        self._smoother = BatchSmoother(self._edges)
         self._join(list(self._measure(preset, known, progress)))
 
     @property
@@ -138,7 +135,7 @@ class LabelledFeatures:
     def clone_for_thread(self) -> "LabelledFeatures":
         """Return the same measurements for another thread; takes no time and hardly any memory."""
         clone = copy(self)
-        clone._rule_cache = self._new_rule_cache()
+        clone._retuner = self._new_retuner()
         return clone
 
     def needs_measuring(self, preset: Preset) -> bool:
@@ -147,7 +144,9 @@ class LabelledFeatures:
         Thresholds, rules, sensitivities, successors, minimum hold and hysteresis need none. Another front end or
         other variables do, and a recogniser that works without rules, if the recordings were not measured with it.
         """
-        return self._measures_otherwise(preset, rules_in(preset))
+        if front_end_key(preset) != self._front_end:
+            return True
+        return rules_in(preset) is None and recogniser_key(preset) != self._measured_with
 
     def confusion(self, preset: Preset) -> Confusion:
         """Recognise all frames with a preset, and count the answers against the labels.
@@ -165,42 +164,13 @@ class LabelledFeatures:
         ------
         CorpusError : the recordings must be measured anew.
         """
-        rules, settings = rules_in(preset), preset.settings
-        if self._measures_otherwise(preset, rules):
+        if self.needs_measuring(preset):
             raise CorpusError("the recordings were measured with another front end; have them measured anew")
-        scores = None if rules is not None else self._scores_with(preset)
-        codes = self._recognised(rules, scores)
-        if settings.statistics:
-            stays = self._may_stay(rules, scores, settings.hysteresis) if settings.hysteresis > 0 else None
-            codes = codes if stays is None else self._smoother.hysteresis(codes, stays)
-            codes = self._smoother.minimum_hold(
-                self._smoother.fill_unidentified(codes, preset.successors), settings.minimum_hold
-            )
+        codes = self._retuner.recognise(preset)[1]
         if len(self._beyond):
             codes = codes.copy()
             codes[self._beyond] = Phoneme.SILENCE
         return codes
-
-    def _measures_otherwise(self, preset: Preset, rules: RuleRecogniser | None) -> bool:
-        return front_end_key(preset) != self._front_end or (
-            rules is None and recogniser_key(preset) != self._measured_with
-        )
-
-    def _scores_with(self, preset: Preset) -> Float32Array | None:
-        """Return the probabilities with the preset's sensitivities, shape (n_phonemes, n_frames), or None."""
-        return None if self._scores is None else Sensitivity(preset.sensitivities).apply(self._scores.T).T
-
-    def _recognised(self, rules: RuleRecogniser | None, scores: Float32Array | None) -> UInt8Array:
-        if rules is not None:
-            return self._rule_cache.recognised(rules)
-        return self._codes if scores is None else scores.argmax(axis=0).astype(np.uint8)
-
-    def _may_stay(
-        self, rules: RuleRecogniser | None, scores: Float32Array | None, hysteresis: float
-    ) -> BoolArray | None:
-        if rules is not None:
-            return self._rule_cache.may_stay(rules, hysteresis)
-        return None if scores is None else np.asarray(scores.max(axis=0) - scores <= hysteresis)
 
     def _measure(self, preset: Preset, known: "LabelledFeatures | None", progress: Progress) -> Iterator[Measurement]:
         """Measure what is not known yet."""
@@ -228,10 +198,10 @@ class LabelledFeatures:
         ]
         self._beyond = _joined(beyond, np.intp)
         self._n_in_sound = [m.n_in_sound for m in measurements]
-        self._rule_cache = self._new_rule_cache()
+        self._retuner = self._new_retuner()
 
-    def _new_rule_cache(self) -> RuleCache:
-        return RuleCache(dict(zip(self._names, self._values, strict=True)), int(self._edges[-1]))
+    def _new_retuner(self) -> Retuner:
+        return Retuner(dict(zip(self._names, self._values, strict=True)), self._codes, self._scores, self._edges)
 
     @property
     def measured(self) -> dict[_Stamp, Measurement]:

@@ -1,0 +1,145 @@
+"""What a sound file can be turned into: tables of phonemes or of every frame, and mouth cues for other programs."""
+
+import io
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from phonemeengine.analyser import analyse_file
+from phonemeengine.analysis_tables import TABLES, Writer
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.errors import ExportError
+from phonemeengine.files import Owns, atomic_write, is_own, printable_name, reason_of
+from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
+from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.lip_sync import export
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress
+from phonemeengine.settings import Channel
+
+
+@dataclass(frozen=True)
+class Conversion:
+    """A kind of file that a sound can be turned into.
+
+    Attributes
+    ----------
+    name : what it is called, such as ``rhubarb-json`` or ``frames-csv``.
+    words : what it is, for people.
+    ending : of its files.
+    owns : says which files are of this kind and ours; None where those of other programs look alike.
+    moves_mouth : whether `ExportOptions` say how it is written.
+    """
+
+    name: str
+    words: str
+    ending: str
+    owns: Owns | None
+    moves_mouth: bool
+
+
+def _conversions() -> dict[str, Conversion]:
+    tables = [
+        Conversion(f"phonemes-{kind}", f"phonemes as {words}", TABLES[kind].ending, TABLES[kind].owns, False)
+        for kind, words in _TABLE_WORDS.items()
+    ]
+    frames = [
+        Conversion(
+            f"frames-{kind}",
+            f"every frame of 10 ms with all variables, {kind.upper()}",
+            form.ending,
+            form.owns,
+            False,
+        )
+        for kind, form in TABLES.items()
+        if form.write_frames is not None
+    ]
+    mouths = [Conversion(name, f.words, f.full_ending, f.owns, True) for name, f in FORMATS.items()]
+    return {c.name: c for c in (*tables, *frames, *mouths)}
+
+
+_TABLE_WORDS = {"csv": "a table", "json": "JSON", "textgrid": "a TextGrid of Praat", "audacity": "labels of Audacity"}
+
+CONVERSIONS = _conversions()
+"""All kinds, by name."""
+
+
+def check_options(kind: str, options: ExportOptions | None) -> None:
+    """Refuse what cannot be done, before any sound is heard.
+
+    Raises
+    ------
+    ExportError : there is no such kind, or it cannot do what the options say.
+    MouthError : the table cannot be used.
+    """
+    if kind not in CONVERSIONS:
+        raise ExportError(f"there is no kind of file {kind!r}; choose one of {', '.join(CONVERSIONS)}")
+    if CONVERSIONS[kind].moves_mouth:
+        Exporter(kind, options)
+
+
+def convert(
+    sound: str | os.PathLike[str], target: str | os.PathLike[str], kind: str, preset: Preset,
+    options: ExportOptions | None = None, *, channel: Channel = Channel.MIX, overwrite: bool = False,
+    progress: Progress = no_progress,
+) -> None:  # fmt: skip
+    """Turn a sound file into another file.
+
+    Parameters
+    ----------
+    sound : the file.
+    target : the new file; its folder is made if need be, and what was there stays until the new one is complete.
+    kind : see `CONVERSIONS`.
+    preset : what is recognised with, by the best ear that it has for files.
+    options : how mouth cues are written.
+    channel : what is recognised of a file of several channels.
+    overwrite : whether to replace a file that may be somebody else's.
+    progress : called with the share that is done, 0..1.
+
+    Raises
+    ------
+    AudioError : the sound cannot be read.
+    ExportError, MouthError : as in `check_options`; or the target may be somebody else's, or cannot be written.
+    Cancelled : `progress` did not want to go on; what was there stays.
+    """
+    check_options(kind, options)
+    sound, target, form = Path(sound), Path(target), CONVERSIONS[kind]
+    if not overwrite and form.owns is not None and target.is_file() and not is_own(target, form.owns):
+        raise ExportError(f"{printable_name(target)}: the file that is there may be somebody else's; name another")
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ExportError(f"{printable_name(target)}: {reason_of(error)}; name another folder") from error
+    if form.moves_mouth:
+        export(sound, target, kind, preset, options, channel=channel, progress=progress)
+        return
+    about, _, table = kind.partition("-")
+    write = TABLES[table].write_frames if about == "frames" else TABLES[table].write_runs
+    assert write is not None
+    _write_table(sound, target, write, preset, channel, pitch=about == "frames", progress=progress)
+
+
+def _write_table(
+    sound: Path, target: Path, write: Writer, preset: Preset, channel: Channel, *, pitch: bool, progress: Progress
+) -> None:  # fmt: skip
+    with SoundReader(sound, channel) as reader:
+        try:
+            with atomic_write(target) as file:
+                text = io.TextIOWrapper(file, encoding="utf-8", newline="")
+                write(text, analyse_file(reader, preset, pitch=pitch, progress=progress), reader, preset)
+                text.detach()
+        except OSError as error:
+            reason = reason_of(error)
+            raise ExportError(f"{printable_name(target)}: cannot be written ({reason}); name another file") from error
+
+
+def targets_of(sounds: list[Path], folder: Path | None, kind: str) -> dict[Path, Path]:
+    """Return where the file of each sound goes: into a folder, or beside it; a number tells equal names apart."""
+    ending, taken, found = CONVERSIONS[kind].ending, set[Path](), {}
+    for sound in sounds:
+        target, k = (folder or sound.parent) / f"{sound.stem}{ending}", 2
+        while target in taken:
+            target, k = (folder or sound.parent) / f"{sound.stem}-{k}{ending}", k + 1
+        taken.add(target)
+        found[sound] = target
+    return found

@@ -1,0 +1,86 @@
+"""Sounds that are turned into files: as the commands do it, whole or not at all."""
+
+from pathlib import Path
+
+import pytest
+
+import phonemeanalyser
+from phonemeanalyser.__main__ import main
+from phonemeengine import (
+    CONVERSIONS,
+    AudioError,
+    Cancelled,
+    ExportError,
+    ExportOptions,
+    MouthError,
+    convert,
+    load_preset,
+)
+from phonemeengine.conversion import check_options, targets_of
+
+DEMO = Path(phonemeanalyser.__file__).parent / "demo" / "demo.flac"
+PRESET = load_preset("thesis")
+
+
+@pytest.mark.parametrize(
+    ("kind", "command"),
+    [
+        ("phonemes-csv", ["analyse", "--format", "csv"]),
+        ("phonemes-textgrid", ["analyse", "--format", "textgrid"]),
+        ("frames-json", ["analyse", "--format", "json", "--features"]),
+        ("rhubarb-json", ["export", "--format", "rhubarb-json"]),
+        ("livelink-csv", ["export", "--format", "livelink-csv"]),
+    ],
+)
+def test_it_is_what_the_command_writes(tmp_path: Path, kind: str, command: list[str]) -> None:
+    ending = CONVERSIONS[kind].ending
+    convert(DEMO, tmp_path / f"api{ending}", kind, PRESET)
+    name, *options = command
+    assert main([name, str(DEMO), *options, "--preset", "thesis", "-o", str(tmp_path / f"cli{ending}")]) == 0
+    assert (tmp_path / f"api{ending}").read_bytes() == (tmp_path / f"cli{ending}").read_bytes()
+
+
+def test_all_kinds_are_told_apart() -> None:
+    assert {"phonemes-csv", "frames-csv", "rhubarb-tsv", "gltf"} <= set(CONVERSIONS)
+    assert len({(c.words, c.ending) for c in CONVERSIONS.values()}) == len(CONVERSIONS)
+
+
+def test_a_folder_is_made_and_our_own_file_is_replaced(tmp_path: Path) -> None:
+    target = tmp_path / "deep" / "er" / "x.csv"
+    convert(DEMO, target, "phonemes-csv", PRESET)
+    first = target.read_bytes()
+    convert(DEMO, target, "phonemes-csv", PRESET)
+    assert target.read_bytes() == first
+
+
+def test_what_is_refused_leaves_what_was_there(tmp_path: Path) -> None:
+    target = tmp_path / "mine.csv"
+    target.write_text("a diary")
+    with pytest.raises(ExportError, match="somebody else's"):
+        convert(DEMO, target, "phonemes-csv", PRESET)
+    convert(DEMO, tmp_path / "ours.csv", "phonemes-csv", PRESET)
+    with pytest.raises(Cancelled):
+        convert(DEMO, tmp_path / "ours.csv", "phonemes-csv", PRESET, progress=lambda _: False)
+    with pytest.raises(AudioError):
+        convert(tmp_path / "no.wav", tmp_path / "no.csv", "phonemes-csv", PRESET)
+    with pytest.raises(ExportError, match="name another folder"):
+        convert(DEMO, target / "x.csv", "phonemes-csv", PRESET)
+    assert target.read_text() == "a diary"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["mine.csv", "ours.csv"]
+    convert(DEMO, target, "phonemes-csv", PRESET, overwrite=True)
+    assert target.read_text().startswith("start_s")
+
+
+def test_impossible_options_are_refused_before_any_sound_is_heard() -> None:
+    with pytest.raises(ExportError, match="no kind of file"):
+        check_options("mp3", None)
+    with pytest.raises(MouthError):
+        check_options("rhubarb-json", ExportOptions(table="no such table"))
+    check_options("frames-csv", ExportOptions(table="no such table"))  # is not asked
+
+
+def test_equal_names_are_told_apart(tmp_path: Path) -> None:
+    sounds = [tmp_path / "a" / "x.wav", tmp_path / "b" / "x.wav", tmp_path / "b" / "y.wav"]
+    names = [target.name for target in targets_of(sounds, tmp_path, "rhubarb-json").values()]
+    assert names == [f"{name}.rhubarb.json" for name in ("x", "x-2", "y")]
+    assert targets_of(sounds, None, "phonemes-csv")[sounds[1]] == tmp_path / "b" / "x.csv"
