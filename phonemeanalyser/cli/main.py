@@ -18,6 +18,7 @@ COMMANDS = {
     "analyse": "Write the phonemes of sound files as tables.",
     "export": "Write what sound files say as mouth cues and movements for other programs.",
     "listen": "Recognise what a microphone hears, and print a line at each change; Ctrl-C ends it.",
+    "measure": "Measure a stretch of a sound: level, pitch, formants, variables and the shares of the phonemes.",
     "movestates": "Make, look at and convert files of movestates.",
     "performance": "Make tables of recorded faces, look at them, and make synthetic recordings.",
     "preview": "Make a clip in which a head says a sound file.",

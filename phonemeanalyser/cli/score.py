@@ -1,16 +1,18 @@
 """``phonemeanalyser score``: how right presets are on labelled recordings."""
 
 import argparse
+import csv
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TextIO
 
 from tqdm import tqdm
 
 from phonemeanalyser.cli.arguments import add_channel, add_ear, add_map, add_preset, number_in, whole_in
 from phonemeanalyser.cli.jobs import file_preset, say_cut_off
-from phonemeanalyser.cli.output_files import print_whole, write_whole
+from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
 from phonemeanalyser.cli.scripts import words_to_score
 from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
@@ -36,7 +38,8 @@ from phonemeengine import (
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.evaluation import WordsOf
-from phonemeengine.files import printable, printable_name
+from phonemeengine.calibration.scores.label_errors import ERROR_COLUMNS, label_errors
+from phonemeengine.files import begins_like, printable, printable_name
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
 """The formats that an ending asks for; text is the format of all others."""
@@ -72,6 +75,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--script", type=Path, metavar="FILE", help="table with a line FILE<TAB>TEXT for each sound")
     parser.add_argument("--language", metavar="L", help="the texts', such as en-us (default: the manifest's)")
     parser.add_argument("--lexicon", type=Path, metavar="FILE", help="how words are pronounced, .toml or .csv")
+    where = "write where something else was recognised than the labels say, for 30 ms or more"
+    parser.add_argument("--errors", type=Path, metavar="CSV", help=where)
     add_channel(parser)
     parser.add_argument("--noise", choices=[k.value for k in NoiseKind], help="add noise before the analysis")
     snr = number_in(LOWEST_SNR, HIGHEST_SNR, "dB")
@@ -95,10 +100,27 @@ def run(options: argparse.Namespace) -> int:
         found = _scored(utterances, named, options.lag / 1000, adder, words, troubles)
         scored.append(ScoredPreset(f"{named.title} with texts" if words else named.title, found))
         utterances = tuple(p.utterance for p in scored[-1].scores.predictions)
+    if options.errors is not None:
+        _write_errors(scored, options.errors)
     comparison = compare(*(preset.scores for preset in scored)) if len(scored) > 1 else None
     report = Report(options.corpus, tuple(scored), comparison, noise, tuple(troubles.sentences))
     _write(report, options.kind or KINDS.get((options.out or Path()).suffix.lower(), "text"), options.by, options.out)
     return 1 if troubles.sentences else 0
+
+
+def _write_errors(scored: Sequence[ScoredPreset], path: Path) -> None:
+    """Write the errors of each preset, recording by recording."""
+
+    def write(file: TextIO) -> None:
+        rows = csv.writer(file, lineterminator="\n")
+        rows.writerow(("preset", "sound", *ERROR_COLUMNS))
+        for preset in scored:
+            for p in preset.scores.predictions:
+                rows.writerows(
+                    (preset.title, p.utterance.path, *found.row()) for found in label_errors(p.labels, p.phonemes)
+                )
+
+    write_whole(path, write, Guard(begins_like(b"preset,sound,start_s"), overwrite=False))
 
 
 class _Troubles:

@@ -11,6 +11,7 @@ from types import TracebackType
 from PySide6.QtCore import (
     QCoreApplication,
     QEvent,
+    QEventLoop,
     QLocale,
     QMessageLogContext,
     QObject,
@@ -41,6 +42,8 @@ from phonemeengine.settings import Channel
 
 AFTER_PAINTING_MS = 20
 """The window is to be seen before the sound card is awake."""
+PATIENCE_MS = 50
+"""Milliseconds for which a picture waits at a time for what is measured for it."""
 _log = logging.getLogger(__name__)
 THEMES = {"light": LIGHT, "dark": DARK}
 
@@ -233,6 +236,9 @@ def screenshot(
             desktop.window.show()
             _follow(desktop.session, file, at, channel)
             desktop.window.redraw.refresh_all()
+            desktop.window.grab()  # what is looked at is measured
+            while desktop.session.busy:
+                app.processEvents(QEventLoop.ProcessEventsFlag.AllEvents, PATIENCE_MS)
             app.processEvents()
             saved = desktop.window.grab().save(str(out), "PNG")
         finally:

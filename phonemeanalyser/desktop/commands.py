@@ -3,10 +3,13 @@
 from collections.abc import Callable
 from functools import partial
 
+from phonemeanalyser.desktop.analyse.label_dialogs import LabelDialogs
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
+from phonemeanalyser.desktop.analyse.selection_dialogs import SelectionDialogs
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.menus import Command
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
 
 Commands = tuple[Command, ...]
@@ -19,6 +22,7 @@ def file_commands(dialogs: Dialogs) -> Commands:
     return (
         Command("Open Sound…", "Ctrl+O", dialogs.ask_sound),
         Command("Save the Phonemes…", "Ctrl+E", dialogs.ask_save_phonemes),
+        Command("Export…", "Ctrl+Shift+E", dialogs.show_export),
         Command("Load Preset…", "Ctrl+Shift+O", dialogs.ask_preset),
         Command("Save Preset", "Ctrl+S", dialogs.save),
         Command("Save Preset As…", "Ctrl+Shift+S", dialogs.save_as),
@@ -38,8 +42,39 @@ def play_commands(session: Session) -> Commands:
         Command("Back 1 s", "Ctrl+Left", lambda: session.seek(session.position - 1)),
         Command("Forward 1 s", "Ctrl+Right", lambda: session.seek(session.position + 1)),
         Command("To the Beginning", "Home", lambda: session.seek(0)),
+        Command("To the End", "End", lambda: session.seek(session.duration)),
         Command("Louder", "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
         Command("Quieter", "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
+    )
+
+
+def selection_commands(selection: Selection, dialogs: SelectionDialogs) -> Commands:
+    """Return what is done with the selected part of a file."""
+    return (
+        Command("Select All", "Ctrl+A", selection.select_all),
+        Command("Zoom to the Whole File", "Shift+A", selection.show_all),
+        Command("Play Selection", "Shift+Space", selection.play),
+        Command("Loop Selection", "Shift+L", lambda: selection.play(loop=True)),
+        Command("Zoom to Selection", "Shift+Z", selection.zoom),
+        Command("Measure Selection", "Shift+M", selection.measure),
+        Command("Average Its Spectrum", "", selection.average),
+        Command("Copy Its Frames as a Table", "Ctrl+Shift+C", dialogs.copy_frames),
+        Command("Save Selection as Sound…", "", dialogs.ask_save),
+    )
+
+
+def label_commands(labels: LabelDialogs) -> Commands:
+    """Return what is done with the labels of a file."""
+    return (
+        Command("Next Error", "N", labels.next_error),
+        Command("Previous Error", "Shift+N", partial(labels.next_error, back=True)),
+        Command("Insert Label…", "Ctrl+I", labels.ask_insert),
+        Command("Rename Label…", "F2", labels.ask_rename),
+        Command("Delete Label", "Delete", labels.delete),
+        Command("Tiers…", "", labels.ask_tiers),
+        Command("Load Labels…", "", labels.ask_load),
+        Command("Save Labels", "Ctrl+Alt+S", labels.save),
+        Command("Save Labels As…", "", labels.ask_save_as),
     )
 
 
@@ -56,6 +91,10 @@ def analysis_commands(session: Session, preset: PresetModel, dialogs: Dialogs) -
     """Return what belongs to filters and results."""
     return (
         Command("Bypass All Filters", "B", preset.set_bypassed, checkable=True),
+        Command("Second Preset…", "", dialogs.ask_second_preset),
+        Command("Keep This One as the Second", "", lambda: session.second.take(preset.preset)),
+        Command("Hear with the Second", "X", session.second.switch, checkable=True),
+        Command("Forget the Second", "", lambda: session.second.take(None)),
         Command("Clear", "C", session.clear),
         Command("Remove Variable…", "", dialogs.ask_remove_variable),
     )

@@ -1,17 +1,19 @@
 """What the user is asked: files, names, and what is to become of unsaved changes."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from html import escape
 from pathlib import Path
 
-from PySide6.QtCore import QIODevice, QObject, QSaveFile, QSettings, Signal
-from PySide6.QtGui import QPixmap
+from PySide6.QtCore import QIODevice, QObject, QPoint, QSaveFile, QSettings, Signal
+from PySide6.QtGui import QPainter
+from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.export_dialog import ExportDialog
 from phonemeanalyser.desktop.session.preset import PRESET_FILTER, PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
@@ -25,6 +27,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY_PRESETS, load_pr
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
+PICTURE_FILTER = "Pixels (*.png);;Lines (*.svg)"
 CURVE_FILTER = "Curves (*.csv)"
 LABEL_FILTERS = {
     "Praat TextGrid (*.TextGrid)": ".TextGrid",
@@ -127,6 +130,13 @@ class Dialogs(QObject):
         self._settings.setValue("folder/phonemes", str(path.parent))
         self._session.write_phonemes(path)
 
+    def show_export(self, sounds: Sequence[Path] = ()) -> None:
+        """Show what sounds can be turned into; begins with the sound in hand, unless others are named."""
+        path = self._session.path
+        chosen = list(sounds) or ([] if path is None else [path])
+        preset, channel = self._preset.in_force, self._session.channel
+        ExportDialog(preset, channel, chosen, self._settings, self._window).open()
+
     # -- recordings ---------------------------------------------------------------------------------------
 
     def ask_recordings_folder(self) -> None:
@@ -211,6 +221,13 @@ class Dialogs(QObject):
         if name:
             self._settings.setValue("folder/preset", str(Path(name).parent))
             self.load_preset(Path(name))
+
+    def ask_second_preset(self) -> None:
+        """Let the user choose a preset file that is compared with the one in use."""
+        folder = self._folder("preset", self._preset.path.parent)
+        name, _ = QFileDialog.getOpenFileName(self._window, "Load a second preset", folder, PRESET_FILTER)
+        if name:
+            self._session.second.load(Path(name))
 
     def save(self) -> bool:
         """Save the preset to its file; a factory preset is saved under a name of the user's own."""
@@ -357,14 +374,15 @@ class Dialogs(QObject):
             path = Path(name) if name.endswith(".csv") else free_path(Path(name + ".csv"))
             self._try(lambda: self._session.averages.save(path))
 
-    def ask_save_picture(self, picture: QPixmap, name: str) -> None:
-        """Let the user choose a file to save the picture of a plot to."""
+    def ask_save_picture(self, plot: QWidget, name: str) -> None:
+        """Let the user choose a file to save the picture of a plot to: pixels, or lines that scale."""
         suggested = str(Path(self._folder("picture")) / f"{name}.png")
-        chosen, _ = QFileDialog.getSaveFileName(self._window, "Save the picture", suggested, "Pictures (*.png)")
+        chosen, _ = QFileDialog.getSaveFileName(self._window, "Save the picture", suggested, PICTURE_FILTER)
         if chosen:
-            path = Path(chosen) if chosen.lower().endswith(".png") else free_path(Path(f"{chosen}.png"))
+            known = chosen.lower().endswith((".png", ".svg"))
+            path = Path(chosen) if known else free_path(Path(f"{chosen}.png"))
             self._settings.setValue("folder/picture", str(path.parent))
-            self._try(lambda: _write_picture(picture, path))
+            self._try(lambda: _write_picture(plot, path))
 
     def _try(self, act: Callable[[], object]) -> bool:
         try:
@@ -383,7 +401,26 @@ def _listed(words: tuple[str, ...]) -> str:
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
 
 
-def _write_picture(picture: QPixmap, path: Path) -> None:
+def _write_picture(plot: QWidget, path: Path) -> None:
     file = QSaveFile(str(path))
-    if not (file.open(QIODevice.OpenModeFlag.WriteOnly) and picture.save(file, "PNG") and file.commit()):
+    write = _draw_svg if path.suffix.lower() == ".svg" else _draw_png
+    if not (file.open(QIODevice.OpenModeFlag.WriteOnly) and write(plot, file) and file.commit()):
         raise EngineError(f"{path.name}: cannot be written ({file.errorString()}); choose another folder")
+
+
+def _draw_png(plot: QWidget, file: QIODevice) -> bool:
+    return plot.grab().save(file, "PNG")
+
+
+def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
+    generator = QSvgGenerator()
+    generator.setOutputDevice(file)
+    generator.setSize(plot.size())
+    generator.setViewBox(plot.rect())
+    generator.setTitle(plot.accessibleName())
+    painter = QPainter()
+    begun = painter.begin(generator)
+    if begun:
+        plot.render(painter, QPoint())
+        painter.end()
+    return begun

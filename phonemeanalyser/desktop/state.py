@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QSettings
-from PySide6.QtWidgets import QAbstractButton, QMainWindow, QSplitter
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QMainWindow, QSplitter
 
 from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
 from phonemeanalyser.desktop.session.microphone import SUFFIXES, Microphone
@@ -24,12 +25,12 @@ class WindowState:
     """Keeps and restores the layout of a window, the session's choices, and what its switches say."""
 
     def __init__(
-        self, window: QMainWindow, splitters: dict[str, QSplitter], switches: dict[str, QAbstractButton],
-        settings: QSettings,
+        self, window: QMainWindow, splitters: dict[str, QSplitter],
+        switches: dict[str, QAbstractButton | QAction], choices: dict[str, QComboBox], settings: QSettings,
     ) -> None:  # fmt: skip
         self._window = window
         self._settings = settings
-        self._switches = switches
+        self._switches, self._choices = switches, choices
         self._savers: dict[str, Callable[[], QByteArray]] = {
             "geometry": window.saveGeometry,
             **{name: splitter.saveState for name, splitter in splitters.items()},
@@ -65,6 +66,8 @@ class WindowState:
             keep(name, save())
         for name, switch in self._switches.items():
             keep(name, int(switch.isChecked()))
+        for name, choice in self._choices.items():
+            keep(name, choice.currentText())
         keep("volume", round(session.volume))
         keep("loop", int(session.loop))
         keep("channel", session.wanted_channel.value)
@@ -91,6 +94,8 @@ class WindowState:
                 restore(state)
         for name, switch in self._switches.items():
             switch.setChecked(self._kept(name, int(switch.isChecked())) == "1")
+        for name, choice in self._choices.items():
+            choice.setCurrentText(self._kept(name, choice.currentText()))
         session.set_volume(self._kept_number("volume", session.volume))
         session.set_loop(self._kept("loop", int(session.loop)) == "1")
         with suppress(ValueError):  # somebody edited the file

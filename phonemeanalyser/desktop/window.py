@@ -5,14 +5,16 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
+from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QWidget
 
 from phonemeanalyser.desktop import calibrate, commands
 from phonemeanalyser.desktop.analyse.filter_column import FilterColumn
+from phonemeanalyser.desktop.analyse.label_dialogs import LabelDialogs
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.preset_box import PresetBox
 from phonemeanalyser.desktop.analyse.recogniser_choice import RecogniserChoice
+from phonemeanalyser.desktop.analyse.selection_dialogs import SelectionDialogs
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport import Transport
 from phonemeanalyser.desktop.dialogs import Dialogs
@@ -20,6 +22,7 @@ from phonemeanalyser.desktop.docks import Docks
 from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.redraw import RedrawLoop
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
@@ -32,6 +35,9 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.banner import Banner
 from phonemeanalyser.desktop.widgets.key_filters import ButtonKeys
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeengine.audio.files import SUFFIXES
+from phonemeengine.phonemes import Phoneme
 
 FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 280, 310, 230
 USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
@@ -71,6 +77,9 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.theme = theme
         self.dialogs = Dialogs(self, session, preset, settings)
+        self.selection = Selection(session)
+        self.selection_dialogs = SelectionDialogs(self, self.selection, session, settings)
+        self.label_dialogs = LabelDialogs(self, session, settings)
         self.menus = Menus(self)
         self.talking_dialogs = TalkDialogs(self, talking, settings)
         self._docks = Docks(self)
@@ -181,7 +190,8 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(self.pages)
         self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
         self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
-        self.state = WindowState(self, self.analysis.splitters, self.analysis.switches, self._settings)
+        analysis = self.analysis
+        self.state = WindowState(self, analysis.splitters, analysis.switches, analysis.choices, self._settings)
         self._last_page = self.state.page()
         self._add_docks()
         self.statusBar().addWidget(self.status.left, 1)
@@ -218,6 +228,8 @@ class MainWindow(QMainWindow):
         file.insertMenu(self.menus.actions["Save the Phonemes…"], self._recent)
         self.menus.add_edit(preset.undo_stack)
         add("&Play", *commands.play_commands(session))
+        self._make_selection_menu()
+        add("&Labels", *commands.label_commands(self.label_dialogs))
         measure = Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency)
         room = Command("Measure the Room (2 s of Quiet)", "", lambda: self._ask_calibration().measure_room())
         add("&Record", *commands.record_commands(session, dialogs), measure, room)
@@ -230,6 +242,29 @@ class MainWindow(QMainWindow):
             Command("Keyboard Shortcuts", "F1", self.show_shortcuts),
             Command("About PhonemeAnalyser", "", self.dialogs.show_about),
         )
+
+    def _make_selection_menu(self) -> None:
+        """List what is done with the selected part of the file, also where it is selected."""
+        menu = self.menus.add("&Selection", *commands.selection_commands(self.selection, self.selection_dialogs))
+        takes = menu.addMenu("Use as a Take of")
+        for phoneme in KEYS:
+            takes.addAction(phoneme.label, partial(self._use_as_take, phoneme))
+        view = self.analysis.file.view
+        view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        view.addActions(menu.actions())
+        for words, act in (
+            ("Copy Picture", lambda: QGuiApplication.clipboard().setPixmap(view.grab())),
+            ("Save Picture…", lambda: self.dialogs.ask_save_picture(view, "file")),
+        ):
+            picture = QAction(words, view)
+            picture.triggered.connect(act)
+            view.addAction(picture)
+
+    def _use_as_take(self, phoneme: Phoneme) -> None:
+        """Make what is selected a take of a phoneme."""
+        span, path = self.selection.span, self._session.path
+        if span is not None and path is not None:
+            self._ask_calibration().takes.add_from_file(path, self._session.channel, *span, phoneme)
 
     def _show_recent(self) -> None:
         """List the sounds that were opened last, the last one first."""
@@ -252,7 +287,9 @@ class MainWindow(QMainWindow):
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
         self._talking.text.info.connect(self.banner.show_info)
         self._talking.text.speech_saved.connect(dialogs.offer_speech)
-        session.may_leave = self.talking_dialogs.may_leave_words
+        session.may_leave = self._may_leave_sound
+        session.labels.info.connect(self.banner.show_info)
+        self.analysis.file.view.rename_asked.connect(lambda _label: self.label_dialogs.ask_rename())
         session.microphone.recorded.connect(dialogs.offer_recording)
         session.microphone.info.connect(self.banner.show_info)
         session.writer.info.connect(self.banner.show_info)
@@ -271,7 +308,8 @@ class MainWindow(QMainWindow):
         dialogs.variable_added.connect(self.analysis.scroll_view.variable.setCurrentText)
         self.banner.shown.connect(self._banner_bar.setVisible)
         self.switch.chosen.connect(self.show_page)
-        for model in (self._talking, session):
+        self.selection.info.connect(self.banner.show_info)
+        for model in (self._talking, session, self.selection):
             model.error.connect(self.banner.show_error)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         session.opened.connect(self._show_names)
@@ -279,6 +317,7 @@ class MainWindow(QMainWindow):
         session.rewritten.connect(self.analysis.scroll_view.sonagram.forget)
         session.transport_changed.connect(self._show_state)
         preset.changed.connect(self._show_state)
+        session.second.changed.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
         self.installEventFilter(ButtonKeys(self))
         self.show_page(ANALYSE)
@@ -313,6 +352,8 @@ class MainWindow(QMainWindow):
         marking = page == ANALYSE and self.analysis.averaged.measure.isChecked()
         self.menus.lend_key("Stop", lent=guided or marking)
         self.menus.lend_key("Record", lent=guided)
+        self.menus.lend_key("Hear with the Second", lent=page != ANALYSE)  # elsewhere, it leaves takes out
+        self.menus.lend_key("Delete Label", lent=page != ANALYSE)  # elsewhere, it deletes takes
 
     def set_frozen(self, frozen: bool) -> None:
         """Hold the views still while sound goes on, or let them go on."""
@@ -336,6 +377,7 @@ class MainWindow(QMainWindow):
     def _show_state(self) -> None:
         self.menus.show_checked("Loop", self._session.loop)
         self.menus.show_checked("Bypass All Filters", self._preset.bypassed)
+        self.menus.show_checked("Hear with the Second", self._session.second.is_in_force)
         self.redraw.dirty = True
         self.redraw.refresh_status()
 
@@ -356,6 +398,9 @@ class MainWindow(QMainWindow):
         talking, urls = self.talking_dialogs, event.mimeData().urls()
         paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
         talking.open([path for path in paths if talking.opens(path)])  # meshes and movestates as one face
+        if any(path.is_dir() for path in paths) or sum(path.suffix.lower() in SUFFIXES for path in paths) > 1:
+            self.dialogs.show_export(paths)
+            return
         for path in paths:
             if not talking.opens(path):
                 self.dialogs.open_any(path)
@@ -379,14 +424,19 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, and keep the layout for the next start."""
-        if not self._retired and not (self.talking_dialogs.may_leave_words() and self.dialogs.may_go_on()):
+        if not self._retired and not (self._may_leave_sound() and self.dialogs.may_go_on()):
             event.ignore()
             return
         self.save_state()
+        self.selection.close()
         self.redraw.timer.stop()
         if not self._retired:
             self._session.pause()
         event.accept()
+
+    def _may_leave_sound(self) -> bool:
+        """Ask what is to become of words and labels that are in no file; says whether to go on."""
+        return self.talking_dialogs.may_leave_words() and self.label_dialogs.may_leave()
 
     def save_state(self) -> None:
         """Keep layout and choices for the next start."""

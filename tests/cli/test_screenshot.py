@@ -64,7 +64,7 @@ def test_later_pictures_show_more_and_equal_ones_show_the_same(qapp: QApplicatio
 def test_without_a_time_the_picture_shows_the_end(qapp: QApplication, sound: Path) -> None:
     end = picture(qapp, sound, "end")
     assert share_that_differs(end, picture(qapp, sound, "beyond", "--at", "1000")) == 0
-    assert share_that_differs(end, picture(qapp, sound, "start", "--at", "0")) > 0.01
+    assert share_that_differs(end, picture(qapp, sound, "start", "--at", "0")) > 0.005
 
 
 @pytest.mark.parametrize("name", ["not_a_sound", "truncated_flac"])

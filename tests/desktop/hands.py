@@ -47,8 +47,9 @@ def shown(desktop: Desktop, qtbot: QtBot, sound: Path | None = CARDS) -> MainWin
 
 
 def followed(desktop: Desktop, qtbot: QtBot, sound: Path = CARDS, seconds: float = 3.4) -> MainWindow:
-    """Show the window with a sound that has been analysed up to a time."""
+    """Show the window with a sound that has been analysed up to a time, on the strip chart of what is heard."""
     window = shown(desktop, qtbot, sound)
+    window.analysis.over_time.setCurrentWidget(window.analysis.scroll_view)
     desktop.session.analyse_until(seconds)
     window.redraw.refresh_all()
     return window

@@ -1,18 +1,18 @@
 """The page of the analysis: spectra above, the waveform amid, and the time view below."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QPixmap
-from PySide6.QtWidgets import QAbstractButton, QSplitter
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QSplitter, QStackedWidget, QWidget
 
 from phonemeanalyser.desktop.analyse.averaged_view import AveragedView
+from phonemeanalyser.desktop.analyse.file_panel import FilePanel
 from phonemeanalyser.desktop.analyse.phoneme_view import PhonemeView
 from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
 from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
 from phonemeanalyser.desktop.analyse.threshold_view import ThresholdView
 from phonemeanalyser.desktop.analyse.waveform_view import WaveformView
-from phonemeanalyser.desktop.session.history import shown_spectra
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
 
 
@@ -29,7 +29,7 @@ class AnalysisPage(QSplitter):
     phoneme, thresholds : what is drawn of it in docks beside the page.
     """
 
-    picture_asked = Signal(QPixmap, str)
+    picture_asked = Signal(QWidget, str)
 
     def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
         super().__init__(Qt.Orientation.Vertical)
@@ -38,7 +38,10 @@ class AnalysisPage(QSplitter):
         self.spectrum = SpectrumView("Spectrum", tip, theme)
         self.averaged = AveragedView(session.averages, theme)
         self.waveform = WaveformView(theme)
+        self._session = session
         self.scroll_view = ScrollView(session.history, preset, theme)
+        self.file = FilePanel(session, preset, theme)
+        self.over_time = QStackedWidget()
         self.phoneme = PhonemeView(session, theme)
         self.thresholds = ThresholdView(preset, session.history, theme)
         self.spectra = QSplitter(Qt.Orientation.Horizontal)
@@ -52,12 +55,13 @@ class AnalysisPage(QSplitter):
             self.phoneme.refresh()
         newest = self._history.newest
         if newest is not None:
-            self.spectrum.draw(shown_spectra(newest)[-1])
+            self.spectrum.draw(newest.linear_spectra[-1])
             self.waveform.draw(newest.waveforms[-1])
         else:
             self.spectrum.clear()
             self.waveform.clear()
         self.scroll_view.refresh()
+        self.file.refresh()
 
     def refresh_slow(self) -> None:
         """Draw numbers, and what changes slowly."""
@@ -82,9 +86,12 @@ class AnalysisPage(QSplitter):
         return {"rows": self, "spectra": self.spectra}
 
     @property
-    def switches(self) -> dict[str, QAbstractButton]:
+    def switches(self) -> dict[str, QAbstractButton | QAction]:
         """What the user may have switched, by the names under which it is kept."""
         return {
+            "file_follow": self.file.follow,
+            "file_filtered": self.file.filtered,
+            **{f"file_{name}": action for name, action in self.file.overlays.items()},
             "sonagram_db": self.scroll_view.decibels,
             "coarse_spectrum": self.spectrum.coarse,
             "coarse_average": self.averaged.coarse,
@@ -93,12 +100,26 @@ class AnalysisPage(QSplitter):
             "average_db": self.averaged.decibels,
         }
 
+    @property
+    def choices(self) -> dict[str, QComboBox]:
+        """What the user may have chosen, by the names under which it is kept."""
+        return {"file_axis": self.file.axis, "file_colours": self.file.colours, "file_variable": self.file.variable}
+
+    def _show_source(self) -> None:
+        """Show a file on its own time, and what is heard at once as it scrolls by."""
+        is_file = self._session.source is SoundSource.FILE and self._session.path is not None
+        self.over_time.setCurrentWidget(self.file if is_file else self.scroll_view)
+
     def _lay_out(self) -> None:
         self.spectra.addWidget(self.spectrum)
         self.spectra.addWidget(self.averaged)
         self.spectra.setSizes([300, 460])
-        for widget in (self.spectra, self.waveform, self.scroll_view):
+        self.over_time.addWidget(self.file)
+        self.over_time.addWidget(self.scroll_view)
+        for widget in (self.spectra, self.waveform, self.over_time):
             self.addWidget(widget)
+        self._session.opened.connect(self._show_source)
+        self._show_source()
         self.setSizes([190, 130, 370])
         for splitter in (self.spectra, self):
             splitter.setChildrenCollapsible(False)

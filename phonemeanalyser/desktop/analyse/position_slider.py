@@ -1,17 +1,29 @@
-"""The whole file as a line."""
+"""The whole file as a line: its waveform in the colours of its phonemes, and where it is heard."""
 
 from typing import Any
 
+import numpy as np
 from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtGui import QColor, QImage, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.painting import format_clock, set_size
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeengine.arrays import UInt8Array, UInt32Array
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import HOP
+from phonemeengine.whole_sound import FrameState, SoundTracks
 
 SPACINGS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1200, 3600)
 """Between two marks of time, seconds."""
+MARGIN = 6
+"""Pixels beside the line."""
+WAVE_HEIGHT, BAR_HEIGHT = 15, 3
+LOUDEST = 0.05
+"""A sound that is nowhere louder than this is drawn as soft as it is."""
+NOTHING = len(Phoneme)
+"""The code of a column of which no phoneme is known."""
 
 
 class PositionSlider(QWidget):
@@ -29,11 +41,18 @@ class PositionSlider(QWidget):
         self._session = session
         self._theme = theme
         self._shown = -1
+        self._overview: tuple[tuple[int, int, int], QImage] | None = None
+        colours = [*(PHONEME_COLOURS[p] for p in Phoneme), theme.faint]
+        self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
         self.setMinimumSize(120, 30)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setToolTip("Click to go there; arrow keys go by a second")
+        self.setToolTip(
+            "The whole file: how loud it is, in the colours of its phonemes (grey where it is not analysed yet). "
+            "Click to go there; arrow keys go by a second"
+        )
         self.setAccessibleName("time line")
+        session.whole.changed.connect(self.update)
 
     def refresh(self) -> None:
         """Show where the sound is."""
@@ -43,13 +62,16 @@ class PositionSlider(QWidget):
             self.update()
 
     def paintEvent(self, _event: Any) -> None:
-        """Paint the track, what has been heard, marks of time, and the place."""
+        """Paint the whole sound, how much of it has been heard, marks of time, and the place."""
         painter = QPainter(self)
-        track = QRectF(6, 5, self.width() - 12, 9)
-        painter.fillRect(track, QColor(self._theme.line))
+        width = self.width() - 2 * MARGIN
+        tracks = self._session.whole.tracks
+        if tracks is not None and width > 0:
+            painter.drawImage(MARGIN, 0, self._overview_of(tracks, width))
+        painter.fillRect(QRectF(MARGIN, WAVE_HEIGHT, width, BAR_HEIGHT), QColor(self._theme.line))
         x = self._x_of(self._session.position)
-        painter.fillRect(QRectF(6, 5, x - 6, 9), QColor(self._theme.accent))
-        painter.fillRect(QRectF(x - 1.5, 1, 3, 17), QColor(self._theme.text))
+        painter.fillRect(QRectF(MARGIN, WAVE_HEIGHT, x - MARGIN, BAR_HEIGHT), QColor(self._theme.accent))
+        painter.fillRect(QRectF(x - 1, 0, 2, WAVE_HEIGHT + BAR_HEIGHT), QColor(self._theme.text))
         self._paint_marks(painter)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -69,6 +91,15 @@ class PositionSlider(QWidget):
         else:
             super().keyPressEvent(event)
 
+    def _overview_of(self, tracks: SoundTracks, width: int) -> QImage:
+        """Return the picture of what is known, which is painted anew only when that changed."""
+        key = (id(tracks), tracks.revision, width)
+        if self._overview is None or self._overview[0] != key:
+            pixels = overview_pixels(tracks, width, self._pixels, np.uint32(QColor(self._theme.window).rgb()))
+            image = QImage(pixels.data, width, WAVE_HEIGHT, 4 * width, QImage.Format.Format_RGB32).copy()
+            self._overview = key, image
+        return self._overview[1]
+
     def _paint_marks(self, painter: QPainter) -> None:
         duration = self._session.duration
         if duration <= 0:
@@ -80,12 +111,34 @@ class PositionSlider(QWidget):
             x = self._x_of(k * spacing)
             if x > self.width() - 24:
                 break
-            painter.fillRect(QRectF(x, 14, 1, 4), QColor(self._theme.faint))
-            painter.drawText(QRectF(x + 2, 17, 50, 12), format_clock(k * spacing, spacing < 1))
+            painter.fillRect(QRectF(x, WAVE_HEIGHT, 1, BAR_HEIGHT + 2), QColor(self._theme.faint))
+            painter.drawText(QRectF(x + 2, 18, 50, 12), format_clock(k * spacing, spacing < 1))
 
     def _seek(self, event: QMouseEvent) -> None:
-        share = min(max((event.position().x() - 6) / max(1, self.width() - 12), 0.0), 1.0)
+        share = min(max((event.position().x() - MARGIN) / max(1, self.width() - 2 * MARGIN), 0.0), 1.0)
         self.sought.emit(share * self._session.duration)
 
     def _x_of(self, seconds: float) -> float:
-        return 6 + seconds / max(self._session.duration, 1e-6) * (self.width() - 12)
+        return MARGIN + seconds / max(self._session.duration, 1e-6) * (self.width() - 2 * MARGIN)
+
+
+def overview_pixels(tracks: SoundTracks, width: int, colours: UInt32Array, nothing: np.uint32) -> UInt32Array:
+    """Return the waveform of a whole sound in the colours of its phonemes, RGB, shape (WAVE_HEIGHT, width)."""
+    peaks = tracks.peaks.between(0, tracks.n_frames * HOP, width)
+    loudest = max(LOUDEST, float(np.nanmax([np.abs(peaks.low), np.abs(peaks.high), np.zeros(width)])))
+    middle = (WAVE_HEIGHT - 1) / 2
+    high, low = (np.nan_to_num(middle - values / loudest * middle, nan=-1.0) for values in (peaks.high, peaks.low))
+    rows = np.arange(WAVE_HEIGHT)[:, np.newaxis]
+    inside = (rows >= np.round(high)) & (rows <= np.round(low)) & ~np.isnan(peaks.low)
+    return np.where(inside, colours[main_phonemes(tracks, width)], nothing).astype(np.uint32)
+
+
+def main_phonemes(tracks: SoundTracks, width: int) -> UInt8Array:
+    """Return the phoneme that most frames of each column have, shape (width,); of speech, where there is any."""
+    columns = np.arange(tracks.n_frames) * width // max(1, tracks.n_frames)
+    codes = np.where(tracks.states == FrameState.UNKNOWN, NOTHING, tracks.phonemes)
+    counts = np.bincount(columns * (NOTHING + 1) + codes, minlength=width * (NOTHING + 1)).reshape(width, -1)
+    spoken = counts.copy()
+    spoken[:, [Phoneme.SILENCE, NOTHING]] = 0
+    found = np.where(spoken.any(axis=1), spoken.argmax(axis=1), counts.argmax(axis=1))
+    return np.where(counts.any(axis=1), found, NOTHING).astype(np.uint8)

@@ -4,7 +4,6 @@ import math
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QTabWidget, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.calibrate.compare_panel import ComparePanel
@@ -32,7 +31,7 @@ class WorkbenchView(QWidget):
     """
 
     play_asked = Signal(Path, float, float)
-    picture_asked = Signal(QPixmap, str)
+    picture_asked = Signal(QWidget, str)
 
     def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
         super().__init__()

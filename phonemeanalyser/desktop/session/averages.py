@@ -4,7 +4,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.session.history import shown_spectra
 from phonemeengine.analyser import Analysis
 from phonemeengine.averaged_spectrum import (
     AveragedSpectrum,
@@ -62,7 +61,7 @@ class AveragesModel(QObject):
         if self.settings is None:
             self._from = analysis.start * FRAME_PERIOD
         self.settings = given
-        self._average.add(shown_spectra(analysis))
+        self._average.add(analysis.linear_spectra)
 
     def current(self, name: str = "now") -> AveragedSpectrum:
         """Return the running mean."""
@@ -71,15 +70,18 @@ class AveragesModel(QObject):
 
     def load(self, path: Path) -> None:
         """Load a curve beside the others; EngineError leaves them as they are."""
-        self.curves.append(load_averaged_spectrum(path))
+        self.add_curve(load_averaged_spectrum(path))
+
+    def add_curve(self, curve: AveragedSpectrum) -> None:
+        """Show another curve beside the others."""
+        self.curves.append(curve)
         self.curves_changed.emit()
 
     def save(self, path: Path) -> None:
         """Save the running mean under the file's name, and keep it as a curve."""
         curve = self.current(path.stem)
         save_averaged_spectrum(curve, path)
-        self.curves.append(curve)
-        self.curves_changed.emit()
+        self.add_curve(curve)
 
     def remove(self, k: int) -> None:
         """Take curve `k` away."""

@@ -6,12 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analysis
-from phonemeengine.arrays import Float32Array, IndexArray
-from phonemeengine.dsp.mel import spread_mel
+from phonemeengine.arrays import IndexArray
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import count_changes
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, WINDOW
+from phonemeengine.settings import FRAME_PERIOD, WINDOW
 
 CAPACITY = 6000
 """Columns that are remembered: one minute."""
@@ -155,7 +154,7 @@ class History:
     def _write(self, at: IndexArray, analysis: Analysis) -> None:
         if analysis.features.names != self._names:
             self._rename(analysis.features.names)
-        shown = shown_spectra(analysis)
+        shown = analysis.linear_spectra
         self.n_bins = shown.shape[1]
         self.spectra[at, : self.n_bins] = shown
         self.spectra[at, self.n_bins :] = 0
@@ -207,10 +206,3 @@ class History:
             float(values.max(initial=self._highest_out[k])),
             float(values.min(initial=self._lowest_out[k])),
         )
-
-
-def shown_spectra(analysis: Analysis) -> Float32Array:
-    """Return the spectra as they are drawn: through the mel bank while it is on, on the linear axis."""
-    if analysis.mel is None:
-        return analysis.spectra
-    return spread_mel(analysis.mel, analysis.spectra.shape[1], BIN_WIDTH)

@@ -6,10 +6,16 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.session.formant_track import FormantTrack
+from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.phoneme_writer import PhonemeWriter
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.results import AnalysisResults
+from phonemeanalyser.desktop.session.second_preset import SecondPreset
+from phonemeanalyser.desktop.session.sonagram_tiles import SonagramTiles
+from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
+from phonemeanalyser.desktop.session.whole_file import WholeFile
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import Output, open_output
@@ -21,6 +27,7 @@ from phonemeengine.live.player import Player
 from phonemeengine.presets.ears import while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, Channel
+from phonemeengine.whole_sound import FrameRange
 
 QUIETEST_DB = -60.0
 """At this volume and below nothing is heard."""
@@ -80,6 +87,10 @@ class Session(QObject):
         self.history, self.averages = self.results.history, self.results.averages
         self.microphone = microphone or Microphone()
         self.writer = PhonemeWriter()
+        self.view, self.whole = TimeView(), WholeFile()
+        self.sonagram, self.formants = SonagramTiles(), FormantTrack()
+        self.labels = LabelTiers(preset.undo_stack)
+        self.second = SecondPreset(preset, self.whole)
         self.source = SoundSource.FILE
         self.tone = Tone()
         self.loop = False
@@ -89,12 +100,19 @@ class Session(QObject):
         self._open_device = open_device
         self._file: SoundReader | None = None
         self._left_at = 0.0
+        self._told = ""
         self._player: Player | None = None
         self._tone_reader: ToneReader | None = None
         self._speak_again: Callable[[], Reader] | None = None
         preset.changed.connect(self._use_preset)
         self.microphone.error.connect(self.error)
         self.writer.error.connect(self.error)
+        self.labels.error.connect(self.error)
+        self.second.error.connect(self._tell_once)
+        for model in (self.whole, self.sonagram, self.formants):
+            model.error.connect(self._tell_once)
+        self.view.moved.connect(self._look)
+        self.sonagram_is_filtered = False
         self.results.error.connect(self.error)
         self.results.cleared.connect(self.cleared)
         self.results.rewritten.connect(self.rewritten)
@@ -128,6 +146,11 @@ class Session(QObject):
         if self.source is SoundSource.MICROPHONE:
             return self.microphone.active
         return self._player is not None and self._player.playing
+
+    @property
+    def busy(self) -> bool:
+        """Whether more of the file in hand is being found or measured."""
+        return any(model.busy for model in (self.whole, self.second.whole, self.sonagram, self.formants))
 
     @property
     def input_silent(self) -> bool:
@@ -211,10 +234,21 @@ class Session(QObject):
         if path != self.path and not self.may_leave():
             file.close()
             return False
+        is_another = path != self.path
         self._detach()
+        self._told = ""
         self.source = SoundSource.FILE
         self._file = file
         self._attach(Player(file, while_played(self.preset.in_force), self._open_device))
+        analysed = file.channel
+        self.view.open(file.duration)
+        for track in (self.sonagram, self.formants):
+            track.open(lambda: SoundReader(path, analysed), file.duration)
+        self.whole.open(file, self.preset.in_force)
+        self.second.follow()
+        self._look()
+        if is_another:
+            self.labels.follow(path, file.duration)
         return True
 
     def set_source(self, source: SoundSource) -> None:
@@ -281,6 +315,9 @@ class Session(QObject):
     def _detach(self) -> None:
         """Let the source in use go: some cards serve one stream at a time."""
         self.microphone.stop()
+        for model in (self.whole, self.second.whole, self.sonagram, self.formants):
+            model.leave()
+        self.view.open(0.0)
         self._tone_reader = None
         if self._player is not None:
             self._player.close()
@@ -353,6 +390,20 @@ class Session(QObject):
             self.sought.emit()
             self.transport_changed.emit()
 
+    def play_stretch(self, span: TimeSpan, *, loop: bool | None = None) -> None:
+        """Play a stretch of the file, or of a spoken text; it stands at its beginning afterwards.
+
+        Parameters
+        ----------
+        loop : whether over and over; None for as it is set.
+        """
+        if self._player is not None and not self.source.live:
+            if loop is not None:
+                self.set_loop(loop)
+            self._player.play_stretch(*span)
+            self.sought.emit()
+            self.transport_changed.emit()
+
     def set_loop(self, loop: bool) -> None:
         """Begin again at the end, or not."""
         self.loop = loop
@@ -386,6 +437,11 @@ class Session(QObject):
                     self.play()
         self.transport_changed.emit()
 
+    def show_filtered(self, on: bool) -> None:
+        """Show the file's sonagram as it is after the filters that are on, or as it is in the file."""
+        self.sonagram_is_filtered = on
+        self.sonagram.show_filtered(self.preset.in_force.settings if on else None)
+
     def clear(self) -> None:
         """Forget spectra, averages, sonagram and extremes."""
         self._forget("Clear")
@@ -395,6 +451,8 @@ class Session(QObject):
         self._detach()
         self.microphone.close()
         self.writer.close()
+        for model in (self.whole, self.second, self.sonagram, self.formants):
+            model.close()
 
     def write_phonemes(self, target: Path) -> None:
         """Write the phonemes of the whole file in hand, or text, with the preset in force; does not wait."""
@@ -412,15 +470,24 @@ class Session(QObject):
             blocks = (self._player or self.microphone.listener).take_analyses()
         except EngineError as error:
             self.stop()
-            self.error.emit(str(error))
+            self._tell_once(str(error))
             return False
         for analysis in blocks:
             self.results.add(analysis)
         if blocks:
             self.heard.emit(blocks)
         if self._player is not None and self.playing and self._player.finished:
-            self.stop()
+            self._end(self._player)
         return bool(blocks)
+
+    def _end(self, player: Player) -> None:
+        """Hold still at the beginning of what was played to its end."""
+        stretch = player.stretch
+        if stretch is None:
+            self.stop()
+        else:
+            self.pause()
+            self.seek(stretch[0])
 
     def analyse_until(self, seconds: float) -> None:
         """Analyse the file in hand from its beginning up to a time at once, as if it had been played so far."""
@@ -435,12 +502,26 @@ class Session(QObject):
         """Return what is known of the sound before it is heard, each block with the seconds until then."""
         return self._player.upcoming() if self._player is not None and not self.source.live else []
 
+    def _look(self) -> None:
+        """Have what is seen of the file found first."""
+        start, end = (round(time / FRAME_PERIOD) for time in self.view.seen)
+        self.whole.in_view = self.second.whole.in_view = FrameRange(start, end)
+
+    def _tell_once(self, sentence: str) -> None:
+        """Say what is wrong with the sound in hand: who plays it and who analyses it whole find the same."""
+        if sentence != self._told:
+            self._told = sentence
+            self.error.emit(sentence)
+
     def _forget(self, cause: str) -> None:
         self.averages.begin(cause, self.name)
         self.results.clear()
 
     def _use_preset(self) -> None:
         self.microphone.set_preset(self.preset.in_force)
+        self.whole.use_preset(self.preset.in_force)
+        self.second.follow()
+        self.show_filtered(self.sonagram_is_filtered)
         if self._player is not None:
             is_file = self.source is SoundSource.FILE
             self._player.set_preset(while_played(self.preset.in_force) if is_file else self.preset.in_force)

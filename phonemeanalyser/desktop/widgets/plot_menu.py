@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QMouseEvent, QPixmap
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QMenu, QWidget
 
 Reset = Callable[[], object]
@@ -26,10 +26,10 @@ class PlotMenu(QMenu):
 
     Signals
     -------
-    save_asked : the user wants to save this picture, of this name.
+    save_asked : the user wants to save a picture of this plot, of this name.
     """
 
-    save_asked = Signal(QPixmap, str)
+    save_asked = Signal(QWidget, str)
 
     def __init__(
         self, plot: QWidget, name: str, values: Callable[[QPoint], str], reset: Reset | None = None
@@ -44,7 +44,7 @@ class PlotMenu(QMenu):
             surface.installEventFilter(self)
         self.addAction("Copy Values", self._copy_values)
         self.addAction("Copy Picture", lambda: QApplication.clipboard().setPixmap(plot.grab()))
-        self.addAction("Save Picture…", lambda: self.save_asked.emit(plot.grab(), name))
+        self.addAction("Save Picture…", lambda: self.save_asked.emit(plot, name))
         plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         plot.customContextMenuRequested.connect(self.open_at)
 

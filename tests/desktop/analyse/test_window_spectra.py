@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -250,6 +251,18 @@ def test_a_picture_that_cannot_be_saved_is_said(window, monkeypatch, tmp_path):
     )
     choose(window.analysis.spectrum.menu, "Save Picture…")
     assert window.banner.label.text().startswith("a.png: cannot be written (")
+
+
+def test_pictures_are_lines_where_the_name_says_so(desktop, qtbot, tmp_path, monkeypatch):
+    window = followed(desktop, qtbot)
+    page = window.analysis
+    for k, plot in enumerate((page.spectrum, page.file.view)):
+        path = tmp_path / f"{k}.svg"
+        monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, path=path, **_k: (str(path), ""))
+        window.dialogs.ask_save_picture(plot, "plot")
+        drawn = ElementTree.parse(path).getroot()
+        assert drawn.tag.endswith("svg")
+        assert sum(1 for _ in drawn.iter()) > 20
 
 
 def test_the_mean_says_of_how_much_it_is_since_when(desktop, window):

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeanalyser.desktop.session.history import CAPACITY, GAP, MOST_BINS, NOWHERE, History, shown_spectra
+from phonemeanalyser.desktop.session.history import CAPACITY, GAP, MOST_BINS, NOWHERE, History
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Variable
@@ -145,11 +145,11 @@ def test_the_newest_block_is_at_hand() -> None:
 def test_through_the_mel_bank_a_tone_is_still_at_its_frequency(n_frames: int) -> None:
     settings = AnalysisSettings(filters=frozenset({Filter.MEL}))
     analysis = Analyser(Preset(settings=settings, variables=(Variable("mine", 1, 2),))).push(tone(1000, 0.6))
-    spectra = shown_spectra(analysis.part(slice(0, n_frames)))
+    spectra = analysis.part(slice(0, n_frames)).linear_spectra
     assert spectra.shape == (n_frames, 1024)
     assert abs(int(spectra[-1].argmax()) * BIN_WIDTH - 1000) < 150  # a band is that wide
     plain = Analyser(Preset()).push(tone(1000, 0.1))
-    assert shown_spectra(plain) is plain.spectra
+    assert plain.linear_spectra is plain.spectra
 
 
 def test_the_newest_run_ends_where_the_place_in_the_file_jumps() -> None:

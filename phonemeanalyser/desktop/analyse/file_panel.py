@@ -1,0 +1,150 @@
+"""The file over time, with what is chosen of it."""
+
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
+
+from phonemeanalyser.desktop.analyse.file_view import FileView
+from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, colours_of
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeanalyser.desktop.widgets.plot import toggle_button
+from phonemeengine.dsp.sonagram import FrequencyAxis
+from phonemeengine.features.variables import BUILT_IN_NAMES
+from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.whole_sound import FrameRange
+
+OVERLAYS = {
+    "formants": "red dots, by Burg's method, as Praat measures them",
+    "pitch": "a blue line, 0 to 500 Hz from the lower edge to the upper",
+    "level": "a yellow line, peaks of -80 to 0 dB",
+}
+"""What may be drawn over the sonagram, and how."""
+
+
+class FilePanel(QWidget):
+    """The view of the file, and a row of choices above it.
+
+    Attributes
+    ----------
+    view : what is painted.
+    follow : whether the view goes along with what is heard.
+    filtered : whether the sonagram is that after the filters.
+    whole, selection : buttons that show all of it, and what is selected.
+    over : a menu with the `overlays`, the switches for what is drawn over the sonagram.
+    axis, colours, variable : choices.
+    differs : in how much of what is seen two presets hear two things.
+    """
+
+    def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
+        super().__init__()
+        self._session = session
+        self._preset = preset
+        self.view = FileView(session, theme)
+        self.follow = toggle_button("follow", "Turn the page where what is heard leaves it")
+        self.filtered = toggle_button("filtered", "The sonagram after all filters that are on, as recognisers see it")
+        self.whole = toggle_button("all", "See the whole file")
+        self.selection = toggle_button("selection", "See what is selected (Shift+drag selects)")
+        self.over = QToolButton()
+        self.overlays = {name: QAction(f"{name}: {what}", self) for name, what in OVERLAYS.items()}
+        self.axis, self.colours, self.variable = QComboBox(), QComboBox(), QComboBox()
+        self.differs = ElidedLabel()
+        self._lay_out()
+        self._connect()
+        self._list_variables()
+        self._show_state()
+
+    def refresh(self) -> None:
+        """Go along with what is heard."""
+        if self._session.playing:
+            self._session.view.follow(self._session.position)
+            self.view.update()
+
+    def _lay_out(self) -> None:
+        for button in (self.whole, self.selection):
+            button.setCheckable(False)
+        menu = QMenu(self.over)
+        menu.addActions([*self.overlays.values()])
+        self.over.setText("over it")
+        self.over.setMenu(menu)
+        self.over.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.over.setToolTip("What is drawn over the sonagram: formants, pitch, level")
+        self.axis.addItems([axis.value for axis in FrequencyAxis])
+        self.axis.setToolTip("How frequencies are spread over the sonagram")
+        self.colours.addItems(COLOUR_MAPS)
+        self.colours.setToolTip("Colour map")
+        for choice in (self.axis, self.colours, self.variable):
+            choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            choice.setMinimumContentsLength(5)
+        self.variable.setToolTip("The variable whose course is shown")
+        row = QHBoxLayout()
+        row.setContentsMargins(6, 3, 6, 1)
+        row.setSpacing(8)
+        row.addWidget(QLabel("<b>File</b>"))
+        row.addWidget(self.differs, 1)
+        widgets: tuple[QWidget, ...] = (
+            self.follow, self.filtered, self.whole, self.selection, self.over, self.axis, self.colours, self.variable
+        )  # fmt: skip
+        for widget in widgets:
+            widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            row.addWidget(widget)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(2)
+        layout.addLayout(row)
+        layout.addWidget(self.view, 1)
+
+    def _connect(self) -> None:
+        view, sonagram = self._session.view, self._session.sonagram
+        self.follow.toggled.connect(partial(setattr, view, "follows"))
+        self.filtered.toggled.connect(self._session.show_filtered)
+        for name, action in self.overlays.items():
+            action.setCheckable(True)
+            action.toggled.connect(lambda on, name=name: self.view.show_over(name, on=on))
+        self.whole.clicked.connect(lambda _checked: view.show_all())
+        self.selection.clicked.connect(lambda _checked: self._show_selection())
+        self.axis.currentIndexChanged.connect(
+            lambda k: sonagram.use(replace(sonagram.settings, axis=list(FrequencyAxis)[k]))
+        )  # fmt: skip
+        self.colours.currentTextChanged.connect(lambda name: self.view.set_colours(colours_of(name)))
+        self.variable.currentTextChanged.connect(self.view.show_variable)
+        self.view.sought.connect(self._session.seek)
+        self._preset.changed.connect(self._list_variables)
+        view.selected.connect(self._show_state)
+        second = self._session.second
+        for signal in (self._session.whole.changed, second.whole.changed, second.changed, view.moved):
+            signal.connect(self._show_difference)
+        self._session.sought.connect(lambda: view.follow(self._session.position))
+        self._session.sought.connect(self.view.update)
+        self.view.set_colours(colours_of(self.colours.currentText()))
+
+    def _show_difference(self) -> None:
+        seen = self._session.view.seen
+        frames = FrameRange(int(seen.start / FRAME_PERIOD), int(seen.end / FRAME_PERIOD) + 1)
+        share = self._session.second.share_of_difference(frames)
+        self.differs.setVisible(share is not None)
+        if share is not None:
+            first, second = self._session.second.names
+            self.differs.setText(f"{100 * share:.1f} % differ")
+            self.differs.setToolTip(f"{first} and {second} differ in {100 * share:.1f} % of what is seen")
+
+    def _show_selection(self) -> None:
+        if self._session.view.selection is not None:
+            self._session.view.show(self._session.view.selection)
+
+    def _list_variables(self) -> None:
+        chosen = self.variable.currentText() or self.view.variable
+        names = [*BUILT_IN_NAMES, *(v.name for v in self._preset.preset.variables)]
+        if names != [self.variable.itemText(k) for k in range(self.variable.count())]:
+            self.variable.clear()
+            self.variable.addItems(names)
+            self.variable.setCurrentText(chosen if chosen in names else "energy")
+
+    def _show_state(self) -> None:
+        self.follow.setChecked(self._session.view.follows)
+        self.selection.setEnabled(self._session.view.selection is not None)

@@ -1,0 +1,550 @@
+"""The file in hand on its own time: sonagram, phonemes, waveform, and the course of a variable."""
+
+import math
+from bisect import bisect_right
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QBrush, QColor, QImage, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPen, QWheelEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from phonemeanalyser.desktop.analyse.sonagram import LETTER, NARROWEST_LETTER
+from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, format_clock, set_size
+from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sonagram_tiles import Tile
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeengine.arrays import Float32Array, UInt32Array
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
+from phonemeengine.whole_sound import FrameState, SoundTracks
+
+LEFT, RIGHT, TIME_HEIGHT, GAP = 52, 8, 18, 3
+LANE_HEIGHT, LABEL_HEIGHT = 22, 19
+LANE = 1
+"""Number of the row of what is recognised."""
+WAVE_SHARE, COURSE_SHARE = 0.16, 0.22
+"""Of the height that the lane and the axis leave."""
+SPACINGS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1200, 3600)
+"""Between two marks of time, seconds."""
+LEAST_SPACING = 70
+"""Pixels between two marks of time."""
+FREQUENCY_MARKS = (100, 200, 500, 1000, 2000, 3000, 4000, 5000, 6000, 7000, 8000)
+LEVELS, PITCHES = (-80.0, 0.0), (0.0, 500.0)
+"""Decibels and Hz of the sonagram's lower and upper edge, for the lines over it."""
+FORMANT_COLOUR, PITCH_COLOUR, LEVEL_COLOUR = "#ff5050", "#50b4ff", "#ffe060"
+"""As in Praat: red dots, a blue and a yellow line."""
+WHEEL_STEP = 0.8
+"""How much less is seen after a notch of the wheel."""
+GRAB = 3
+"""Pixels by which a press may move and still be a click."""
+
+
+class FileView(QWidget):
+    """Paints what is seen of the file; the wheel zooms at the pointer, a drag scrolls, a click goes there.
+
+    With Shift a drag selects. In the lanes of labels a click chooses a label, a double click renames it, and a drag
+    at a boundary moves that.
+
+    Signals
+    -------
+    sought : seconds from the file's beginning.
+    rename_asked : the user wants to rename a `ChosenLabel`.
+
+    Attributes
+    ----------
+    variable : name of the variable whose course is drawn.
+    shows : which of ``formants``, ``pitch`` and ``level`` are drawn over the sonagram.
+    """
+
+    sought = Signal(float)
+    rename_asked = Signal(object)
+
+    def __init__(self, session: Session, theme: Theme) -> None:
+        super().__init__()
+        self._session = session
+        self._labels = session.labels
+        self._view = session.view
+        self._theme = theme
+        self.variable = "energy"
+        self.shows: set[str] = set()
+        self._mouse: QPointF | None = None
+        self._colours: UInt32Array = np.zeros(256, np.uint32)
+        self._images: dict[int, tuple[Tile, tuple[float, float], QImage]] = {}
+        self._pressed: QPointF | None = None
+        self._dragged_from = TimeSpan(0.0, 0.0)
+        self._selects = False
+        self._boundary: tuple[ChosenLabel, bool] | None = None
+        self._pixels = [QColor(PHONEME_COLOURS[p]) for p in Phoneme]
+        self._names = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
+        self.setMinimumSize(260, 200)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName("the file over time")
+        self.setToolTip(
+            "Wheel: zoom at the pointer. Drag: scroll. Click: go there. Shift+drag: select. Home, End: the ends."
+        )
+        self.setMouseTracking(True)
+        models = (
+            session.whole, session.second.whole, session.second, session.sonagram, session.formants, session.labels
+        )  # fmt: skip
+        for signal in (*(model.changed for model in models), self._view.moved, self._view.selected):
+            signal.connect(self.update)
+
+    def set_colours(self, colours: UInt32Array) -> None:
+        """Choose the colours of the levels, 256 RGB values."""
+        self._colours = colours
+        self._images = {}
+        self.update()
+
+    def show_variable(self, name: str) -> None:
+        """Draw the course of another variable."""
+        self.variable = name
+        self.update()
+
+    def show_over(self, name: str, *, on: bool) -> None:
+        """Draw formants, pitch or level over the sonagram, or not."""
+        self.shows = self.shows | {name} if on else self.shows - {name}
+        self.update()
+
+    # -- where things lie ---------------------------------------------------------------------------------
+
+    @property
+    def _width(self) -> int:
+        return max(1, self.width() - LEFT - RIGHT)
+
+    def _rows(self) -> tuple[QRectF, QRectF, QRectF, QRectF]:
+        """Return where sonagram, lane, waveform and course lie, from above."""
+        lanes = len(self._labels.state.shown) * (LABEL_HEIGHT + 1)
+        lanes += 0 if self._session.second.preset is None else LANE_HEIGHT + 1
+        room = max(0, self.height() - LANE_HEIGHT - lanes - TIME_HEIGHT - 3 * GAP)
+        wave, course = WAVE_SHARE * room, COURSE_SHARE * room
+        heights = (room - wave - course, LANE_HEIGHT, wave, course)
+        rows, top = [], 0.0
+        for k, height in enumerate(heights):
+            rows.append(QRectF(LEFT, top, self._width, height))
+            top += height + GAP + (lanes if k == LANE else 0)
+        return rows[0], rows[1], rows[2], rows[3]
+
+    def _second_row(self) -> QRectF | None:
+        """Return where the lane of the second preset lies; None without one."""
+        if self._session.second.preset is None:
+            return None
+        first = self._rows()[LANE]
+        return first.translated(0, first.height() + 1)
+
+    def _label_rows(self) -> dict[int, QRectF]:
+        """Return where the tiers that are shown lie, under the lane of what is recognised."""
+        second = self._second_row()
+        top = (self._rows()[LANE] if second is None else second).bottom() + 1
+        step = LABEL_HEIGHT + 1
+        return {
+            tier: QRectF(LEFT, top + k * step, self._width, LABEL_HEIGHT)
+            for k, tier in enumerate(self._labels.state.shown)
+        }
+
+    def _x_of(self, seconds: float) -> float:
+        seen = self._view.seen
+        return LEFT + (seconds - seen.start) / max(seen.seconds, 1e-9) * self._width
+
+    def _time_at(self, x: float) -> float:
+        return self._view.seen.start + (x - LEFT) / self._width * self._view.seen.seconds
+
+    # -- what is painted ----------------------------------------------------------------------------------
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint all rows, what is selected, and the place that is heard."""
+        painter = QPainter(self)
+        rows = self._rows()
+        for row in rows:
+            painter.fillRect(row, QColor(self._theme.base))
+        if self._view.duration <= 0:
+            draw_text(painter, QRectF(self.rect()), "no file", self._theme.faint, 13, CENTRED)
+            return
+        self._paint_sonagram(painter, rows[0])
+        tracks = self._session.whole.tracks
+        if tracks is not None:
+            self._paint_lane(painter, rows[LANE], tracks)
+            self._paint_errors(painter, rows[LANE], tracks)
+            self._paint_second(painter, rows[LANE])
+            self._paint_wave(painter, rows[2], tracks)
+            self._paint_course(painter, rows[3], tracks)
+            self._paint_over(painter, rows[0], tracks)
+        for tier, row in self._label_rows().items():
+            self._paint_labels(painter, row, tier)
+        self._paint_times(painter, rows[3].bottom())
+        self._paint_selection(painter, rows[3].bottom())
+        x = self._x_of(self._session.position)
+        if LEFT <= x <= LEFT + self._width:
+            painter.fillRect(QRectF(x - 0.5, 0, 1.5, rows[3].bottom()), QColor(self._theme.accent))
+        self._paint_reading(painter, rows[0])
+
+    def _paint_sonagram(self, painter: QPainter, row: QRectF) -> None:
+        painter.save()
+        painter.setClipRect(row)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        drawn = self._session.sonagram.tiles_for(self._view.seen, self._width)
+        self._images = {id(t.levels): known for t in drawn if (known := self._images.get(id(t.levels)))}
+        for tile in drawn:
+            image = self._image_of(tile)
+            left, right = self._x_of(tile.span.start), self._x_of(tile.span.end)
+            painter.drawImage(QRectF(left, row.top(), right - left, row.height()), image)
+        painter.restore()
+        frequencies = self._session.sonagram.settings.frequencies
+        for mark in FREQUENCY_MARKS:
+            share = float(np.interp(mark, frequencies, np.linspace(0, 1, len(frequencies)), -1, -1))
+            y = row.bottom() - share * row.height()
+            if share >= 0 and row.top() + 6 < y and (mark in {500, 1000, 2000} or mark % 2000 == 0):
+                painter.fillRect(QRectF(LEFT - 4, y, 4, 1), QColor(self._theme.faint))
+                place = QRectF(0, y - 7, LEFT - 7, 14)
+                draw_text(painter, place, f"{mark} Hz", self._theme.faint, 10, AT_RIGHT)
+
+    def _image_of(self, tile: Tile) -> QImage:
+        low, high = self._session.sonagram.level_range
+        known = self._images.get(id(tile.levels))
+        if known is not None and known[1] == (low, high):
+            return known[2]
+        scaled = (tile.levels.astype(np.float32) - low) * (255 / max(high - low, 1e-6))
+        pixels = np.ascontiguousarray(self._colours[np.clip(scaled, 0, 255).astype(np.uint8)].T[::-1])
+        n_rows, n = pixels.shape
+        image = QImage(pixels.data, n, n_rows, 4 * n, QImage.Format.Format_RGB32).copy()
+        self._images[id(tile.levels)] = tile, (low, high), image
+        return image
+
+    def _paint_lane(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
+        first, last = self._frames_seen(tracks)
+        step = max(1, (last - first) // (2 * self._width))  # two frames a pixel are enough to be seen
+        at = np.arange(first, last, step)
+        codes, states = tracks.phonemes[at], tracks.states[at]
+        changes = np.flatnonzero((codes[1:] != codes[:-1]) | (states[1:] != states[:-1])) + 1
+        set_size(painter, 11)
+        for begin, end in zip([0, *changes.tolist()], [*changes.tolist(), len(at)], strict=True):
+            if begin == end or states[begin] == FrameState.UNKNOWN:
+                continue
+            left = self._x_of(max(float(at[begin]) * FRAME_PERIOD, self._view.seen.start))
+            right = self._x_of(min(float(first + end * step) * FRAME_PERIOD, self._view.seen.end))
+            place, code = QRectF(left, row.top(), right - left, row.height()), int(codes[begin])
+            colour = QColor(self._pixels[code])
+            colour.setAlpha(255 if states[begin] == FrameState.KNOWN else 110)
+            painter.fillRect(place, colour)
+            if place.width() >= max(NARROWEST_LETTER, LETTER * len(self._names[code])):
+                draw_text(painter, place, self._names[code], "#ffffff", 11, CENTRED)
+
+    def _paint_second(self, painter: QPainter, first: QRectF) -> None:
+        """Paint what the second preset hears, and the names of both."""
+        row, tracks = self._second_row(), self._session.second.whole.tracks
+        if row is None:
+            return
+        painter.fillRect(row, QColor(self._theme.base))
+        if tracks is not None:
+            self._paint_lane(painter, row, tracks)
+        set_size(painter, 10)
+        for place, name in zip((first, row), self._session.second.names, strict=True):
+            words = painter.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, LEFT - 8)
+            left = QRectF(0, place.top(), LEFT - 7, place.height())
+            draw_text(painter, left, words, self._theme.faint, 10, AT_RIGHT)
+
+    def _paint_errors(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
+        """Hatch where something else was recognised than the labels say."""
+        seen = self._view.seen
+        brush = QBrush(QColor(0, 0, 0, 170), Qt.BrushStyle.BDiagPattern)
+        for error in self._labels.errors(tracks):
+            if error.start < seen.end and seen.start < error.end:
+                left, right = (self._x_of(min(max(t, seen.start), seen.end)) for t in (error.start, error.end))
+                painter.fillRect(QRectF(left, row.top(), right - left, row.height()), brush)
+
+    def _paint_labels(self, painter: QPainter, row: QRectF, tier: int) -> None:
+        """Paint a tier: a box for each label, with as much of its name as fits."""
+        seen, state = self._view.seen, self._labels.state
+        shown = state.tiers[tier]
+        says = tier == state.said
+        painter.fillRect(row, QColor(self._theme.base))
+        draw_text(painter, QRectF(0, row.top(), LEFT - 7, row.height()), shown.name, self._theme.faint, 10, AT_RIGHT)
+        set_size(painter, 11)
+        labels = shown.raw_labels
+        first = bisect_right(labels, seen.start, key=lambda raw: raw.end)
+        drawn = LEFT - 1.0
+        for k in range(first, len(labels)):
+            raw = labels[k]
+            if raw.start > seen.end:
+                break
+            left, right = (self._x_of(min(max(t, seen.start), seen.end)) for t in (raw.start, raw.end))
+            if right < drawn + 0.5 and not shown.points:
+                continue  # lies within a pixel that is painted already
+            drawn = right
+            box = QRectF(left, row.top(), max(1.0, right - left), row.height())
+            chosen = self._labels.chosen == (tier, k)
+            painter.fillRect(box, QColor(self._theme.faint if says else self._theme.line))
+            painter.fillRect(box.adjusted(1, 1, 0, -1), QColor(self._theme.accent if chosen else self._theme.field))
+            if box.width() >= NARROWEST_LETTER or shown.points:
+                words = painter.fontMetrics().elidedText(raw.name, Qt.TextElideMode.ElideRight, int(box.width()))
+                draw_text(painter, box, words, "#ffffff" if chosen else self._theme.text, 11, CENTRED)
+
+    def _paint_wave(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
+        seen = self._view.seen
+        peaks = tracks.peaks.between(seen.start * SAMPLE_RATE, seen.end * SAMPLE_RATE, self._width)
+        loudest = max(0.05, float(np.nanmax([np.abs(peaks.low), np.abs(peaks.high), np.zeros(self._width)])))
+        middle, scale = row.center().y(), (row.height() / 2 - 1) / loudest
+        path = QPainterPath()
+        for k, (low, high) in enumerate(zip(peaks.low.tolist(), peaks.high.tolist(), strict=True)):
+            if not math.isnan(low):
+                path.moveTo(LEFT + k + 0.5, middle - high * scale)
+                path.lineTo(LEFT + k + 0.5, middle - low * scale + 0.5)
+        painter.setPen(QPen(QColor(self._theme.signal), 1))
+        painter.drawPath(path)
+
+    def _paint_course(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
+        first, last = self._frames_seen(tracks)
+        if self.variable not in tracks.names or last - first < 2:
+            return
+        values = tracks.values[first:last, tracks.names.index(self.variable)]
+        values = np.where(tracks.states[first:last] == FrameState.UNKNOWN, np.nan, values)
+        if not np.isfinite(values).any():
+            return
+        low, high = min(0.0, float(np.nanmin(values))), float(np.nanmax(values))
+        step = max(1, len(values) // (2 * self._width))
+        path, down = QPainterPath(), False
+        for k in range(0, len(values), step):
+            value = float(values[k])
+            if math.isnan(value):
+                down = False
+                continue
+            x = self._x_of((first + k + 0.5) * FRAME_PERIOD)
+            y = row.bottom() - 2 - (value - low) / max(high - low, 1e-12) * (row.height() - 4)
+            (path.lineTo if down else path.moveTo)(x, y)
+            down = True
+        painter.save()
+        painter.setClipRect(row)
+        painter.setPen(QPen(QColor(self._theme.signal), 1.2))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.drawPath(path)
+        painter.restore()
+        for value, y in ((high, row.top()), (low, row.bottom() - 14)):
+            draw_text(painter, QRectF(0, y, LEFT - 7, 14), f"{value:.3g}", self._theme.faint, 10, AT_RIGHT)
+
+    def _paint_over(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
+        """Paint formants as dots, and pitch and level as lines on scales of their own."""
+        painter.save()
+        painter.setClipRect(row)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        first, last = self._frames_seen(tracks)
+        if "level" in self.shows and "volume" in tracks.names:
+            levels = 20 * np.log10(np.maximum(tracks.values[first:last, tracks.names.index("volume")], 1e-6))
+            self._paint_line(painter, row, first, levels, LEVELS, LEVEL_COLOUR)
+        if "pitch" in self.shows and "f0" in tracks.names:
+            pitch = tracks.values[first:last, tracks.names.index("f0")]
+            self._paint_line(painter, row, first, np.where(pitch > 0, pitch, np.nan), PITCHES, PITCH_COLOUR)
+        known = self._session.formants.formants_in(self._view.seen) if "formants" in self.shows else None
+        if known is not None:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(FORMANT_COLOUR))
+            begin, end = max(0, first - known.first), min(len(known.frequencies), last - known.first)
+            for k in range(begin, end):
+                x = self._x_of((known.first + k + 0.5) * FRAME_PERIOD)
+                for frequency in known.frequencies[k].tolist():
+                    if not math.isnan(frequency):
+                        painter.drawEllipse(QPointF(x, self._y_of(frequency, row)), 1.6, 1.6)
+        painter.restore()
+
+    def _paint_line(
+        self, painter: QPainter, row: QRectF, first: int, values: Float32Array, scale: tuple[float, float],
+        colour: str,
+    ) -> None:  # fmt: skip
+        low, high = scale
+        path, down = QPainterPath(), False
+        for k in range(0, len(values), max(1, len(values) // (2 * self._width))):
+            value = float(values[k])
+            if math.isnan(value):
+                down = False
+                continue
+            y = row.bottom() - (value - low) / (high - low) * row.height()
+            (path.lineTo if down else path.moveTo)(self._x_of((first + k + 0.5) * FRAME_PERIOD), y)
+            down = True
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for pen in (QPen(QColor(0, 0, 0, 150), 3), QPen(QColor(colour), 1.6)):  # seen on every colour
+            painter.setPen(pen)
+            painter.drawPath(path)
+
+    def _y_of(self, frequency: float, row: QRectF) -> float:
+        frequencies = self._session.sonagram.settings.frequencies
+        share = float(np.interp(frequency, frequencies, np.linspace(0, 1, len(frequencies)), -1, 2))
+        return row.bottom() - share * row.height()
+
+    def _paint_reading(self, painter: QPainter, row: QRectF) -> None:
+        """Tell what lies under the mouse."""
+        words = self.reading()
+        if not words:
+            return
+        set_size(painter, 11)
+        width = painter.fontMetrics().horizontalAdvance(words) + 14
+        box = QRectF(row.right() - width - 4, row.top() + 4, width, 18)
+        background = QColor(self._theme.base)
+        background.setAlpha(215)
+        painter.fillRect(box, background)
+        draw_text(painter, box, words, self._theme.text, 11, CENTRED)
+
+    def reading(self) -> str:
+        """Return what lies under the mouse, in words; empty where that is nothing."""
+        row, tracks = self._rows()[0], self._session.whole.tracks
+        if self._mouse is None or tracks is None or not LEFT <= self._mouse.x() <= LEFT + self._width:
+            return ""
+        time = self._time_at(self._mouse.x())
+        frame = int(time / FRAME_PERIOD)
+        if not 0 <= frame < tracks.n_frames or tracks.states[frame] == FrameState.UNKNOWN:
+            return ""
+        values = dict(zip(tracks.names, tracks.values[frame].tolist(), strict=True))
+        parts = [f"{time:.3f} s", Phoneme(int(tracks.phonemes[frame])).label]
+        if row.contains(self._mouse):
+            frequencies = self._session.sonagram.settings.frequencies
+            share = (row.bottom() - self._mouse.y()) / row.height()
+            parts.append(f"{np.interp(share, np.linspace(0, 1, len(frequencies)), frequencies):.0f} Hz")
+        if "pitch" in self.shows:
+            parts.append(f"f0 {values['f0']:.0f} Hz" if values.get("f0") else "no f0")
+        if "level" in self.shows:
+            parts.append(f"{20 * math.log10(max(values.get('volume', 0.0), 1e-6)):.0f} dB")
+        known = self._session.formants.formants_in(self._view.seen) if "formants" in self.shows else None
+        if known is not None and 0 <= frame - known.first < len(known.frequencies):
+            found = known.frequencies[frame - known.first, :3].tolist()
+            parts += [f"F{k} {value:.0f}" for k, value in enumerate(found, 1) if not math.isnan(value)]
+        if self.variable in values:
+            parts.append(f"{self.variable} {values[self.variable]:.4g}")
+        return "   ".join(parts)
+
+    def _paint_times(self, painter: QPainter, top: float) -> None:
+        seen = self._view.seen
+        per_pixel = seen.seconds / self._width
+        spacing = next((s for s in SPACINGS if s / per_pixel >= LEAST_SPACING), SPACINGS[-1])
+        for k in range(int(seen.start / spacing), int(seen.end / spacing) + 1):
+            x = self._x_of(k * spacing)
+            if LEFT <= x <= LEFT + self._width:
+                painter.fillRect(QRectF(x, top, 1, 4), QColor(self._theme.faint))
+                place = QRectF(min(x - 40, self.width() - 62), top + 3, 80, TIME_HEIGHT - 3)  # the last one is whole
+                draw_text(painter, place, _clock(k * spacing, spacing), self._theme.faint, 10, CENTRED)
+
+    def _paint_selection(self, painter: QPainter, bottom: float) -> None:
+        selection = self._view.selection
+        if selection is None:
+            return
+        left, right = (min(max(self._x_of(t), LEFT), LEFT + self._width) for t in selection)
+        colour = QColor(self._theme.accent)
+        colour.setAlpha(60)
+        painter.fillRect(QRectF(left, 0, right - left, bottom), colour)
+
+    def _frames_seen(self, tracks: SoundTracks) -> tuple[int, int]:
+        seen = self._view.seen
+        return max(0, int(seen.start / FRAME_PERIOD)), min(tracks.n_frames, int(seen.end / FRAME_PERIOD) + 1)
+
+    # -- the user's hand ----------------------------------------------------------------------------------
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom at the pointer; with Shift, or a sideways wheel, scroll."""
+        turned = event.angleDelta()
+        if turned.x() or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self._view.scroll(-(turned.x() or turned.y()) / 1200 * self._view.seen.seconds)
+        else:
+            self._view.zoom(self._time_at(event.position().x()), WHEEL_STEP ** (turned.y() / 120))
+        event.accept()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin to scroll, or with Shift to select."""
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._pressed, self._dragged_from = event.position(), self._view.seen
+            self._selects = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            self._boundary = None if self._selects else self._boundary_at(event.position())
+            if self._boundary is not None:
+                self._labels.begin_move()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Rename the label that lies there."""
+        label = self._label_at(event.position())
+        if label is not None:
+            self._labels.choose(label)
+            self.rename_asked.emit(label)
+
+    def _label_at(self, place: QPointF) -> ChosenLabel | None:
+        for tier, row in self._label_rows().items():
+            if row.contains(place):
+                return self._labels.label_at(tier, self._time_at(place.x()))
+        return None
+
+    def _boundary_at(self, place: QPointF) -> tuple[ChosenLabel, bool] | None:
+        """Return the label whose boundary lies there, and whether it is its end."""
+        for tier, row in self._label_rows().items():
+            if row.contains(place):
+                labels = self._labels.tiers[tier].raw_labels
+                ends = [
+                    (abs(self._x_of(time) - place.x()), ChosenLabel(tier, k), end)
+                    for k, raw in enumerate(labels)
+                    if self._view.seen.start <= raw.end and raw.start <= self._view.seen.end
+                    for end, time in ((True, raw.end), (False, raw.start))
+                ]
+                nearest = min(ends, key=lambda found: found[0], default=None)
+                if nearest is not None and nearest[0] <= GRAB + 1:
+                    return nearest[1], nearest[2]
+        return None
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Scroll, or select; with no button, tell what lies there."""
+        self._mouse = event.position()
+        if self._pressed is None:
+            at_boundary = self._boundary_at(event.position()) is not None
+            self.setCursor(Qt.CursorShape.SplitHCursor if at_boundary else Qt.CursorShape.ArrowCursor)
+            self.update()
+            return
+        if self._boundary is not None:
+            label, end = self._boundary
+            self._labels.move(label, self._time_at(event.position().x()), end=end)
+            return
+        moved = event.position().x() - self._pressed.x()
+        if self._selects:
+            self._view.select(TimeSpan(self._time_at(self._pressed.x()), self._time_at(event.position().x())))
+        elif abs(moved) > GRAB:
+            start = self._dragged_from.start - moved / self._width * self._dragged_from.seconds
+            self._view.show(TimeSpan(start, start + self._dragged_from.seconds))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Go to a place that was clicked."""
+        if self._pressed is None:
+            return
+        clicked = abs(event.position().x() - self._pressed.x()) <= GRAB and not self._selects
+        self._pressed = self._boundary = None
+        if not clicked:
+            return
+        label = self._label_at(event.position())
+        self._labels.choose(label)
+        if label is None:
+            self._view.select(None)
+            self.sought.emit(min(max(self._time_at(event.position().x()), 0.0), self._view.duration))
+        else:
+            raw = self._labels.tiers[label.tier].raw_labels[label.label]
+            self._view.select(TimeSpan(raw.start, raw.end))
+
+    def leaveEvent(self, event: Any) -> None:
+        """Tell nothing when the mouse leaves."""
+        self._mouse = None
+        self.update()
+        super().leaveEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Scroll by half of what is seen, and zoom."""
+        half, seen = self._view.seen.seconds / 2, self._view.seen
+        acts = {
+            Qt.Key.Key_Left: lambda: self._view.scroll(-half),
+            Qt.Key.Key_Right: lambda: self._view.scroll(half),
+            Qt.Key.Key_Up: lambda: self._view.zoom((seen.start + seen.end) / 2, WHEEL_STEP),
+            Qt.Key.Key_Down: lambda: self._view.zoom((seen.start + seen.end) / 2, 1 / WHEEL_STEP),
+        }
+        act = acts.get(Qt.Key(event.key()))
+        if act is None:
+            super().keyPressEvent(event)
+        else:
+            act()
+
+
+def _clock(seconds: float, spacing: float) -> str:
+    """Write a time as finely as marks so far apart need it."""
+    if spacing < 0.1:
+        return f"{format_clock(seconds - seconds % 60, False)[:-2]}{seconds % 60:05.2f}"
+    return format_clock(seconds, spacing < 1)

@@ -1,0 +1,198 @@
+"""What the user is asked about the labels of a file: names, tiers, files, and what becomes of changes."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QSettings, Qt
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QInputDialog,
+    QLabel,
+    QListWidget,
+    QListWidgetItem,
+    QMessageBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from phonemeanalyser.desktop.session.label_tiers import LabelTiers
+from phonemeanalyser.desktop.session.selection import NOTHING_SELECTED
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeengine.files import free_path
+from phonemeengine.labels.files import LABEL_SUFFIXES
+
+LABEL_FILTER = "Labels (*.TextGrid *.txt *.csv)"
+NONE = "none"
+AROUND = 0.5
+"""Seconds that are seen at least on either side of an error."""
+
+
+class LabelDialogs(QObject):
+    """Asks, and passes the answers to the labels of the session."""
+
+    def __init__(self, window: QWidget, session: Session, settings: QSettings) -> None:
+        super().__init__(window)
+        self._window = window
+        self._session = session
+        self._labels = session.labels
+        self._settings = settings
+
+    # -- errors -------------------------------------------------------------------------------------------
+
+    def next_error(self, *, back: bool = False) -> None:
+        """Select the next stretch, or the one before, in which something else was recognised than the labels say."""
+        session, tracks = self._session, self._session.whole.tracks
+        if tracks is None or self._labels.said_frames() is None:
+            session.error.emit("No labels say what is said; load some by Labels > Load Labels.")
+            return
+        selected = session.view.selection
+        found = self._labels.next_error(tracks, session.position if selected is None else selected.start, back=back)
+        if found is None:
+            session.labels.info.emit(f"There is no error {'before' if back else 'after'} this place.")
+            return
+        session.seek(found.start)
+        session.view.select(TimeSpan(found.start, found.end))
+        seen = session.view.seen
+        if not (seen.start <= found.start and found.end <= seen.end):
+            half = max(seen.seconds / 2, found.end - found.start + AROUND)
+            middle = (found.start + found.end) / 2
+            session.view.show(TimeSpan(middle - half, middle + half))
+        said, recognised = found.said.label, found.recognised.label
+        session.labels.info.emit(
+            f"{found.start:.2f} to {found.end:.2f} s: {said} is said, {recognised} was recognised"
+        )
+
+    # -- labels -------------------------------------------------------------------------------------------
+
+    def ask_rename(self) -> None:
+        """Let the user rename the chosen label."""
+        chosen = self._labels.chosen
+        if chosen is None:
+            self._session.error.emit("No label is chosen; click one under the sonagram first.")
+            return
+        name = self._labels.tiers[chosen.tier].raw_labels[chosen.label].name
+        name, wanted = QInputDialog.getText(self._window, "Rename the label", "What is said there:", text=name)
+        if wanted:
+            self._labels.rename(chosen, name)
+
+    def ask_insert(self) -> None:
+        """Let the user label what is selected."""
+        span = self._session.view.selection
+        if span is None:
+            self._session.error.emit(NOTHING_SELECTED)
+            return
+        question = f"What is said from {span.start:.3f} to {span.end:.3f} s:"
+        name, wanted = QInputDialog.getText(self._window, "New label", question)
+        if wanted:
+            self._labels.insert(self._labels.state.said, *span, name)
+
+    def delete(self) -> None:
+        """Delete the chosen label."""
+        if self._labels.chosen is None:
+            self._session.error.emit("No label is chosen; click one under the sonagram first.")
+        else:
+            self._labels.delete(self._labels.chosen)
+
+    def ask_tiers(self) -> None:
+        """Let the user choose which tiers are shown, and which one says what is said."""
+        if not self._labels.tiers:
+            self._session.error.emit("There are no labels yet; load some by Labels > Load Labels.")
+            return
+        dialog = TiersDialog(self._labels, self._window)
+        if dialog.exec():
+            self._labels.show(dialog.shown(), dialog.said())
+        dialog.deleteLater()
+
+    # -- files --------------------------------------------------------------------------------------------
+
+    def ask_load(self) -> None:
+        """Let the user choose a label file for the sound in hand."""
+        path = self._session.path
+        if path is None:
+            self._session.error.emit("There is no sound file in hand; open the one that the labels belong to.")
+            return
+        folder = str(self._settings.value("folder/labels", str(path.parent)))
+        name, _ = QFileDialog.getOpenFileName(self._window, "Load labels", folder, LABEL_FILTER)
+        if name and self.may_leave():
+            self._settings.setValue("folder/labels", str(Path(name).parent))
+            self._labels.load(Path(name))
+
+    def save(self) -> bool:
+        """Save the labels to their file, or to one that the user chooses."""
+        path = self._labels.path
+        return self.ask_save_as() if path is None else self._labels.save(path)
+
+    def ask_save_as(self) -> bool:
+        """Let the user choose a file to save the labels to; says whether they were saved."""
+        sound = self._session.path
+        if sound is None or not self._labels.tiers:
+            self._session.error.emit("There are no labels yet; select a stretch and insert one by Ctrl+I.")
+            return False
+        suggested = self._labels.path or sound.with_suffix(".TextGrid")
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save the labels", str(suggested), LABEL_FILTER)
+        if not name:
+            return False
+        path = Path(name)
+        if path.suffix.lower() not in LABEL_SUFFIXES:
+            path = free_path(path.with_name(f"{path.name}.TextGrid"))
+        self._settings.setValue("folder/labels", str(path.parent))
+        return self._labels.save(path)
+
+    def may_leave(self) -> bool:
+        """Ask what is to become of labels that were changed and not saved; says whether to go on."""
+        sound = self._session.path
+        if not self._labels.has_unsaved_changes or sound is None:
+            return True
+        buttons = QMessageBox.StandardButton
+        answer = QMessageBox.question(
+            self._window, "Unsaved labels", f"Save the labels of {sound.name}, which you changed?",
+            buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
+        )  # fmt: skip
+        return self.save() if answer == buttons.Save else answer == buttons.Discard
+
+
+class TiersDialog(QDialog):
+    """Asks which tiers are shown, and which one says what is said.
+
+    Attributes
+    ----------
+    list : the tiers, each with a check mark.
+    says : the choice of the one that is compared with what is recognised.
+    """
+
+    def __init__(self, labels: LabelTiers, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Tiers")
+        self.list, self.says = QListWidget(), QComboBox()
+        self.list.setAccessibleName("tiers that are shown")
+        self.says.setAccessibleName("tier that is compared with what is recognised")
+        self.says.addItem(NONE)
+        for k, tier in enumerate(labels.tiers):
+            n = len(tier.raw_labels)
+            item = QListWidgetItem(f"{tier.name} ({n} {'points' if tier.points else 'labels'})")
+            item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
+            item.setCheckState(Qt.CheckState.Checked if k in labels.state.shown else Qt.CheckState.Unchecked)
+            self.list.addItem(item)
+            self.says.addItem(tier.name)
+        self.says.setCurrentIndex(0 if labels.state.said is None else labels.state.said + 1)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        for widget in (
+            QLabel("Shown under the sonagram:"), self.list, QLabel("Compared with what is recognised:"), self.says,
+            buttons,
+        ):  # fmt: skip
+            layout.addWidget(widget)
+
+    def shown(self) -> list[int]:
+        """Return the numbers of the tiers that are to be shown."""
+        return [k for k in range(self.list.count()) if self.list.item(k).checkState() is Qt.CheckState.Checked]
+
+    def said(self) -> int | None:
+        """Return the number of the tier that says what is said."""
+        k = self.says.currentIndex() - 1
+        return None if k < 0 else k

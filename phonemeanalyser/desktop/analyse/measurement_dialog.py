@@ -1,0 +1,69 @@
+"""What was measured of a stretch of a sound, as a table that copies."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QDialogButtonBox,
+    QHeaderView,
+    QLabel,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from phonemeengine.measurement import MEASUREMENT_COLUMNS, StretchMeasurement, format_measurement
+
+SIZE = 460, 520
+"""Of the dialog at first, pixels."""
+
+
+class MeasurementDialog(QDialog):
+    """Shows a measurement; Ctrl+C, or a button, copies it for a spreadsheet.
+
+    Attributes
+    ----------
+    table : a row for each measure.
+    copy : the button.
+    """
+
+    def __init__(self, measurement: StretchMeasurement, sound: str, preset: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._text = format_measurement(measurement).replace(",", "\t")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(f"{measurement.start:.3f} to {measurement.end:.3f} s of {sound}")
+        self.resize(*SIZE)
+        rows = measurement.rows()
+        self.table = QTableWidget(len(rows), len(MEASUREMENT_COLUMNS))
+        self.table.setHorizontalHeaderLabels(list(MEASUREMENT_COLUMNS))
+        self.table.verticalHeader().hide()
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        self.table.setAccessibleName("what was measured")
+        for k, row in enumerate(rows):
+            for column, words in enumerate(row):
+                item = QTableWidgetItem(words)
+                if column > 1:
+                    item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                self.table.setItem(k, column, item)
+        told = QLabel(
+            f"Heard with the preset {preset}. Pitch and formants are of the frames with a pitch; levels are the root "
+            "mean square (mean) and the largest sample (max), dB of full scale; phonemes are shares of the frames."
+        )
+        told.setWordWrap(True)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        self.copy = buttons.addButton("Copy", QDialogButtonBox.ButtonRole.ActionRole)
+        self.copy.setToolTip("Copy the table, with tabs between the columns")
+        self.copy.clicked.connect(self.copy_table)
+        buttons.rejected.connect(self.reject)
+        QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self, self.copy_table)
+        layout = QVBoxLayout(self)
+        for widget in (self.table, told, buttons):
+            layout.addWidget(widget)
+
+    def copy_table(self) -> None:
+        """Put the table on the clipboard."""
+        QGuiApplication.clipboard().setText(self._text)

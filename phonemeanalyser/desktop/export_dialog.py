@@ -1,0 +1,345 @@
+"""Files from sounds: what they become, how and where; one or a whole folder of them, with a look before."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QFontDatabase
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDoubleSpinBox,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QPlainTextEdit,
+    QProgressBar,
+    QPushButton,
+    QSpinBox,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from phonemeanalyser.desktop.painting import format_clock
+from phonemeanalyser.desktop.session.export_queue import ExportOrder, ExportQueue, ExportState, sounds_in
+from phonemeengine.audio.files import SUFFIXES
+from phonemeengine.conversion import CONVERSIONS, check_options, targets_of
+from phonemeengine.errors import EngineError
+from phonemeengine.mouth.animation import HIGHEST_RATE
+from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION
+from phonemeengine.mouth.exports.exporter import ExportOptions
+from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.performer import IdleMotion
+from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import Channel
+
+SIZE = 900, 560
+"""Of the dialog at first, pixels."""
+USUAL = "as the format has it"
+BESIDE = "beside each sound"
+COLUMNS = ("Sound", "Length", "State", "Becomes")
+MOST_SECONDS = 2.0
+"""Of the shortest cue."""
+
+
+class ExportDialog(QDialog):
+    """Asks what sounds become, shows what the first one would become, and works through all of them.
+
+    Parameters
+    ----------
+    preset, channel : what is recognised with, and of what.
+    sounds : to begin with.
+
+    Attributes
+    ----------
+    queue : works through the files.
+    kind, table, rate, minimum, anticipation, detail, blinks, head, seed : choices.
+    overwrite : whether files that may be somebody else's are replaced.
+    files : the table of the sounds.
+    preview : the beginning of what the chosen sound would become.
+    add_files, add_folder, remove, folder, look, start, cancel, shut : buttons.
+    told : what is wrong, or what was done.
+    """
+
+    def __init__(
+        self, preset: Preset, channel: Channel, sounds: list[Path], settings: QSettings, parent: QWidget
+    ) -> None:  # fmt: skip
+        super().__init__(parent)
+        self._preset, self._channel, self._settings = preset, channel, settings
+        self._sounds: list[Path] = []
+        self._folder: Path | None = None
+        self.queue = ExportQueue()
+        self.setWindowTitle("Export")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setAcceptDrops(True)
+        self.resize(*SIZE)
+        self._make_choices()
+        self._make_files()
+        self._make_buttons()
+        self._lay_out()
+        self._connect()
+        self.add(sounds)
+        self._show_kind()
+
+    # -- what is chosen -----------------------------------------------------------------------------------
+
+    def add(self, paths: list[Path]) -> None:
+        """Add sounds, and those in folders."""
+        self._sounds = list(dict.fromkeys([*self._sounds, *sounds_in(paths, SUFFIXES)]))
+        self._show_files()
+
+    def order(self) -> ExportOrder:
+        """Return what the sounds are turned into."""
+        table = None if self.table.currentText() == USUAL else self.table.currentText()
+        detail = Detail(self.detail.currentText())
+        idle = IdleMotion(self.blinks.isChecked(), self.head.isChecked(), self.seed.value(), detail)
+        anticipation = self.anticipation.value()
+        ahead = None if anticipation < 0 else anticipation
+        options = ExportOptions(self.rate.value() or None, self.minimum.value(), ahead, table, idle=idle)
+        return ExportOrder(
+            self.kind.currentData(), self._preset, options, self._channel, overwrite=self.overwrite.isChecked()
+        )
+
+    # -- how it is made -----------------------------------------------------------------------------------
+
+    def _make_choices(self) -> None:
+        self.kind, self.table, self.detail = QComboBox(), QComboBox(), QComboBox()
+        for name, conversion in CONVERSIONS.items():
+            self.kind.addItem(f"{conversion.words} ({name})", name)
+        kept = self.kind.findData(str(self._settings.value("export/kind", "rhubarb-json")))
+        self.kind.setCurrentIndex(max(0, kept))
+        self.table.addItems([USUAL, *shipped_tables()])
+        self.detail.addItems([detail.value for detail in Detail])
+        self.rate, self.minimum, self.anticipation = QDoubleSpinBox(), QDoubleSpinBox(), QDoubleSpinBox()
+        self.rate.setRange(0, HIGHEST_RATE)
+        self.rate.setSpecialValueText(USUAL)
+        self.rate.setSuffix(" frames/s")
+        self.minimum.setRange(0, MOST_SECONDS)
+        self.minimum.setDecimals(3)
+        self.minimum.setSingleStep(0.01)
+        self.minimum.setValue(MINIMUM)
+        self.minimum.setSuffix(" s")
+        self.anticipation.setRange(-0.01, MOST_ANTICIPATION)
+        self.anticipation.setDecimals(2)
+        self.anticipation.setSingleStep(0.01)
+        self.anticipation.setValue(-0.01)
+        self.anticipation.setSpecialValueText(USUAL)
+        self.anticipation.setSuffix(" s")
+        self.seed = QSpinBox()
+        self.seed.setRange(0, 999_999)
+        self.blinks, self.head, self.overwrite = (
+            QCheckBox(words) for words in ("the eyes blink", "the head moves", "replace files of others, too")
+        )
+        self.blinks.setChecked(True)
+        self.head.setChecked(True)
+
+    def _make_files(self) -> None:
+        self.files = QTableWidget(0, len(COLUMNS))
+        self.files.setHorizontalHeaderLabels(list(COLUMNS))
+        self.files.verticalHeader().hide()
+        self.files.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.files.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.files.setAccessibleName("sounds that are exported")
+        header = self.files.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setStretchLastSection(True)
+        self.preview = QPlainTextEdit()
+        self.preview.setReadOnly(True)
+        self.preview.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        self.preview.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.preview.setPlaceholderText("Preview shows what the first, or the chosen, sound becomes.")
+        self.preview.setAccessibleName("what a sound becomes")
+
+    def _make_buttons(self) -> None:
+        self.add_files, self.add_folder, self.remove, self.folder = (
+            QPushButton(words) for words in ("Add Files…", "Add Folder…", "Remove", BESIDE)
+        )
+        self.look, self.start, self.cancel, self.shut = (
+            QPushButton(words) for words in ("Preview", "Export", "Cancel", "Close")
+        )
+        for button in (self.add_files, self.add_folder, self.remove, self.folder, self.look, self.cancel, self.shut):
+            button.setAutoDefault(False)
+        self.start.setDefault(True)
+        self.folder.setToolTip("Where the new files go")
+        self.told = QLabel()
+        self.told.setWordWrap(True)
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+
+    def _lay_out(self) -> None:
+        form = QFormLayout()
+        rows: tuple[tuple[str, QWidget], ...] = (
+            ("Becomes", self.kind), ("Mouth table", self.table), ("Rate", self.rate),
+            ("Shortest cue", self.minimum), ("Mouth ahead", self.anticipation), ("Follows", self.detail),
+            ("Seed", self.seed), ("", self.blinks), ("", self.head), ("Goes", self.folder), ("", self.overwrite),
+        )  # fmt: skip
+        for words, widget in rows:
+            form.addRow(words, widget)
+            widget.setAccessibleName(words or widget.property("text"))
+        self.kind.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.kind.setMinimumContentsLength(28)
+        left = QVBoxLayout()
+        left.addLayout(form)
+        left.addStretch(1)
+        heard = QLabel(f"Heard with the preset {self._preset.name}")
+        heard.setWordWrap(True)
+        left.addWidget(heard)
+        listing = QHBoxLayout()
+        for button in (self.add_files, self.add_folder, self.remove):
+            listing.addWidget(button)
+        listing.addStretch(1)
+        listing.addWidget(self.look)
+        right = QVBoxLayout()
+        right.addLayout(listing)
+        right.addWidget(self.files, 3)
+        right.addWidget(self.preview, 2)
+        sides = QHBoxLayout()
+        sides.addLayout(left)
+        sides.addLayout(right, 1)
+        ends = QHBoxLayout()
+        ends.addWidget(self.told, 1)
+        for button in (self.start, self.cancel, self.shut):
+            ends.addWidget(button)
+        layout = QVBoxLayout(self)
+        layout.addLayout(sides, 1)
+        layout.addWidget(self.bar)
+        layout.addLayout(ends)
+
+    def _connect(self) -> None:
+        self.kind.currentIndexChanged.connect(self._show_kind)
+        self.add_files.clicked.connect(self._ask_files)
+        self.add_folder.clicked.connect(self._ask_folder)
+        self.remove.clicked.connect(self._remove)
+        self.folder.clicked.connect(self._ask_target)
+        self.look.clicked.connect(self._preview)
+        self.start.clicked.connect(self._start)
+        self.cancel.clicked.connect(self.queue.cancel)
+        self.shut.clicked.connect(self.reject)
+        self.queue.changed.connect(self._show_progress)
+        self.queue.finished.connect(self._show_end)
+        self.queue.previewed.connect(self.preview.setPlainText)
+
+    # -- what is shown ------------------------------------------------------------------------------------
+
+    def _show_kind(self) -> None:
+        conversion = CONVERSIONS[self.kind.currentData()]
+        numbers = (self.rate, self.minimum, self.anticipation, self.seed)
+        for widget in (self.table, self.detail, *numbers, self.blinks, self.head):
+            widget.setEnabled(conversion.moves_mouth)
+        self.preview.clear()
+        self._show_files()
+
+    def _show_files(self) -> None:
+        self.queue.jobs = []
+        targets = targets_of(self._sounds, self._folder, self.kind.currentData())
+        self.files.setRowCount(len(self._sounds))
+        for row, sound in enumerate(self._sounds):
+            self._show_row(row, (sound.name, "", "", str(targets[sound])))
+        self._show_progress()
+
+    def _show_progress(self) -> None:
+        for row, job in enumerate(self.queue.jobs):
+            length = format_clock(job.duration, fine=True) if job.duration else ""
+            self._show_row(row, (job.source.name, length, job.state.value, job.words or str(job.target)))
+        busy = self.queue.busy
+        self.bar.setValue(round(1000 * self.queue.progress) if self.queue.jobs else 0)
+        self.start.setEnabled(bool(self._sounds) and not busy)
+        self.look.setEnabled(bool(self._sounds))
+        self.cancel.setEnabled(busy)
+        for widget in (self.add_files, self.add_folder, self.remove, self.folder, self.kind):
+            widget.setEnabled(not busy)
+
+    def _show_row(self, row: int, cells: tuple[str, ...]) -> None:
+        for column, words in enumerate(cells):
+            item = QTableWidgetItem(words)
+            item.setToolTip(words)
+            self.files.setItem(row, column, item)
+
+    def _show_end(self) -> None:
+        states = [job.state for job in self.queue.jobs]
+        parts = [f"{states.count(state)} {state.value}" for state in ExportState if state in states]
+        self.told.setText(", ".join(parts))
+        self._show_progress()
+
+    # -- what the user asks for ---------------------------------------------------------------------------
+
+    def _ask_files(self) -> None:
+        names, _ = QFileDialog.getOpenFileNames(self, "Sounds to export", self._kept("sound"), "All files (*)")
+        self.add([Path(name) for name in names])
+
+    def _ask_folder(self) -> None:
+        name = QFileDialog.getExistingDirectory(self, "A folder of sounds", self._kept("sound"))
+        if name:
+            self.add([Path(name)])
+
+    def _ask_target(self) -> None:
+        name = QFileDialog.getExistingDirectory(self, "Where the new files go", self._kept("export"))
+        self._folder = Path(name) if name else None
+        self.folder.setText(name or BESIDE)
+        if name:
+            self._settings.setValue("folder/export", name)
+        self._show_files()
+
+    def _remove(self) -> None:
+        rows = {index.row() for index in self.files.selectedIndexes()}
+        self._sounds = [sound for row, sound in enumerate(self._sounds) if row not in rows]
+        self._show_files()
+
+    def _preview(self) -> None:
+        order = self._checked_order()
+        if order is not None and self._sounds:
+            self.preview.setPlainText("…")
+            self.queue.preview(self._sounds[max(0, self.files.currentRow())], order)
+
+    def _start(self) -> None:
+        order = self._checked_order()
+        if order is not None:
+            self._settings.setValue("export/kind", order.kind)
+            self.told.clear()
+            self.queue.start(targets_of(self._sounds, self._folder, order.kind), order)
+
+    def _checked_order(self) -> ExportOrder | None:
+        """Return what the sounds are turned into; None, after saying why, where that cannot be done."""
+        order = self.order()
+        try:
+            check_options(order.kind, order.options)
+        except EngineError as error:
+            self.told.setText(str(error))
+            return None
+        return order
+
+    def _kept(self, kind: str) -> str:
+        return str(self._settings.value(f"folder/{kind}", str(Path.home())))
+
+    # -- Qt's events --------------------------------------------------------------------------------------
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take files and folders."""
+        if event.mimeData().hasUrls() and not self.queue.busy:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Add what was dropped."""
+        self.add([Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()])
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """End the work, as *Cancel* does."""
+        self._end()
+        super().closeEvent(event)
+
+    def reject(self) -> None:
+        """Close, and end the work."""
+        self._end()
+        super().reject()
+
+    def _end(self) -> None:
+        if self.queue.busy:
+            self.queue.cancel()
+        self.queue.close()

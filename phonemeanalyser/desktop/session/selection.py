@@ -1,0 +1,113 @@
+"""What is done with the stretch of a file that is selected: it is measured, saved, averaged or copied."""
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.averaged_spectrum import AveragedSpectrum
+from phonemeengine.measurement import (
+    StretchMeasurement,
+    average_spectrum,
+    format_frames,
+    measure_stretch,
+    save_stretch,
+)
+from phonemeengine.progress import Progress
+
+NOTHING_SELECTED = "Nothing is selected; drag with Shift over the file's sonagram, then try again."
+
+
+class Selection(QObject):
+    """Acts on what is selected of the file in hand, in the background.
+
+    Signals
+    -------
+    measured : a `StretchMeasurement` is there.
+    info, error : a sentence for the user.
+    """
+
+    measured = Signal(object)
+    info = Signal(str)
+    error = Signal(str)
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self._session = session
+        self._work = TaskQueue(self.error.emit)
+
+    @property
+    def span(self) -> TimeSpan | None:
+        """What is selected of the file in hand; None, after saying so, where that is nothing."""
+        span = self._session.view.selection
+        if span is None or self._session.path is None:
+            self.error.emit(NOTHING_SELECTED)
+            return None
+        return span
+
+    def play(self, *, loop: bool | None = None) -> None:
+        """Play it, once or over and over; None for as the file is played."""
+        span = self.span
+        if span is not None:
+            self._session.play_stretch(span, loop=loop)
+
+    def select_all(self) -> None:
+        """Select the whole file."""
+        self._session.view.select(TimeSpan(0.0, self._session.view.duration))
+
+    def show_all(self) -> None:
+        """See the whole file."""
+        self._session.view.show_all()
+
+    def zoom(self) -> None:
+        """See it, and nothing else."""
+        span = self.span
+        if span is not None:
+            self._session.view.show(span)
+
+    def measure(self) -> None:
+        """Measure it."""
+        span, tracks, path = self.span, self._session.whole.tracks, self._session.path
+        if span is None or tracks is None or path is None:
+            return
+        open_sound, ceiling = partial(SoundReader, path, self._session.channel), self._session.formants.ceiling
+
+        def act(progress: Progress) -> StretchMeasurement:
+            return measure_stretch(open_sound, tracks, *span, ceiling=ceiling, progress=progress)
+
+        self._work.submit(act, self.measured.emit)
+
+    def save(self, target: Path) -> None:
+        """Write it as a sound of its own."""
+        span, path, channel = self.span, self._session.path, self._session.channel
+        if span is not None and path is not None:
+            self._work.submit(
+                lambda _: save_stretch(path, *span, target, channel=channel),
+                lambda _: self.info.emit(f"Saved {span.seconds:.2f} s of {path.name} as {target}"),
+            )
+
+    def average(self) -> None:
+        """Show its averaged spectrum as a curve beside the others."""
+        span, path, channel = self.span, self._session.path, self._session.channel
+        preset = self._session.preset.in_force
+        if span is None or path is None:
+            return
+        name = f"{path.stem} {span.start:.2f}-{span.end:.2f} s"
+
+        def act(_progress: Progress) -> AveragedSpectrum:
+            return average_spectrum(path, *span, preset, name, channel=channel)
+
+        self._work.submit(act, self._session.averages.add_curve)
+
+    def frames_as_text(self) -> str:
+        """Return its frames as a table with tabs; empty, after saying why, where there is none."""
+        span, tracks = self.span, self._session.whole.tracks
+        return "" if span is None or tracks is None else format_frames(tracks, *span)
+
+    def close(self) -> None:
+        """End all work."""
+        self._work.close(CLOSE_TIMEOUT)

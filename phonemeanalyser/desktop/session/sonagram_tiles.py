@@ -1,0 +1,220 @@
+"""The sonagram of a file, measured in the background where somebody looks, and kept as tiles of several scales."""
+
+import threading
+from collections import OrderedDict
+from collections.abc import Callable, Iterator
+from math import ceil, floor, log2
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine.analyser import PRE_ROLL
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.dsp.sonagram import FLOOR, SPAN, SonagramSettings, level_range_of, sonagram_of
+from phonemeengine.features.filtered_sonagram import filtered_sonagram_of
+from phonemeengine.progress import Progress, report_progress, subrange
+from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
+
+FINEST = 0.001
+"""Seconds of a column at the finest scale; each further one is twice as coarse."""
+COLUMNS = 512
+"""Of a tile."""
+MOST_READ = 20.0
+"""Seconds of sound that are read at a time."""
+MOST_TILES = 96
+"""That are kept, the newest: 25 MB of 256 rows."""
+
+
+class Tile(NamedTuple):
+    """A stretch of the sonagram.
+
+    Attributes
+    ----------
+    span : the seconds of it.
+    levels : dB below full scale, float16, shape (512, n_rows).
+    """
+
+    span: TimeSpan
+    levels: NDArray[np.float16]
+
+
+class _Key(NamedTuple):
+    """A tile's scale and number: column k of it begins at (512 number + k) times 2 to the scale milliseconds."""
+
+    scale: int
+    number: int
+
+    @property
+    def period(self) -> float:
+        return float(FINEST * 2**self.scale)
+
+    @property
+    def span(self) -> TimeSpan:
+        seconds = COLUMNS * self.period
+        return TimeSpan(self.number * seconds, (self.number + 1) * seconds)
+
+
+class SonagramTiles(QObject):
+    """Measures what is looked at, and remembers it.
+
+    Signals
+    -------
+    changed : more of it is measured, or another file is in hand.
+    error : a sentence for the user.
+
+    Attributes
+    ----------
+    settings : how it is measured.
+    filters : through which it is measured; None for the sound itself.
+    level_range : the levels, dB, to be drawn darkest and brightest, as the loudest tiles so far have it.
+    """
+
+    changed = Signal()
+    error = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.settings = SonagramSettings()
+        self.filters: AnalysisSettings | None = None
+        self.level_range = (-SPAN, 0.0)
+        self._lock = threading.Lock()
+        self._generation = 0
+        self._tiles: OrderedDict[_Key, Tile] = OrderedDict()
+        self._highest: float | None = None
+        self._wanted: tuple[_Key, ...] = ()
+        self._duration = 0.0
+        self._open: Callable[[], SoundReader] | None = None
+        self._work = TaskQueue(self.error.emit)
+        self._work.changed.connect(self.changed)
+
+    @property
+    def busy(self) -> bool:
+        """Whether more is being measured."""
+        return self._work.busy
+
+    def open(self, open_sound: Callable[[], SoundReader], duration: float) -> None:
+        """Measure another file, of so many seconds."""
+        self._open, self._duration = open_sound, duration
+        self._forget()
+
+    def leave(self) -> None:
+        """Know nothing any more."""
+        self._open, self._duration = None, 0.0
+        self._forget()
+
+    def use(self, settings: SonagramSettings) -> None:
+        """Measure it otherwise."""
+        if settings != self.settings:
+            self.settings = settings
+            self._forget()
+
+    def show_filtered(self, filters: AnalysisSettings | None) -> None:
+        """Measure what is left after the filters that a recogniser hears through; None for the sound itself."""
+        kept = None if self.filters is None else self.filters.front_end()
+        if kept != (None if filters is None else filters.front_end()):
+            self.filters = filters
+            self._forget()
+
+    def tiles_for(self, seen: TimeSpan, n_pixels: int) -> list[Tile]:
+        """Return what is known of some seconds that are seen in so many pixels, coarse tiles first.
+
+        What is missing is measured in the background, and `changed` tells when it is there.
+        """
+        keys = self._keys_for(seen, n_pixels)
+        with self._lock:
+            missing = tuple(key for key in keys if key not in self._tiles)
+            known = {key for wanted in keys for key in self._nearest_known(wanted)}
+            for key in known:
+                self._tiles.move_to_end(key)
+            found = [self._tiles[key] for key in sorted(known, reverse=True)]
+        if missing and not set(missing) <= set(self._wanted):
+            self._measure(missing)
+        return found
+
+    def close(self) -> None:
+        """End all work."""
+        self._work.close(CLOSE_TIMEOUT)
+
+    def _keys_for(self, seen: TimeSpan, n_pixels: int) -> list[_Key]:
+        """Return the tiles that cover some seconds with one column a pixel, or up to two; the middle one first."""
+        if seen.seconds <= 0 or n_pixels <= 0 or self._duration <= 0:
+            return []
+        scale = max(0, floor(log2(seen.seconds / n_pixels / FINEST) + 1e-9))
+        seconds = COLUMNS * FINEST * 2**scale
+        first, last = floor(max(0.0, seen.start) / seconds), ceil(min(seen.end, self._duration) / seconds)
+        middle = (seen.start + seen.end) / 2
+        keys = [_Key(scale, number) for number in range(first, max(first + 1, last))]
+        return sorted(keys, key=lambda key: abs((key.span.start + key.span.end) / 2 - middle))
+
+    def _nearest_known(self, key: _Key) -> Iterator[_Key]:
+        """Give the tile, or the least coarse one that covers it, if any."""
+        while key.span.start > 0 or key.span.seconds < 2 * self._duration:
+            if key in self._tiles:
+                yield key
+                return
+            key = _Key(key.scale + 1, key.number // 2)
+        if key in self._tiles:
+            yield key
+
+    def _measure(self, keys: tuple[_Key, ...]) -> None:
+        open_sound, generation, self._wanted = self._open, self._generation, keys
+        settings, filters = self.settings, self.filters
+        if open_sound is None:
+            return
+
+        def measure(progress: Progress) -> None:
+            with open_sound() as reader:
+                for k, key in enumerate(keys):
+                    part = subrange(progress, k / len(keys), (k + 1) / len(keys))
+                    self._keep(key, _levels_of(reader, settings, filters, key, part), generation)
+            report_progress(progress, 1.0)
+
+        self._work.replace(measure, lambda _: None)
+
+    def _keep(self, key: _Key, levels: Float32Array, generation: int) -> None:
+        """Remember a tile, in the thread that measured it; one that is outdated meanwhile is not wanted."""
+        with self._lock:
+            if generation != self._generation:
+                return
+            self._tiles[key] = Tile(key.span, levels.astype(np.float16))
+            low, high = level_range_of(levels)
+            if (levels > FLOOR).any() and (self._highest is None or high > self._highest):
+                self._highest, self.level_range = high, (low, high)
+            while len(self._tiles) > MOST_TILES:
+                self._tiles.popitem(last=False)
+
+    def _forget(self) -> None:
+        self._work.cancel()
+        with self._lock:
+            self._generation += 1
+            self._tiles, self._highest = OrderedDict(), None
+        self._wanted = ()
+        self.level_range = (-SPAN, 0.0)
+        self.changed.emit()
+
+
+def _levels_of(
+    reader: SoundReader, settings: SonagramSettings, filters: AnalysisSettings | None, key: _Key, progress: Progress
+) -> Float32Array:  # fmt: skip
+    """Measure a tile from the file, some seconds at a time."""
+    period = key.period * SAMPLE_RATE
+    at_once = max(1, int(MOST_READ / key.period))
+    parts = []
+    for column in range(0, COLUMNS, at_once):
+        report_progress(progress, column / COLUMNS)
+        n = min(at_once, COLUMNS - column)
+        first = key.span.start * SAMPLE_RATE + column * period
+        margin = settings.n_samples if filters is None else PRE_ROLL * HOP
+        begin = max(0, int((first - margin) // HOP)) * HOP
+        reader.seek(begin)
+        samples = reader.read_mono(int(first + n * period) + WINDOW - begin)
+        if filters is None:
+            parts.append(sonagram_of(samples, settings, first - begin, n, period))
+        else:
+            parts.append(filtered_sonagram_of(samples, filters, settings, first - begin, n, period))
+    return np.concatenate(parts)

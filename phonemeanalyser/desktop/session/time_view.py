@@ -1,0 +1,104 @@
+"""Which seconds of a file are seen, and which are selected."""
+
+from typing import NamedTuple
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeengine.settings import FRAME_PERIOD
+
+SHORTEST = 0.05
+"""Seconds that are seen at least."""
+USUAL = 10.0
+"""Seconds of a longer file that are seen at first."""
+LEAST_SELECTED = FRAME_PERIOD
+"""Seconds; a drag over less selects nothing."""
+AHEAD = 0.1
+"""Share of what is seen that lies before the place that is heard, when the view turns a page."""
+
+
+class TimeSpan(NamedTuple):
+    """A stretch of time, seconds from the file's beginning."""
+
+    start: float
+    end: float
+
+    @property
+    def seconds(self) -> float:
+        """How long it is."""
+        return self.end - self.start
+
+
+class TimeView(QObject):
+    """The part of a file that is seen; always within it, and never of no length.
+
+    Signals
+    -------
+    moved : another part is seen.
+    selected : something else is selected, or nothing.
+
+    Attributes
+    ----------
+    duration : of the file, seconds; 0 where there is none.
+    seen : the part.
+    selection : what is selected; None for nothing.
+    follows : whether the view goes along with what is heard.
+    """
+
+    moved = Signal()
+    selected = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.duration = 0.0
+        self.seen = TimeSpan(0.0, 0.0)
+        self.selection: TimeSpan | None = None
+        self.follows = True
+
+    def open(self, duration: float) -> None:
+        """See the beginning of another file, or all of a short one; nothing of it is selected."""
+        self.duration = max(0.0, duration)
+        self.select(None)
+        self._show(0.0, min(USUAL, self.duration))
+
+    def show_all(self) -> None:
+        """See the whole file."""
+        self._show(0.0, self.duration)
+
+    def show(self, span: TimeSpan) -> None:
+        """See a part, such as what is selected."""
+        self._show(span.start, span.seconds)
+
+    def zoom(self, at: float, factor: float) -> None:
+        """See so many times as much around a time, which stays where it is on the screen."""
+        seconds = self._length(self.seen.seconds * factor)
+        share = (at - self.seen.start) / self.seen.seconds if self.seen.seconds else 0.5
+        self._show(at - share * seconds, seconds)
+
+    def scroll(self, seconds: float) -> None:
+        """See later (positive) or earlier seconds, as many as now."""
+        self._show(self.seen.start + seconds, self.seen.seconds)
+
+    def follow(self, position: float) -> None:
+        """Turn the page where what is heard lies beyond what is seen, if the view follows it."""
+        if self.follows and not self.seen.start <= position < self.seen.end:
+            self._show(position - AHEAD * self.seen.seconds, self.seen.seconds)
+
+    def select(self, span: TimeSpan | None) -> None:
+        """Select a part, given from either end; too short a one, or None, selects nothing."""
+        if span is not None:
+            start, end = sorted(min(max(time, 0.0), self.duration) for time in span)
+            span = TimeSpan(start, end) if end - start >= LEAST_SELECTED else None
+        if span != self.selection:
+            self.selection = span
+            self.selected.emit()
+
+    def _length(self, seconds: float) -> float:
+        return min(max(seconds, SHORTEST), self.duration)
+
+    def _show(self, start: float, seconds: float) -> None:
+        seconds = self._length(seconds)
+        start = min(max(start, 0.0), self.duration - seconds)
+        seen = TimeSpan(start, start + seconds)
+        if seen != self.seen:
+            self.seen = seen
+            self.moved.emit()

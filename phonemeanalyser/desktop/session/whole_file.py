@@ -1,0 +1,123 @@
+"""The file in hand, analysed whole in the background, while it may be played."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress
+from phonemeengine.retuning import RetunedSound
+from phonemeengine.whole_sound import FrameRange, SoundTracks, analyse_whole, tracks_of
+
+MOST_AT_ONCE = 1_000_000
+"""Frames of a file that the window itself recognises anew: more take longer than a picture may."""
+
+
+class WholeFile(QObject):
+    """Has all of a file analysed with the preset in force; another preset begins anew, and shows the old meanwhile.
+
+    Signals
+    -------
+    changed : more of it is known, or another file is in hand.
+    error : a sentence for the user.
+
+    Attributes
+    ----------
+    tracks : what is known of the file; None where there is none.
+    preset : with which that is, or will be, found; None where there is none.
+    in_view : the frames that somebody looks at, which are found first.
+    """
+
+    changed = Signal()
+    error = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.tracks: SoundTracks | None = None
+        self.preset: Preset | None = None
+        self.in_view = FrameRange(0, 0)
+        self._open: Callable[[], SoundReader] | None = None
+        self._complete = False
+        self._again: RetunedSound | None = None
+        self._work = TaskQueue(self.error.emit)
+        self._work.changed.connect(self.changed)
+
+    @property
+    def busy(self) -> bool:
+        """Whether it is not all known yet."""
+        return self._work.busy
+
+    def open(self, reader: SoundReader, preset: Preset) -> None:
+        """Analyse another file, whose reader is left where it is."""
+        path, channel = reader.path, reader.channel
+        self._open = lambda: SoundReader(path, channel)
+        self.tracks = tracks_of(reader)
+        self._forget()
+        self.use_preset(preset)
+
+    def follow(self, other: "WholeFile", preset: Preset) -> None:
+        """Analyse the file that another one has in hand, with a preset of its own."""
+        if self._open is not other._open:
+            self._open = other._open
+            self._forget()
+            self.tracks = None if other.tracks is None else SoundTracks(other.tracks.n_frames)
+        self.use_preset(preset)
+
+    def leave(self) -> None:
+        """Know nothing any more: another source is in hand."""
+        self._work.cancel()
+        self._forget()
+        self.tracks = self._open = None
+        self.changed.emit()
+
+    def use_preset(self, preset: Preset) -> None:
+        """Analyse the file with another preset; what is known completely is not found again."""
+        tracks, open_sound = self.tracks, self._open
+        if tracks is None or open_sound is None or (preset == self.preset and (self._complete or self.busy)):
+            return
+        if self._complete and not self.busy and self._retuned(tracks, preset):
+            return
+        self.preset, self._complete, self._again = preset, False, None
+
+        def analyse(progress: Progress) -> None:
+            analyse_whole(open_sound, preset, tracks, in_view=lambda: self.in_view, progress=progress)
+
+        self._work.replace(analyse, lambda _: setattr(self, "_complete", True))
+
+    def _forget(self) -> None:
+        """Take what is in hand for unknown."""
+        self.preset, self._complete, self._again = None, False, None
+
+    def _retuned(self, tracks: SoundTracks, preset: Preset) -> bool:
+        """Recognise a file that is known whole anew without its sound, where the preset measures alike."""
+        assert self.preset is not None
+        if tracks.n_frames > MOST_AT_ONCE:
+            return False
+        if self._again is None:
+            self._again = RetunedSound(tracks, self.preset)
+        if not self._again.retune(preset):
+            return False
+        self.preset = preset
+        self.changed.emit()
+        return True
+
+    def exchange(self, other: "WholeFile") -> None:
+        """Know what another one knows of the same file, and have it know what this one knew."""
+        for one in (self, other):
+            one._complete = one._complete and not one.busy
+            one._work.cancel()
+        self.tracks, other.tracks = other.tracks, self.tracks
+        self.preset, other.preset = other.preset, self.preset
+        self._complete, other._complete = other._complete, self._complete
+        self._again, other._again = other._again, self._again
+        self._open = other._open = self._open or other._open
+        for one in (self, other):
+            if one.preset is not None:
+                one.use_preset(one.preset)
+            one.changed.emit()
+
+    def close(self) -> None:
+        """End all work."""
+        self._work.close(CLOSE_TIMEOUT)

@@ -1,0 +1,187 @@
+"""The file on its own time: what is painted where, and what wheel, mouse and keys do."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from phonemeanalyser.desktop.analyse.file_view import LANE_HEIGHT, LEFT, FileView
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS
+from phonemeengine.dsp.sonagram import FrequencyAxis
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
+from tests.desktop.hands import CARDS, click, press, shown
+
+NOTCH = 120
+
+
+@pytest.fixture
+def panel(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    qtbot.waitUntil(lambda: not desktop.session.whole.busy)
+    panel = window.analysis.file
+    qtbot.waitUntil(lambda: bool(desktop.session.sonagram.tiles_for(desktop.session.view.seen, 400)))
+    return panel
+
+
+def turn(view: FileView, x: float, notches: int, modifiers=Qt.KeyboardModifier.NoModifier) -> None:
+    place = QPointF(x, 20)
+    event = QWheelEvent(
+        place, view.mapToGlobal(place), QPoint(), QPoint(0, NOTCH * notches), Qt.MouseButton.NoButton, modifiers,
+        Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(view, event)
+
+
+def drag(view: FileView, begin: float, end: float, modifiers=Qt.KeyboardModifier.NoModifier) -> None:
+    left = Qt.MouseButton.LeftButton
+    QTest.mousePress(view, left, modifiers, QPoint(round(begin), 20))
+    for x in np.linspace(begin, end, 4)[1:]:
+        QTest.mouseMove(view, QPoint(round(x), 20))
+    QTest.mouseRelease(view, left, modifiers, QPoint(round(end), 20))
+
+
+def test_an_opened_file_is_seen_at_once_and_a_microphone_scrolls_by(desktop, panel):
+    page = desktop.window.analysis
+    assert page.over_time.currentWidget() is panel
+    desktop.session.set_source(SoundSource.TONE)
+    assert page.over_time.currentWidget() is page.scroll_view
+    desktop.session.set_source(SoundSource.FILE)
+    assert page.over_time.currentWidget() is panel
+
+
+def test_the_lane_shows_the_phonemes_where_they_are(desktop, panel):
+    view, tracks, seen = panel.view, desktop.session.whole.tracks, desktop.session.view.seen
+    picture = view.grab().toImage()
+    lane = view._rows()[1]
+    y = round(lane.top()) + 2
+    for share in (0.11, 0.35, 0.52, 0.77):
+        time = seen.start + share * seen.seconds
+        around = tracks.phonemes[round(time / FRAME_PERIOD) - 3 : round(time / FRAME_PERIOD) + 3]
+        if len(set(around.tolist())) == 1:
+            expected = QColor(PHONEME_COLOURS[Phoneme(int(around[0]))])
+            assert QColor(picture.pixel(round(view._x_of(time)), y)) == expected
+    assert lane.height() == LANE_HEIGHT
+
+
+def test_sonagram_waveform_and_course_are_painted(panel):
+    picture = panel.view.grab().toImage()
+    for k, least in ((0, 50), (2, 2), (3, 2)):
+        row = panel.view._rows()[k]
+        ys = range(round(row.top()) + 1, round(row.bottom()) - 1, 2)
+        found = {picture.pixel(x, y) for x in range(LEFT + 2, LEFT + panel.view._width - 2, 3) for y in ys}
+        assert len(found) >= least, k
+
+
+def test_the_wheel_zooms_at_the_pointer_and_with_shift_scrolls(desktop, panel):
+    view, seen = panel.view, desktop.session.view.seen
+    x = LEFT + 0.3 * view._width
+    under = view._time_at(x)
+    turn(view, x, 3)
+    assert desktop.session.view.seen.seconds == pytest.approx(seen.seconds * 0.8**3)
+    assert view._time_at(x) == pytest.approx(under)
+    before = desktop.session.view.seen
+    turn(view, x, -1, Qt.KeyboardModifier.ShiftModifier)
+    assert desktop.session.view.seen.start > before.start
+    assert desktop.session.view.seen.seconds == pytest.approx(before.seconds)
+
+
+def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel):
+    time = desktop.session.view
+    time.show(TimeSpan(1.0, 2.0))
+    drag(panel.view, LEFT + 200, LEFT + 100)
+    assert time.seen.start == pytest.approx(1 + 100 / panel.view._width, abs=0.02)
+    assert desktop.session.position == 0
+    at = panel.view._time_at(LEFT + 50)
+    QTest.mouseClick(panel.view, Qt.MouseButton.LeftButton, pos=QPoint(LEFT + 50, 20))
+    assert desktop.session.position == pytest.approx(at, abs=0.02)
+
+
+def test_shift_and_a_drag_select_and_the_button_shows_what_is_selected(desktop, panel):
+    time = desktop.session.view
+    assert not panel.selection.isEnabled()
+    expected = sorted((panel.view._time_at(LEFT + 150), panel.view._time_at(LEFT + 60)))
+    drag(panel.view, LEFT + 150, LEFT + 60, Qt.KeyboardModifier.ShiftModifier)
+    assert time.selection == pytest.approx(expected)
+    click(panel.selection)
+    assert time.seen == pytest.approx(expected)
+    click(panel.whole)
+    assert time.seen == TimeSpan(0, desktop.session.duration)
+    QTest.mouseClick(panel.view, Qt.MouseButton.LeftButton, pos=QPoint(LEFT + 50, 20))
+    assert time.selection is None
+
+
+def test_arrow_keys_scroll_and_zoom(desktop, panel):
+    time = desktop.session.view
+    time.show(TimeSpan(1.0, 2.0))
+    panel.view.setFocus()
+    QTest.keyClick(panel.view, Qt.Key.Key_Right)
+    assert time.seen == pytest.approx((1.5, 2.5))
+    QTest.keyClick(panel.view, Qt.Key.Key_Up)
+    assert time.seen.seconds == pytest.approx(0.8)
+    QTest.keyClick(panel.view, Qt.Key.Key_Down)
+    assert time.seen == pytest.approx((1.5, 2.5))
+
+
+def test_the_page_turns_with_what_is_heard_unless_switched_off(desktop, panel):
+    time = desktop.session.view
+    time.show(TimeSpan(0.0, 0.5))
+    desktop.session.seek(2.0)
+    assert time.seen.start < 2.0 < time.seen.end
+    click(panel.follow)
+    assert not time.follows
+    desktop.session.seek(0.1)
+    assert time.seen.start > 0.1
+
+
+def test_another_axis_is_measured_anew_and_another_variable_drawn(desktop, panel, qtbot):
+    before = panel.view.grab().toImage()
+    panel.axis.setCurrentIndex(1)
+    assert desktop.session.sonagram.settings.axis is FrequencyAxis.MEL
+    qtbot.waitUntil(lambda: bool(desktop.session.sonagram.tiles_for(desktop.session.view.seen, panel.view._width)))
+    qtbot.waitUntil(lambda: panel.view.grab().toImage() != before)
+    before = panel.view.grab().toImage()
+    panel.variable.setCurrentText("volume")
+    assert panel.view.variable == "volume"
+    assert panel.view.grab().toImage() != before
+
+
+def test_home_and_end_go_to_the_ends(desktop, panel):
+    press(desktop.window, Qt.Key.Key_End)
+    assert desktop.session.position == pytest.approx(desktop.session.duration, abs=0.02)
+    press(desktop.window, Qt.Key.Key_Home)
+    assert desktop.session.position == 0
+    assert desktop.session.view.seen.start == 0
+
+
+@pytest.mark.parametrize("name", ["formants", "pitch", "level"])
+def test_what_is_drawn_over_the_sonagram_is_seen_read_out_and_switched_off(desktop, panel, qtbot, name):
+    view, sonagram = panel.view, panel.view._rows()[0]
+    loud = int(desktop.session.whole.tracks.intensities.argmax())
+    desktop.session.view.show(TimeSpan(loud * FRAME_PERIOD - 0.3, loud * FRAME_PERIOD + 0.3))
+    qtbot.waitUntil(lambda: len(desktop.session.sonagram.tiles_for(desktop.session.view.seen, view._width)) > 0)
+    for x in (LEFT + 5, round(view._x_of(loud * FRAME_PERIOD))):
+        QTest.mouseMove(view, QPoint(x, round(sonagram.center().y())))
+    before, words = view.grab(sonagram.toRect()).toImage(), view.reading()
+    assert "Hz" in words
+    panel.overlays[name].trigger()
+    told = {"formants": "F1 ", "pitch": "f0 ", "level": " dB"}[name]
+    qtbot.waitUntil(lambda: told in view.reading())
+    assert told not in words
+    assert view.grab(sonagram.toRect()).toImage() != before
+    panel.overlays[name].trigger()
+    assert told not in view.reading()
+
+
+def test_without_a_file_nothing_is_painted_and_nothing_breaks(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    view = window.analysis.file.view
+    view.resize(600, 300)
+    view.grab()
+    turn(view, 100, 2)
+    drag(view, 100, 200)
+    assert CARDS.exists()

@@ -1,0 +1,130 @@
+"""The labels of the file in hand: taken from beside it, edited, undone, saved, and compared with what is heard."""
+
+import shutil
+
+import pytest
+from PySide6.QtGui import QUndoStack
+
+from phonemeanalyser.desktop.session.label_tiers import ChosenLabel, LabelTiers
+from phonemeengine.labels.label import RawLabel
+from phonemeengine.labels.textgrid import Tier
+from phonemeengine.labels.tiers import read_tiers, write_tiers
+from phonemeengine.phonemes import Phoneme
+from tests.desktop.hands import CARDS
+
+M_A = Tier("phones", (RawLabel(0.1, 0.3, "m", ""), RawLabel(0.3, 0.6, "a", "")))
+WORDS = Tier("words", (RawLabel(0.1, 0.6, "Mama", ""),))
+
+
+def names(labels):
+    return [raw.name for raw in labels.tiers[0].raw_labels]
+
+
+@pytest.fixture
+def sound(tmp_path):
+    path = tmp_path / "cards.flac"
+    shutil.copy(CARDS, path)
+    return path
+
+
+@pytest.fixture
+def labels(qapp, sound):
+    write_tiers([M_A, WORDS], sound.with_suffix(".TextGrid"), duration=2.0)
+    found = LabelTiers(QUndoStack())
+    found.follow(sound, 2.0)
+    return found
+
+
+def test_labels_beside_a_sound_are_there_with_the_tier_that_names_phonemes(labels, sound):
+    assert labels.path == sound.with_suffix(".TextGrid")
+    assert [tier.name for tier in labels.tiers] == ["phones", "words"]
+    assert labels.state.shown == (0, 1)
+    assert labels.state.said == 0
+    assert not labels.has_unsaved_changes
+    labels.follow(sound.with_name("other.wav"), 1.0)
+    assert (labels.path, labels.tiers) == (None, ())
+
+
+def test_edits_are_undone_one_by_one_and_a_drag_at_once(labels):
+    stack = labels._undo_stack
+    labels.begin_move()
+    for seconds in (0.35, 0.4, 0.42):
+        labels.move(ChosenLabel(0, 0), seconds, end=True)
+    labels.rename(ChosenLabel(0, 1), "o")
+    labels.insert(0, 0.7, 0.8, "s")
+    labels.delete(ChosenLabel(0, 0))
+    assert names(labels) == ["o", "s"]
+    assert stack.count() == 4
+    assert labels.has_unsaved_changes
+    for _ in range(3):
+        stack.undo()
+    assert [(raw.start, raw.end) for raw in labels.tiers[0].raw_labels] == [(0.1, 0.42), (0.42, 0.6)]
+    stack.undo()
+    assert labels.tiers[0] == read_tiers(labels.path)[0]
+    assert not labels.has_unsaved_changes
+    stack.redo()
+    assert labels.tiers[0].raw_labels[0].end == 0.42
+
+
+def test_edits_of_another_sound_are_not_undone(labels, sound):
+    labels.delete(ChosenLabel(0, 0))
+    labels.follow(sound.with_name("other.wav"), 1.0)
+    labels._undo_stack.undo()
+    assert labels.tiers == ()
+
+
+def test_the_first_label_makes_a_tier(qapp):
+    labels = LabelTiers(QUndoStack())
+    labels.follow(None, 2.0)
+    labels.insert(None, 0.5, 0.9, "a")
+    assert (labels.tiers[0].name, labels.state.said, labels.state.shown) == ("phonemes", 0, (0,))
+    labels._undo_stack.undo()
+    assert labels.tiers == ()
+
+
+def test_saving_keeps_all_tiers(labels, tmp_path):
+    labels.rename(ChosenLabel(0, 0), "p")
+    told = []
+    labels.info.connect(told.append)
+    assert labels.save(tmp_path / "new.TextGrid")
+    assert "new.TextGrid" in told[0]
+    assert not labels.has_unsaved_changes
+    assert [t.name for t in read_tiers(tmp_path / "new.TextGrid")] == ["phones", "words"]
+
+
+def test_what_cannot_be_used_is_one_sentence_and_changes_nothing(labels, sound, tmp_path, qtbot):
+    before = labels.state
+    bad = tmp_path / "bad.txt"
+    bad.write_text("0.0\t0.5\ta\n0.4\t0.6\to\n")
+    with qtbot.waitSignal(labels.error) as told:
+        assert not labels.load(bad)
+    assert "must not overlap" in told.args[0]
+    with qtbot.waitSignal(labels.error):
+        assert not labels.save(tmp_path / "no such folder" / "x.csv")
+    with qtbot.waitSignal(labels.error):
+        labels.insert(0, 0.2, 0.4, "x")
+    with qtbot.waitSignal(labels.error):
+        labels.rename(ChosenLabel(0, 0), " ")
+    assert labels.state == before
+    sound.with_suffix(".TextGrid").write_text("File type = nonsense")
+    with qtbot.waitSignal(labels.error):
+        labels.follow(sound, 2.0)
+    assert labels.tiers == ()
+
+
+def test_said_and_recognised_are_compared(session, qtbot, sound):
+    sound.with_suffix(".txt").write_text("0.00\t0.50\to\n0.50\t1.00\tword\n")
+    session.open(sound)
+    qtbot.waitUntil(lambda: not session.whole.busy)
+    tracks, labels = session.whole.tracks, session.labels
+    heard = tracks.phonemes[:50]
+    wrong = labels.errors(tracks)
+    assert all(e.said is Phoneme.O and e.end <= 0.5 for e in wrong)
+    assert sum(round(100 * (e.end - e.start)) for e in wrong) <= int((heard != Phoneme.O).sum())
+    assert wrong
+    assert labels.next_error(tracks, -1.0) == wrong[0]
+    assert labels.next_error(tracks, wrong[0].start) == (wrong[1] if len(wrong) > 1 else None)
+    assert labels.next_error(tracks, 9.0, back=True) == wrong[-1]
+    assert labels.next_error(tracks, 0.0, back=True) is None
+    labels.show((0,), None)
+    assert labels.errors(tracks) == []

@@ -1,0 +1,140 @@
+"""Tiles of a file's sonagram: what is looked at is measured in the background, coarse ones serve meanwhile."""
+
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from phonemeanalyser.desktop.session import sonagram_tiles
+from phonemeanalyser.desktop.session.sonagram_tiles import COLUMNS, SonagramTiles
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.dsp.sonagram import FLOOR, SonagramSettings, sonagram_of
+from phonemeengine.settings import SAMPLE_RATE, AnalysisSettings
+from tests.desktop.hands import CARDS, click, shown, wav
+from tests.sounds import noise, silence, tone
+
+SOUND = np.concatenate((tone(1000, 10.0, 0.5), silence(10.0), noise(12.0, 0.05)))
+WHOLE = TimeSpan(0, 32)
+
+
+@pytest.fixture
+def tiles(qtbot, tmp_path: Path):
+    path = wav(tmp_path, SOUND)
+    tiles = SonagramTiles()
+    tiles.open(lambda: SoundReader(path), 32.0)
+    yield tiles
+    tiles.close()
+
+
+def measured(tiles: SonagramTiles, qtbot, seen: TimeSpan, n_pixels: int):
+    tiles.tiles_for(seen, n_pixels)
+    qtbot.waitUntil(lambda: not tiles._work.busy)
+    return tiles.tiles_for(seen, n_pixels)
+
+
+@pytest.mark.parametrize(("seen", "n_pixels"), [(WHOLE, 1000), (TimeSpan(9.5, 10.5), 800), (TimeSpan(31, 32), 3)])
+def test_what_is_seen_is_covered_with_a_column_a_pixel_or_two(tiles, qtbot, seen, n_pixels):
+    assert tiles.tiles_for(seen, n_pixels) == []
+    found = sorted(measured(tiles, qtbot, seen, n_pixels))
+    assert found[0].span.start <= seen.start
+    assert found[-1].span.end >= seen.end
+    for one, other in pairwise(found):
+        assert one.span.end == pytest.approx(other.span.start)
+    columns_per_pixel = seen.seconds / n_pixels / (found[0].span.seconds / COLUMNS)
+    assert 1 <= columns_per_pixel < 2 or found[0].span.seconds == COLUMNS * sonagram_tiles.FINEST
+
+
+def test_a_tile_is_the_sonagram_of_its_seconds(tiles, qtbot):
+    for tile in measured(tiles, qtbot, TimeSpan(9, 12), 700):
+        period = tile.span.seconds / COLUMNS * SAMPLE_RATE
+        expected = sonagram_of(SOUND, tiles.settings, tile.span.start * SAMPLE_RATE, COLUMNS, period)
+        np.testing.assert_allclose(tile.levels, expected, atol=0.2)
+
+
+def test_a_coarser_tile_serves_until_the_finer_one_is_there(tiles, qtbot):
+    (coarse,) = measured(tiles, qtbot, WHOLE, 500)
+    meanwhile = tiles.tiles_for(TimeSpan(4, 5), 500)
+    assert [t.span for t in meanwhile] == [coarse.span]
+    fine = measured(tiles, qtbot, TimeSpan(4, 5), 500)
+    assert all(t.span.seconds < 2 for t in fine)
+
+
+def test_the_range_is_that_of_the_loudest_so_far(tiles, qtbot):
+    measured(tiles, qtbot, TimeSpan(25, 26), 500)
+    quiet = tiles.level_range[1]
+    measured(tiles, qtbot, TimeSpan(4, 5), 500)
+    assert tiles.level_range[1] > quiet
+    loud = tiles.level_range
+    assert loud[1] == pytest.approx(-6, abs=2)
+    measured(tiles, qtbot, TimeSpan(14, 15), 500)  # silence
+    assert tiles.level_range == loud
+
+
+def test_other_settings_and_another_file_begin_anew(tiles, qtbot, tmp_path):
+    measured(tiles, qtbot, WHOLE, 500)
+    tiles.use(replace(tiles.settings, high=4000.0))
+    assert tiles.tiles_for(WHOLE, 500) == []
+    assert len(measured(tiles, qtbot, WHOLE, 500)) == 1
+    (tmp_path / "other").mkdir()
+    path = wav(tmp_path / "other", silence(32.0))
+    tiles.open(lambda: SoundReader(path), 32.0)
+    assert all((t.levels == FLOOR).all() for t in measured(tiles, qtbot, WHOLE, 500))
+    tiles.leave()
+    assert tiles.tiles_for(WHOLE, 500) == []
+
+
+def test_no_more_is_kept_than_there_is_room_for_and_what_is_seen_stays(tiles, qtbot, monkeypatch):
+    monkeypatch.setattr(sonagram_tiles, "MOST_TILES", 3)
+    for second in range(6):
+        measured(tiles, qtbot, TimeSpan(second, second + 0.5), 500)
+    assert len(tiles._tiles) == 3
+    assert tiles.tiles_for(TimeSpan(5, 5.5), 500)
+
+
+def test_a_file_that_vanished_is_said(tiles, qtbot, tmp_path):
+    (tmp_path / "sound.wav").unlink()
+    with qtbot.waitSignal(tiles.error) as said:
+        tiles.tiles_for(WHOLE, 500)
+    assert "sound.wav" in said.args[0]
+    assert tiles.tiles_for(WHOLE, 500) == []
+
+
+def test_nothing_is_measured_of_nothing(qtbot):
+    tiles = SonagramTiles()
+    assert tiles.tiles_for(TimeSpan(0, 0), 500) == []
+    assert tiles.tiles_for(WHOLE, 0) == []
+    assert tiles.settings == SonagramSettings()
+
+
+def test_a_tile_that_is_read_in_parts_is_the_same(monkeypatch):
+    module, key = sonagram_tiles, sonagram_tiles._Key(4, 0)
+    with SoundReader(CARDS) as reader:
+        whole = module._levels_of(reader, SonagramSettings(), None, key, lambda _: True)
+        filters = AnalysisSettings()
+        seen = module._levels_of(reader, SonagramSettings(), filters, key, lambda _: True)
+        monkeypatch.setattr(module, "MOST_READ", 0.5)
+        np.testing.assert_allclose(
+            module._levels_of(reader, SonagramSettings(), None, key, lambda _: True), whole, atol=0.01
+        )
+        parts = module._levels_of(reader, SonagramSettings(), filters, key, lambda _: True)
+    np.testing.assert_allclose(parts, seen, atol=0.05)
+    assert np.abs(seen - whole).max() > 3
+
+
+def test_filters_are_seen_on_demand(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    session = desktop.session
+    tiles = session.sonagram
+    qtbot.waitUntil(lambda: bool(tiles.tiles_for(session.view.seen, 400)))
+    before = tiles.tiles_for(session.view.seen, 400)[-1].levels.copy()
+    click(window.analysis.file.filtered)
+    qtbot.waitUntil(lambda: bool(tiles.tiles_for(session.view.seen, 400)))
+    after = tiles.tiles_for(session.view.seen, 400)[-1].levels.copy()
+    assert np.abs(before.astype(float) - after).max() > 3
+    click(window.filters.switches["normalise"])
+    assert tiles.filters == desktop.preset.in_force.settings
+    click(window.analysis.file.filtered)
+    assert tiles.filters is None

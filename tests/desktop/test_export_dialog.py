@@ -1,0 +1,150 @@
+"""The dialog that turns sounds into files: one, or a folder of them."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QSettings
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog
+
+from phonemeanalyser.desktop.export_dialog import BESIDE, ExportDialog
+from phonemeanalyser.desktop.session.export_queue import ExportState
+from phonemeengine import Channel, convert, load_preset
+from tests.desktop.hands import CARDS, LEFT, shown
+
+PRESET = load_preset("thesis")
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "in" / "deep").mkdir(parents=True)
+    shutil.copy(CARDS, tmp_path / "in" / "one.flac")
+    shutil.copy(CARDS, tmp_path / "in" / "deep" / "two.flac")
+    (tmp_path / "in" / "notes.md").write_text("nothing to hear")
+    return tmp_path / "in"
+
+
+@pytest.fixture
+def dialog(desktop, qtbot, folder, tmp_path):
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    dialog = ExportDialog(PRESET, Channel.MIX, [folder], settings, desktop.window)
+    dialog.open()
+    yield dialog
+    dialog.queue.close()
+    dialog.close()
+
+
+def choose(dialog, kind):
+    dialog.kind.setCurrentIndex(dialog.kind.findData(kind))
+
+
+def cells(dialog, row):
+    return [dialog.files.item(row, k).text() for k in range(4)]
+
+
+def test_a_folder_becomes_files_beside_its_sounds(dialog, folder, qtbot):
+    choose(dialog, "rhubarb-json")
+    assert [cells(dialog, row)[0] for row in range(2)] == ["two.flac", "one.flac"]
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    expected = folder / "expected.json"
+    convert(folder / "one.flac", expected, "rhubarb-json", PRESET)
+    assert (folder / "deep" / "two.rhubarb.json").read_text().count("mouthCues") == 1
+    assert (folder / "one.rhubarb.json").read_bytes() == expected.read_bytes()
+    assert dialog.told.text() == "2 done"
+    assert cells(dialog, 0)[1:3] == ["0:03.5", "done"]
+    assert dialog.bar.value() == 1000
+
+
+def test_a_file_that_fails_is_said_and_the_others_go_on(dialog, folder, qtbot):
+    (folder / "bad.wav").write_bytes(b"RIFF nonsense")
+    dialog.add([folder])
+    choose(dialog, "phonemes-csv")
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    states = {job.source.name: job.state for job in dialog.queue.jobs}
+    assert states == {"one.flac": ExportState.DONE, "two.flac": ExportState.DONE, "bad.wav": ExportState.FAILED}
+    assert dialog.told.text() == "2 done, 1 failed"
+    row = next(r for r in range(3) if cells(dialog, r)[0] == "bad.wav")
+    assert "bad.wav" in cells(dialog, row)[3]
+    assert not (folder / "bad.csv").exists()
+
+
+def test_cancelling_leaves_no_half_file(dialog, folder, qtbot, monkeypatch):
+    choose(dialog, "phonemes-csv")
+    QTest.mouseClick(dialog.start, LEFT)
+    QTest.mouseClick(dialog.cancel, LEFT)
+    qtbot.waitUntil(lambda: not dialog.queue.busy and dialog.start.isEnabled())
+    qtbot.waitUntil(lambda: not list(folder.rglob("*.part")))  # the one at work ends a moment later
+    written = {path.name for path in folder.rglob("*.csv")}
+    done = {job.target.name for job in dialog.queue.jobs if job.state is ExportState.DONE}
+    assert written == done
+    assert ExportState.CANCELLED in {job.state for job in dialog.queue.jobs}
+
+
+def test_the_result_is_seen_before_it_is_written(dialog, folder, qtbot):
+    choose(dialog, "phonemes-csv")
+    with qtbot.waitSignal(dialog.queue.previewed):
+        QTest.mouseClick(dialog.look, LEFT)
+    assert dialog.preview.toPlainText().startswith("start_s,end_s,phoneme")
+    choose(dialog, "gltf")
+    assert dialog.preview.toPlainText() == ""
+    assert not list(folder.rglob("*.csv"))
+
+
+def test_options_count_where_a_mouth_moves_and_impossible_ones_are_one_sentence(dialog):
+    choose(dialog, "phonemes-csv")
+    assert not dialog.table.isEnabled()
+    choose(dialog, "rhubarb-json")
+    assert dialog.table.isEnabled()
+    dialog.table.setCurrentText("arkit")
+    QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.told.text()
+    assert dialog.queue.jobs == []
+    dialog.table.setCurrentIndex(0)
+    dialog.minimum.setValue(0.2)
+    dialog.head.setChecked(False)
+    order = dialog.order()
+    assert (order.options.minimum, order.options.table, order.options.idle.head) == (0.2, None, False)
+
+
+def test_files_go_where_the_user_says(dialog, folder, tmp_path, qtbot, monkeypatch):
+    choose(dialog, "phonemes-csv")
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path / "out"))
+    QTest.mouseClick(dialog.folder, LEFT)
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {"one.csv", "two.csv"}
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: "")
+    QTest.mouseClick(dialog.folder, LEFT)
+    assert dialog.folder.text() == BESIDE
+
+
+def test_sounds_are_removed_from_the_list(dialog):
+    dialog.files.selectRow(0)
+    QTest.mouseClick(dialog.remove, LEFT)
+    assert dialog.files.rowCount() == 1
+
+
+def test_the_menu_and_a_dropped_folder_open_it(desktop, qtbot, folder):
+    window = shown(desktop, qtbot)
+    window.menus.actions["Export…"].trigger()
+    (dialog,) = window.findChildren(ExportDialog)
+    assert cells(dialog, 0)[0] == CARDS.name
+    dialog.close()
+    window.dialogs.show_export([folder])
+    found = [d for d in window.findChildren(ExportDialog) if d.isVisible()]
+    assert found[0].files.rowCount() == 2
+    found[0].close()
+
+
+def test_where_nothing_can_be_written_it_is_said(dialog, folder, qtbot):
+    blocked = folder / "blocked"
+    blocked.write_text("a file, no folder")
+    dialog._folder = Path(blocked)
+    choose(dialog, "phonemes-csv")
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.told.text() == "2 failed"
+    assert blocked.read_text() == "a file, no folder"

@@ -1,0 +1,140 @@
+"""Labels in the window: lanes that are looked at, chosen, dragged, renamed; errors; and questions about them."""
+
+import shutil
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox
+
+from phonemeanalyser.desktop.analyse.label_dialogs import TiersDialog
+from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeengine.labels.label import RawLabel
+from phonemeengine.labels.textgrid import Tier
+from phonemeengine.labels.tiers import read_tiers, write_tiers
+from tests.desktop.hands import CARDS, press, shown
+
+TIERS = (
+    Tier("phones", (RawLabel(0.5, 1.0, "o", ""), RawLabel(1.0, 1.5, "s", ""))),
+    Tier("words", (RawLabel(0.5, 1.5, "os", ""),)),
+)
+
+
+@pytest.fixture
+def window(desktop, qtbot, tmp_path):
+    sound = tmp_path / "cards.flac"
+    shutil.copy(CARDS, sound)
+    write_tiers(TIERS, sound.with_suffix(".TextGrid"), duration=2.0)
+    window = shown(desktop, qtbot, sound)
+    qtbot.waitUntil(lambda: not desktop.session.whole.busy)
+    desktop.session.view.show(TimeSpan(0.0, 2.0))
+    return window
+
+
+def place(view, tier, seconds):
+    row = view._label_rows()[tier]
+    return QPoint(round(view._x_of(seconds)), round(row.center().y()))
+
+
+def test_lanes_are_painted_under_the_recognised_phonemes(window):
+    view = window.analysis.file.view
+    rows = view._label_rows()
+    assert list(rows) == [0, 1]
+    assert view._rows()[1].bottom() < rows[0].top() < rows[1].top() < view._rows()[2].top()
+    picture = view.grab().toImage()
+    edge = round(view._x_of(1.0))
+    y = round(rows[0].top()) + 3
+    assert picture.pixel(edge, y) != picture.pixel(edge + 5, y)
+
+
+def test_a_click_chooses_and_selects_and_a_drag_moves_the_boundary(desktop, window, qtbot):
+    view, labels = window.analysis.file.view, desktop.session.labels
+    QTest.mouseClick(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 1.2))
+    assert labels.chosen == ChosenLabel(0, 1)
+    assert desktop.session.view.selection == TimeSpan(1.0, 1.5)
+    QTest.mousePress(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 1.0))
+    for seconds in (1.05, 1.1, 1.2):
+        QTest.mouseMove(view, place(view, 0, seconds))
+    QTest.mouseRelease(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 1.2))
+    first, second = labels.tiers[0].raw_labels
+    assert first.end == second.start == pytest.approx(1.2, abs=0.01)
+    window.menus.actions["Save Labels"].trigger()
+    assert read_tiers(labels.path)[0].raw_labels[0].end == pytest.approx(1.2, abs=0.01)
+    assert [raw.name for raw in read_tiers(labels.path)[1].raw_labels] == ["os"]
+    desktop.preset.undo_stack.undo()
+    assert labels.tiers[0].raw_labels[0].end == 1.0
+    assert labels.has_unsaved_changes
+    desktop.preset.undo_stack.redo()
+
+
+def test_labels_are_renamed_inserted_and_deleted(desktop, window, monkeypatch):
+    view, labels = window.analysis.file.view, desktop.session.labels
+    monkeypatch.setattr(QInputDialog, "getText", lambda *_a, **_k: ("u", True))
+    QTest.mouseDClick(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 0.7))
+    assert labels.tiers[0].raw_labels[0].name == "u"
+    desktop.session.view.select(TimeSpan(1.6, 1.8))
+    press(window, Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
+    assert labels.tiers[0].raw_labels[2].name == "u"
+    QTest.mouseClick(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 0.7))
+    window.menus.actions["Delete Label"].trigger()
+    assert [raw.name for raw in labels.tiers[0].raw_labels] == ["s", "u"]
+    for _ in range(3):
+        desktop.preset.undo_stack.undo()
+    assert not labels.has_unsaved_changes
+
+
+def test_errors_are_gone_through_by_key(desktop, window):
+    errors = desktop.session.labels.errors(desktop.session.whole.tracks)
+    assert errors
+    press(window, Qt.Key.Key_N)
+    assert desktop.session.view.selection == TimeSpan(errors[0].start, errors[0].end)
+    assert desktop.session.position == pytest.approx(errors[0].start, abs=0.011)
+    assert "was recognised" in window.banner.label.text()
+    for _ in errors:
+        press(window, Qt.Key.Key_N)
+    assert "no error after" in window.banner.label.text()
+    press(window, Qt.Key.Key_N, Qt.KeyboardModifier.ShiftModifier)
+    expected = errors[-2] if len(errors) > 1 else errors[-1]
+    assert desktop.session.view.selection.start == expected.start
+
+
+def test_tiers_are_chosen_by_name(desktop, window):
+    dialog = TiersDialog(desktop.session.labels, window)
+    assert [dialog.list.item(k).text() for k in range(2)] == ["phones (2 labels)", "words (1 labels)"]
+    dialog.list.item(0).setCheckState(Qt.CheckState.Unchecked)
+    dialog.says.setCurrentText("none")
+    assert (dialog.shown(), dialog.said()) == ([1], None)
+    dialog.deleteLater()
+
+
+def test_unsaved_labels_are_asked_about_before_they_go(desktop, window, monkeypatch):
+    labels = desktop.session.labels
+    labels.delete(ChosenLabel(0, 0))
+    asked = []
+
+    def answer(*words):
+        asked.append(words[2])
+        return QMessageBox.StandardButton.Cancel
+
+    monkeypatch.setattr(QMessageBox, "question", answer)
+    assert not desktop.session.open(CARDS)
+    assert "Save the labels of cards.flac" in asked[0]
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
+    assert desktop.session.open(CARDS)
+    assert labels.path == CARDS.with_suffix(".csv")
+
+
+def test_labels_are_loaded_from_elsewhere(desktop, window, monkeypatch, tmp_path):
+    path = tmp_path / "other.csv"
+    write_tiers([TIERS[0]], path)
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    window.menus.actions["Load Labels…"].trigger()
+    assert desktop.session.labels.path == path
+
+
+@pytest.mark.parametrize("name", ["Rename Label…", "Delete Label", "Insert Label…"])
+def test_nothing_chosen_is_one_sentence(desktop, window, name):
+    window.menus.actions[name].trigger()
+    words = window.banner.label.text()
+    assert words.startswith(("No label is chosen", "Nothing is selected"))

@@ -1,0 +1,56 @@
+"""The menu of the selection, from the window."""
+
+import soundfile
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFileDialog
+
+from phonemeanalyser.desktop.analyse.measurement_dialog import MeasurementDialog
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from tests.desktop.hands import shown
+
+
+def opened(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    qtbot.waitUntil(lambda: not desktop.session.whole.busy)
+    desktop.session.view.select(TimeSpan(0.5, 1.0))
+    return window
+
+
+def test_a_measurement_is_shown_and_copied(desktop, qtbot):
+    window = opened(desktop, qtbot)
+    window.menus.actions["Measure Selection"].trigger()
+    qtbot.waitUntil(lambda: bool(window.findChildren(MeasurementDialog)))
+    dialog = window.findChildren(MeasurementDialog)[0]
+    assert dialog.windowTitle().startswith("0.500 to 1.000 s of ")
+    qtbot.mouseClick(dialog.copy, Qt.MouseButton.LeftButton)
+    copied = QGuiApplication.clipboard().text().splitlines()
+    assert copied[0].split("\t") == ["measure", "unit", "mean", "min", "max"]
+    assert dialog.table.rowCount() == len(copied) - 1
+    dialog.close()
+
+
+def test_the_selected_sound_is_saved_where_the_user_says(desktop, qtbot, tmp_path, monkeypatch):
+    window = opened(desktop, qtbot)
+    chosen = str(tmp_path / "part")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (chosen, ""))
+    with qtbot.waitSignal(window.selection.info):
+        window.menus.actions["Save Selection as Sound…"].trigger()
+    assert soundfile.info(tmp_path / "part.wav").frames == 22050
+    assert "Saved 0.50 s" in window.banner.label.text()
+
+
+def test_the_selection_becomes_a_take(desktop, qtbot, tmp_path):
+    window = opened(desktop, qtbot)
+    takes = next(a.menu() for a in window.analysis.file.view.actions() if a.menu() is not None)
+    next(a for a in takes.actions() if a.text() == "a").trigger()
+    takes = desktop.calibration.takes
+    qtbot.waitUntil(lambda: len(takes.now.takes) == 1)
+    (take,) = takes.now.takes
+    assert (take.phoneme.label, take.device) == ("a", desktop.session.name)
+
+
+def test_frames_are_copied(desktop, qtbot):
+    window = opened(desktop, qtbot)
+    window.menus.actions["Copy Its Frames as a Table"].trigger()
+    assert len(QGuiApplication.clipboard().text().splitlines()) == 51

@@ -1,0 +1,135 @@
+"""A file that is opened in the window: until it is seen, until it is known, scrolled, tuned, and its memory."""
+
+import json
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from math import sin
+from pathlib import Path
+
+from PySide6.QtWidgets import QApplication
+
+from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeengine.presets.files import THESIS_PRESET
+from phonemeengine.whole_sound import FrameState
+from tools.bench.desktop import live_for, shown_desktop, written_speech
+from tools.bench.figures import Absolute, Figure, answer_of
+from tools.bench.memory import Highest, resident_megabytes
+
+TEN_MINUTES, HOUR = 600.0, 3600.0
+FIRST, WHOLE, SHARE, LANE, MOST_MB = 0.3, 4.0, 0.3, 0.05, 150
+PICTURES = 60
+"""A second."""
+PATIENCE = 600.0
+"""Seconds."""
+
+
+def figures() -> list[Figure]:
+    """Measure in a process of its own."""
+    found = answer_of("opened_file")
+    times = (
+        ("10 minutes opened while they play, first picture", found["first"], FIRST),
+        ("10 minutes, all known", found["whole"], WHOLE),
+        ("an hour, threshold of the thesis dragged, lane redrawn", found["lane"], LANE),
+    )
+    above = found["highest"] - found["empty"]
+    return [
+        *(
+            Figure(name, f"{seconds:.3f} s", f"{limit:g} s", seconds / limit, 1.0, absolute=Absolute.TIME)
+            for name, seconds, limit in times
+        ),
+        Figure(
+            "an hour scrolled and zoomed at 60 fps", f"{found['share']:.1%} of a core, {found['pictures']:.0f} fps",
+            f"{SHARE:.0%}", found["share"] / SHARE, 1.0, absolute=Absolute.WORK,
+        ),
+        Figure("an hour, above the empty window", f"{above:.0f} MB", f"{MOST_MB} MB", above / MOST_MB, 1.0),
+    ]  # fmt: skip
+
+
+def main() -> None:
+    """Measure, and print all as JSON."""
+    with tempfile.TemporaryDirectory() as folder:
+        desktop = shown_desktop(Path(folder))
+        desktop.preset.load(THESIS_PRESET)
+        (Path(folder) / "hour").mkdir()
+        ten, hour = written_speech(Path(folder), TEN_MINUTES), written_speech(Path(folder) / "hour", HOUR)
+        first, whole = _opened(desktop, ten)
+        desktop.session.stop()
+        empty, highest = resident_megabytes(), Highest()
+        desktop.window.dialogs.open_sound(hour)
+        _until(lambda: not desktop.session.busy)
+        desktop.session.view.show_all()
+        _until(lambda: not desktop.session.busy)
+        lane = _tuned(desktop)
+        share, pictures = _scrolled(desktop)
+        found = {
+            "first": first, "whole": whole, "lane": lane, "share": share, "pictures": pictures, "empty": empty,
+            "highest": highest.megabytes,
+        }  # fmt: skip
+        desktop.close()
+    print(json.dumps(found))
+
+
+def _opened(desktop: Desktop, path: Path) -> tuple[float, float]:
+    """Open and play a file; the seconds until what is in view is drawn, and until all of it is known."""
+    session, view = desktop.session, desktop.window.analysis.file.view
+    began = time.perf_counter()
+    desktop.window.dialogs.open_sound(path)
+    session.play()
+
+    def seen() -> bool:
+        tracks, last = session.whole.tracks, int(100 * session.view.seen.end) - 1
+        known = tracks is not None and tracks.states[last] == FrameState.KNOWN
+        return known and bool(session.sonagram.tiles_for(session.view.seen, view.width()))
+
+    _until(seen)
+    view.repaint()
+    first = time.perf_counter() - began
+    _until(lambda: not session.whole.busy)
+    return first, time.perf_counter() - began
+
+
+def _tuned(desktop: Desktop) -> float:
+    """Drag a threshold with the whole hour in view; the median of the seconds until the lane is drawn anew."""
+    preset, view = desktop.preset, desktop.window.analysis.file.view
+    seconds = []
+    for k in range(9):
+        thresholds = replace(preset.preset.thresholds, silence_energy=0.2 + 0.05 * k)
+        began = time.perf_counter()
+        preset.edit(replace(preset.preset, thresholds=thresholds), "bench")
+        assert not desktop.session.whole.busy, "the hour is analysed anew"
+        view.repaint()
+        seconds.append(time.perf_counter() - began)
+    return sorted(seconds)[len(seconds) // 2]
+
+
+def _scrolled(desktop: Desktop) -> tuple[float, float]:
+    """Scroll and zoom for some seconds; the share of a core, and the pictures a second."""
+    session, view = desktop.session, desktop.window.analysis.file.view
+    live_for(1.0)
+    began, worked, n = time.perf_counter(), time.process_time(), 0
+    while time.perf_counter() - began < 8.0:
+        at = time.perf_counter() - began
+        seconds = 20 * 4 ** (1.5 * sin(at))
+        middle = HOUR / 2 + 600 * sin(at / 2)
+        session.view.show(TimeSpan(middle - seconds / 2, middle + seconds / 2))
+        view.repaint()
+        n += 1
+        live_for(max(0.0, (n / PICTURES) - (time.perf_counter() - began)))
+    elapsed = time.perf_counter() - began
+    return (time.process_time() - worked) / elapsed, n / elapsed
+
+
+def _until(done: Callable[[], bool]) -> None:
+    """Let the window live until something is so."""
+    deadline = time.monotonic() + PATIENCE
+    while not done():
+        assert time.monotonic() < deadline, "the window did not come to an end"
+        QApplication.processEvents()
+        time.sleep(0.002)
+
+
+if __name__ == "__main__":
+    main()
