@@ -133,9 +133,9 @@ def _write_table(
             raise ExportError(f"{printable_name(target)}: cannot be written ({reason}); name another file") from error
 
 
-def targets_of(sounds: list[Path], folder: Path | None, kind: str) -> dict[Path, Path]:
+def targets_of(sounds: list[Path], folder: Path | None, ending: str) -> dict[Path, Path]:
     """Return where the file of each sound goes: into a folder, or beside it; a number tells equal names apart."""
-    ending, taken, found = CONVERSIONS[kind].ending, set[Path](), {}
+    taken, found = set[Path](), {}
     for sound in sounds:
         target, k = (folder or sound.parent) / f"{sound.stem}{ending}", 2
         while target in taken:

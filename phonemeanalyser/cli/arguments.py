@@ -5,6 +5,7 @@ import math
 from collections.abc import Callable
 from pathlib import Path
 
+from phonemeanalyser.rendering.clip_options import USUAL_CLIP_RATE, USUAL_CLIP_SIZE
 from phonemeengine import Channel, Detail, Ear
 from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.presets.ears import WITHOUT_ENCODER
@@ -14,7 +15,6 @@ from phonemeengine.settings import MOST_CHANNELS
 PRESET = "preset (.toml) or PhonemeData file"
 SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
 """Pixels along an edge of its pictures."""
-USUAL_CLIP_RATE = 30.0
 
 
 def add_preset(
@@ -61,7 +61,7 @@ def add_clip(parser: argparse.ArgumentParser) -> None:
     usual = USUAL_CLIP_RATE
     parser.add_argument("--fps", type=float, default=usual, metavar="N", help=f"frames per second ({usual:g})")
     size = size_in((SMALLEST_CLIP, SMALLEST_CLIP), (LARGEST_CLIP, LARGEST_CLIP))
-    parser.add_argument("--size", type=size, default=(640, 640), metavar="WxH", help="pixels (640x640)")
+    parser.add_argument("--size", type=size, default=USUAL_CLIP_SIZE, metavar="WxH", help="pixels (640x640)")
     add_theme(parser)
 
 

@@ -7,25 +7,23 @@ import argparse
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_clip, add_ear, add_mouth, add_preset, add_script
-from phonemeanalyser.cli.clips import check_clip, sound_track, write_clip
+from phonemeanalyser.cli.clips import clip_options, frames_bar
 from phonemeanalyser.cli.driving import DRIVERS, Driving, add_driver, driving
 from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import Job, analyse_with_progress, file_preset, open_sound
 from phonemeanalyser.cli.scripts import spoken_texts
+from phonemeanalyser.rendering.clip import animation_by_rules, check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeengine import (
     Animation,
     EngineError,
+    ExportOptions,
     FaceDriver,
-    IdleMotion,
     MorphMesh,
     MouthTable,
     SoundReader,
-    Transcript,
     Utterance,
-    animation_of,
-    cues_of,
     load_head,
     load_morph_mesh,
     load_morph_targets,
@@ -33,7 +31,6 @@ from phonemeengine import (
     matched,
 )
 from phonemeengine.files import printable_name
-from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.table import USUAL_TABLE, shipped_tables
 from phonemeengine.mouth.transcript import transcript_of
 
@@ -62,7 +59,9 @@ def run(options: argparse.Namespace) -> int:
     morph_mesh = subdivided(_morph_mesh_of(options.mesh, options.movestates))
     with open_sound(Job(options.file, options.out), options.channel) as reader:
         animations, captions = _faces_of(reader, options)
-        write_clip(options, morph_mesh, animations, captions, sound_track(reader))
+        look, sound = clip_options(options), sound_track(reader)
+        with frames_bar(len(animations[0].weights)) as progress:
+            write_clip(options.out, morph_mesh, animations, look, captions, sound, progress)
     return 0
 
 
@@ -93,8 +92,11 @@ def _faces_of(reader: SoundReader, options: argparse.Namespace) -> tuple[list[An
         drivers = _drivers_of(moved, beside, found and found[0], name, table)
         utterance, speech = found or (None, transcript_of(analyses, name, reader.duration, options.file))
         tracks = [moved.track(driver, utterance, speech) for driver in drivers]
+        by_rules = ExportOptions(
+            minimum=options.minimum, anticipation=options.anticipation, table=options.table, idle=idle
+        )
         animations = [
-            track.animation(speech, options.fps, idle) if track else _animation_by_rules(speech, table, idle, options)
+            track.animation(speech, options.fps, idle) if track else animation_by_rules(speech, by_rules, options.fps)
             for track in tracks
         ]
         return animations, [moved.caption(driver) for driver in drivers] if beside else []
@@ -113,11 +115,3 @@ def _drivers_of(
             "--text-driver"
         )
     return drivers
-
-
-def _animation_by_rules(
-    speech: Transcript, table: MouthTable, idle: IdleMotion, options: argparse.Namespace
-) -> Animation:
-    ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
-    cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
-    return animation_of(speech, cues, table, options.fps, idle)

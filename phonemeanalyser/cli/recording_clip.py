@@ -3,8 +3,9 @@
 import argparse
 from contextlib import ExitStack
 
-from phonemeanalyser.cli.clips import check_clip, sound_track, write_clip
+from phonemeanalyser.cli.clips import clip_options, frames_bar
 from phonemeanalyser.cli.jobs import Job, open_sound, say_note
+from phonemeanalyser.rendering.clip import check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeanalyser.rendering.video import SoundTrack
 from phonemeengine import (
@@ -42,7 +43,9 @@ def write_recording_clip(options: argparse.Namespace) -> None:
         animation = _animation_of(performance, start, end, options.fps)
         caption = f"{performance.name}, as recorded: {table.about.title}"
         sound = _sound_of(table, start, end, options, stack)
-        write_clip(options, subdivided(load_head()), [animation], [caption], sound)
+        head, look = subdivided(load_head()), clip_options(options)
+        with frames_bar(len(animation.weights)) as progress:
+            write_clip(options.out, head, [animation], look, [caption], sound, progress)
 
 
 def _part_of(performance: Performance, options: argparse.Namespace) -> tuple[float, float]:

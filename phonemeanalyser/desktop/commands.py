@@ -4,6 +4,7 @@ from collections.abc import Callable
 from functools import partial
 
 from phonemeanalyser.desktop.analyse.label_dialogs import LabelDialogs
+from phonemeanalyser.desktop.analyse.output_button import SPEEDS, next_speed
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.selection_dialogs import SelectionDialogs
 from phonemeanalyser.desktop.dialogs import Dialogs
@@ -44,6 +45,8 @@ def play_commands(session: Session) -> Commands:
         Command("To the Beginning", "Home", lambda: session.seek(0)),
         Command("To the End", "End", lambda: session.seek(session.duration)),
         Command("Louder", "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
+        Command("Slower", "Ctrl+Shift+Left", lambda: session.set_speed(next_speed(session.speed, SPEEDS))),
+        Command("Faster", "Ctrl+Shift+Right", lambda: session.set_speed(next_speed(session.speed, SPEEDS[::-1]))),
         Command("Quieter", "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
     )
 

@@ -26,9 +26,10 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.painting import format_clock
-from phonemeanalyser.desktop.session.export_queue import ExportOrder, ExportQueue, ExportState, sounds_in
+from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, check_order
+from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, sounds_in
 from phonemeengine.audio.files import SUFFIXES
-from phonemeengine.conversion import CONVERSIONS, check_options, targets_of
+from phonemeengine.conversion import targets_of
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.animation import HIGHEST_RATE
 from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION
@@ -110,8 +111,8 @@ class ExportDialog(QDialog):
 
     def _make_choices(self) -> None:
         self.kind, self.table, self.detail = QComboBox(), QComboBox(), QComboBox()
-        for name, conversion in CONVERSIONS.items():
-            self.kind.addItem(f"{conversion.words} ({name})", name)
+        for name, kind in EXPORT_KINDS.items():
+            self.kind.addItem(f"{kind.words} ({name})", name)
         kept = self.kind.findData(str(self._settings.value("export/kind", "rhubarb-json")))
         self.kind.setCurrentIndex(max(0, kept))
         self.table.addItems([USUAL, *shipped_tables()])
@@ -229,16 +230,16 @@ class ExportDialog(QDialog):
     # -- what is shown ------------------------------------------------------------------------------------
 
     def _show_kind(self) -> None:
-        conversion = CONVERSIONS[self.kind.currentData()]
+        kind = EXPORT_KINDS[self.kind.currentData()]
         numbers = (self.rate, self.minimum, self.anticipation, self.seed)
         for widget in (self.table, self.detail, *numbers, self.blinks, self.head):
-            widget.setEnabled(conversion.moves_mouth)
+            widget.setEnabled(kind.moves_mouth)
         self.preview.clear()
         self._show_files()
 
     def _show_files(self) -> None:
         self.queue.jobs = []
-        targets = targets_of(self._sounds, self._folder, self.kind.currentData())
+        targets = targets_of(self._sounds, self._folder, EXPORT_KINDS[self.kind.currentData()].ending)
         self.files.setRowCount(len(self._sounds))
         for row, sound in enumerate(self._sounds):
             self._show_row(row, (sound.name, "", "", str(targets[sound])))
@@ -303,13 +304,13 @@ class ExportDialog(QDialog):
         if order is not None:
             self._settings.setValue("export/kind", order.kind)
             self.told.clear()
-            self.queue.start(targets_of(self._sounds, self._folder, order.kind), order)
+            self.queue.start(targets_of(self._sounds, self._folder, EXPORT_KINDS[order.kind].ending), order)
 
     def _checked_order(self) -> ExportOrder | None:
         """Return what the sounds are turned into; None, after saying why, where that cannot be done."""
         order = self.order()
         try:
-            check_options(order.kind, order.options)
+            check_order(order)
         except EngineError as error:
             self.told.setText(str(error))
             return None

@@ -40,6 +40,13 @@ class WindowState:
             "layout": partial(window.restoreState, version=LAYOUT_VERSION),
             **{name: splitter.restoreState for name, splitter in splitters.items()},
         }
+        self._untouched: dict[str, QByteArray] = {}
+
+    def reset(self) -> None:
+        """Lay out docks, bars and splitters as they were when nobody had moved them."""
+        for name, state in self._untouched.items():
+            self._restorers[name](state)
+        self._settings.remove("layout_width")
 
     def save_docks(self) -> None:
         """Keep where docks and bars are, while they are seen, and how wide the window is that they are in."""
@@ -70,6 +77,7 @@ class WindowState:
             keep(name, choice.currentText())
         keep("volume", round(session.volume))
         keep("loop", int(session.loop))
+        keep("output", session.loudspeaker.label)
         keep("channel", session.wanted_channel.value)
         microphone = session.microphone
         keep("microphone", microphone.choice.label)
@@ -88,6 +96,8 @@ class WindowState:
 
     def restore(self, session: Session, view: ScrollView) -> None:
         """Take up everything of the last start; what was never kept stays as it is."""
+        self._untouched = {name: save() for name, save in self._savers.items() if name != "geometry"}
+        self._untouched["layout"] = self._window.saveState(LAYOUT_VERSION)
         for name, restore in self._restorers.items():
             state = self._settings.value(name)
             if isinstance(state, QByteArray):
@@ -97,6 +107,7 @@ class WindowState:
         for name, choice in self._choices.items():
             choice.setCurrentText(self._kept(name, choice.currentText()))
         session.set_volume(self._kept_number("volume", session.volume))
+        session.loudspeaker.choose(self._kept("output", session.loudspeaker.label))
         session.set_loop(self._kept("loop", int(session.loop)) == "1")
         with suppress(ValueError):  # somebody edited the file
             session.set_channel(Channel(self._kept("channel", session.wanted_channel.value)))

@@ -96,14 +96,12 @@ class MainWindow(QMainWindow):
         self._make_menus()
         self._connect()
         self.state.restore(session, self.analysis.scroll_view)
-        self._banner_bar.hide()
         self.redraw.refresh_all()
 
     # -- what it is made of -------------------------------------------------------------------------------
 
     def _make_views(self) -> None:
         session, theme = self._session, self.theme
-        self.banner = Banner(theme)
         self.transport = Transport(session, theme)
         self.analysis = AnalysisPage(session, self._preset, theme)
         self.filters = FilterColumn(self._preset, theme)
@@ -115,6 +113,7 @@ class MainWindow(QMainWindow):
         self.head.setMinimumHeight(HEAD_HEIGHT)
         self.switch = PageSwitch(commands.PAGES)
         self.pages = PageStack()
+        self.banner = Banner(theme, self, self.pages)
         self.pages.addWidget(self.analysis)
         self._late_calibration = LazyPage(self.pages, self._make_calibration_page)
         self._late_talk = LazyPage(self.pages, self._make_talk_page)
@@ -185,8 +184,13 @@ class MainWindow(QMainWindow):
             self.calibration.workbench.compare.offer(path)
 
     def _lay_out(self) -> None:
-        self._add_bar("Transport", self.transport).addWidget(self.preset_box)
-        self._banner_bar = self._add_bar("Messages", self.banner)
+        bar = QToolBar("Transport")
+        bar.setObjectName("Transport")
+        bar.setMovable(False)
+        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        for view in (self.transport, self.status.chips, self.preset_box):
+            bar.addWidget(view)
+        self.addToolBar(bar)
         self.setCentralWidget(self.pages)
         self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
         self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
@@ -198,17 +202,6 @@ class MainWindow(QMainWindow):
         self.statusBar().addPermanentWidget(self.status.right)
         self.setAcceptDrops(True)
         self.resize(USUAL_SIZE.boundedTo(self.screen().availableSize() - DECORATIONS))
-
-    def _add_bar(self, title: str, view: QWidget) -> QToolBar:
-        """Add a bar with one view, in a row of its own."""
-        bar = QToolBar(title)
-        bar.setObjectName(title)
-        bar.setMovable(False)
-        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
-        bar.addWidget(view)
-        self.addToolBar(bar)
-        self.insertToolBarBreak(bar)
-        return bar
 
     def _add_docks(self) -> None:
         docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
@@ -274,7 +267,9 @@ class MainWindow(QMainWindow):
         self._recent.setEnabled(not self._recent.isEmpty())
 
     def _make_view_menu(self) -> None:
-        view = self.menus.add("&View", *commands.view_commands(self.show_page, self.analysis))
+        full = Command("Full Screen", "F11", self.show_full, checkable=True)
+        layout = Command("Reset Layout", "", self.reset_layout)
+        view = self.menus.add("&View", *commands.view_commands(self.show_page, self.analysis), full, layout)
         view.addSeparator()
         view.addActions(self._docks.switches(KEYS_OF_DOCKS))
         view.addSeparator()
@@ -306,7 +301,7 @@ class MainWindow(QMainWindow):
         dialogs.info.connect(self.banner.show_info)
         preset.rejected.connect(self.banner.show_error)
         dialogs.variable_added.connect(self.analysis.scroll_view.variable.setCurrentText)
-        self.banner.shown.connect(self._banner_bar.setVisible)
+        self.status.chips.go_on_asked.connect(lambda: self.set_frozen(False))
         self.switch.chosen.connect(self.show_page)
         self.selection.info.connect(self.banner.show_info)
         for model in (self._talking, session, self.selection):
@@ -360,6 +355,21 @@ class MainWindow(QMainWindow):
         self.redraw.frozen = frozen
         self.menus.show_checked("Freeze Views", frozen)
         self._show_state()
+
+    def show_full(self, on: bool) -> None:
+        """Fill the screen, or be a window again."""
+        if on:
+            self.showFullScreen()
+        else:
+            self.showNormal()
+
+    def reset_layout(self) -> None:
+        """Lay everything out as at the first start."""
+        self.show_page(ANALYSE)
+        self.state.reset()
+        if self.width() < NARROW:
+            self._docks.stack(self._filters, on=self._thresholds)
+        self._docks.resize({self._filters: FILTERS_WIDTH, self._thresholds: PHONEME_WIDTH})
 
     def _measure_latency(self) -> None:
         """Play clicks, with the microphone and the loudspeaker free for that."""

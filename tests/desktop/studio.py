@@ -117,8 +117,9 @@ class Booth:
 
     @property
     def status(self) -> str:
-        """What the status line says."""
-        return f"{self.window.status.left.text()} | {self.window.status.right.text()}"
+        """What the status line and the chips say."""
+        status = self.window.status
+        return f"{status.left.text()} | {status.right.text()} | {status.chips.words()} {status.chips.late.toolTip()}"
 
     @property
     def frames(self) -> list[int]:

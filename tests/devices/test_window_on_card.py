@@ -42,7 +42,8 @@ def test_the_window_says_what_it_hears_and_how_late_it_is(window: Program, card:
     line = wait_for(window, lambda line: bool(line["devices"]) and "ms late" in line["right"])
     assert line["left"].strip().startswith("microphone: ")
     assert "44 100 Hz" in line["left"]
-    assert f"{line['lost']:.2f} s lost" in line["right"]
+    lost = line["lost"]
+    assert lost < 0.005 or f"{lost:.2f} s lost" in line["right"]
     assert line["banner"] == "" or line["banner"].startswith("The microphone is there: ")
     play(card, window, *takes.glob("*.wav"), 1)
     assert window.end() == 0, window.errors

@@ -31,7 +31,7 @@ def say() -> str:
     print(
         json.dumps({
             "time": time.monotonic(), "banner": banner, "left": window.status.left.text(),
-            "right": window.status.right.text(), "label": window.transport.time.text(),
+            "right": window.status.chips.words(), "label": window.transport.time.text(),
             "ticks": window.redraw.n_ticks,
             "lost": microphone.listener.lost_seconds, "late_ms": window.status.latency_ms,
             "frames": desktop.session.history.n, "devices": [device.label for device in microphone.devices],

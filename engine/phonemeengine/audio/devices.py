@@ -84,6 +84,11 @@ def inputs_of(devices: Sequence[Device]) -> list[Device]:
     return sorted((d for d in devices if d.n_inputs), key=lambda d: not d.is_default)
 
 
+def outputs_of(devices: Sequence[Device]) -> list[Device]:
+    """Return the devices that play."""
+    return [d for d in devices if d.n_outputs]
+
+
 def chosen_input(choice: InputChoice, devices: Sequence[Device]) -> Device:
     """Find the device that a choice names.
 

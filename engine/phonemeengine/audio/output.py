@@ -11,8 +11,9 @@ from typing import Any, Protocol
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.devices import Device
 from phonemeengine.audio.ring import Ring
-from phonemeengine.audio.stream import CardStream
+from phonemeengine.audio.stream import CardStream, openable_devices
 from phonemeengine.errors import DeviceError
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -129,9 +130,14 @@ class ClockOutput:
 
 
 class CardOutput:
-    """The default sound card.
+    """A sound card.
 
     The callback copies samples and notes which one leaves when; nothing else happens there.
+
+    Parameters
+    ----------
+    n_channels : of what is written.
+    device : which one; None for the system's default.
 
     Raises
     ------
@@ -140,7 +146,7 @@ class CardOutput:
 
     is_card = True
 
-    def __init__(self, n_channels: int) -> None:
+    def __init__(self, n_channels: int, device: Device | None = None) -> None:
         self.gain = 1.0
         self._ring = Ring(AHEAD, n_channels)
         self._running = False
@@ -149,7 +155,7 @@ class CardOutput:
         self._mark = (0, 0.0, 0)
         self._asked = -math.inf
         self._opened = time.monotonic()
-        self._stream = CardStream("output", None, SAMPLE_RATE, n_channels, LATENCY, self._fill)
+        self._stream = CardStream("output", device, SAMPLE_RATE, n_channels, LATENCY, self._fill)
         self._opened = time.monotonic()
         self.name = self._stream.name
 
@@ -215,9 +221,16 @@ class CardOutput:
             self._mark = (self._ring.n_read - n, times.outputBufferDacTime, n)
 
 
-def open_output(n_channels: int) -> Output:
-    """Open the default sound card, or a clock where there is none."""
+def open_output(n_channels: int, label: str = "") -> Output:
+    """Open a sound card, or a clock where there is none.
+
+    Parameters
+    ----------
+    n_channels : of what will be written.
+    label : of the device; the system's default serves where that is empty, or the device is not there.
+    """
     try:
-        return CardOutput(n_channels)
+        named = [d for d in openable_devices() if d.n_outputs and d.label == label] if label else []
+        return CardOutput(n_channels, named[0] if named else None)
     except DeviceError:
         return ClockOutput()

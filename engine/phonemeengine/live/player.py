@@ -16,6 +16,7 @@ from phonemeengine.analyser import PRE_ROLL, Analyser, Analysis
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.output import ClockOutput, Output, open_output
+from phonemeengine.audio.slowed_output import SlowedOutput
 from phonemeengine.audio.source import Reader
 from phonemeengine.errors import EngineError
 from phonemeengine.live.playback_queue import PlaybackQueue
@@ -54,6 +55,7 @@ class Player:
         self.reader = reader
         self.loop = False
         self._open_device = open_device
+        self._speed = 1.0
         self._output: Output = ClockOutput()
         self._opened = threading.Event()
         self._next_try = time.monotonic() + RETRY_PERIOD
@@ -159,6 +161,27 @@ class Player:
         """Set the loudness of what is heard, 0..1; the analysis does not change."""
         self._output.gain = gain
 
+    @property
+    def speed(self) -> float:
+        """How fast it plays, 0.25..1 of the usual speed, with the pitch kept."""
+        return self._speed
+
+    def set_speed(self, speed: float) -> None:
+        """Play slower from here on, or at the usual speed again; the analysis does not change.
+
+        Parameters
+        ----------
+        speed : 0.25..1; `take_analyses` raises what does not go.
+        """
+        if speed != self._speed:
+            self._speed = speed
+            self._do(self._reopen)
+
+    def change_device(self, open_device: Callable[[int], Output]) -> None:
+        """Go on, from the same place, on another output."""
+        self._open_device = open_device
+        self._do(self._reopen)
+
     def take_analyses(self) -> list[Analysis]:
         """Return what has been heard since the last call; raises whatever ended the analysis.
 
@@ -179,7 +202,8 @@ class Player:
         each block with the seconds until it is taken, negative ones where it waits for that: the middle of its last
         frame is heard then.
         """
-        return self._waiting.upcoming(self._output.heard)
+        ahead = self._waiting.upcoming(self._output.heard)
+        return ahead if self._speed == 1 else [(seconds / self._speed, analysis) for seconds, analysis in ahead]
 
     def close(self) -> None:
         """Stop, and let file and device go; a device that hangs is left to itself."""
@@ -201,7 +225,7 @@ class Player:
 
     def _open(self) -> None:
         try:
-            output = self._open_device(self.reader.n_channels)
+            output = self._open_slowed()
             output.gain, self._output = self._output.gain, output
             _log.info("playing on %s", output.name)
         except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
@@ -209,6 +233,17 @@ class Player:
             _log.exception("no output can be opened")
         finally:
             self._opened.set()
+
+    def _open_slowed(self) -> Output:
+        n_channels = self.reader.n_channels
+        output = self._open_device(n_channels)
+        return output if self._speed == 1 else SlowedOutput(output, n_channels, self._speed)
+
+    def _reopen(self) -> None:
+        """Go on with another output, or at another speed; some cards serve one stream at a time."""
+        self._hold()
+        self._output.close()
+        self._change_output(self._open_slowed())
 
     def _follow(self) -> None:
         while not self._closing:
@@ -310,7 +345,7 @@ class Player:
     def _look_for_card(self) -> None:
         """Go on aloud if there is a card again; one that opens and stands still is none."""
         self._next_try = time.monotonic() + RETRY_PERIOD
-        found = self._open_device(self.reader.n_channels)
+        found = self._open_slowed()
         deadline = time.monotonic() + WAKE_TIMEOUT
         while found.is_card and not found.alive and time.monotonic() < deadline:
             if self._at_end or self._output.room < STEP:

@@ -96,6 +96,7 @@ class AnalysisPage(QSplitter):
             "coarse_spectrum": self.spectrum.coarse,
             "coarse_average": self.averaged.coarse,
             "coarse_waveform": self.waveform.coarse,
+            "auto_waveform": self.waveform.auto,
             "spectrum_db": self.spectrum.decibels,
             "average_db": self.averaged.decibels,
         }

@@ -16,6 +16,8 @@ from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 COARSE = 8
 """Bins that share a step of the coarse display."""
 FLOOR_DB = -100.0
+HEAD_ROOM_DB = 6.0
+"""Above full scale, so that the loudest line does not lie on the edge."""
 SCALE_STEPS = 60
 """The amplitude scale's slider runs over this many steps of 1 dB."""
 
@@ -85,8 +87,8 @@ class SpectrumView(Plot):
         """Show the whole spectrum, as high as the amplitude scale says."""
         highest = self._frequencies[-1] + BIN_WIDTH if len(self._frequencies) else SAMPLE_RATE / 8
         zoom = float(self.scale.value())
-        low, high = (FLOOR_DB, -zoom) if self.in_decibels else (0.0, 10 ** (-zoom / 20))
-        bottom, top = (FLOOR_DB - 5, 5.0) if self.in_decibels else (0.0, 1.05)
+        low, high = (FLOOR_DB, HEAD_ROOM_DB - zoom) if self.in_decibels else (0.0, 10 ** (-zoom / 20))
+        bottom, top = (FLOOR_DB - 5, 2 * HEAD_ROOM_DB) if self.in_decibels else (0.0, 1.05)
         self.item.vb.setLimits(xMin=0, xMax=highest, yMin=bottom, yMax=top)
         self.item.setXRange(0, highest, padding=0)
         self.item.setYRange(low, high + (high - low) * 0.03, padding=0)

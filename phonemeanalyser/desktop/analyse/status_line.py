@@ -1,11 +1,13 @@
-"""The line at the bottom: what is in hand, what it is heard on, and how late the picture of a voice is."""
+"""The line at the bottom, what is in hand and what it is heard on; and chips: how late the picture of a voice is."""
 
 from PySide6.QtWidgets import QLabel
 
+from phonemeanalyser.desktop.analyse.state_chips import StateChips
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.presets.ears import ear_in_words
 
 UNNOTICED, ACCEPTED = 0.045, 0.090
@@ -16,16 +18,19 @@ STEADINESS = 0.02
 
 
 class StatusLine:
-    """Two labels for a status bar.
+    """Two labels for a status bar, and chips for a tool bar.
 
     Attributes
     ----------
+    left, right : the labels.
+    chips : what is the matter, while something is.
     latency_ms : how late a microphone's phonemes are on the screen; None while none is heard.
     without_look_ahead : seconds of that, without the recogniser's look-ahead, as measured last; None before.
     """
 
     def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
         self.left, self.right = ElidedLabel(), QLabel()
+        self.chips = StateChips(theme)
         self.latency_ms: float | None = None
         self.without_look_ahead: float | None = None
         self._display = 0.0
@@ -45,22 +50,20 @@ class StatusLine:
         ear = f"heard with: {ear_in_words(session.heard_with)}"
         _write(self.left, f" {session.name}: {session.description}   ·   {ear}   ·   {preset}")
         self.left.setToolTip(self.left.text().strip())
-        parts = ["views frozen"] if frozen else []
-        parts += [f"{session.n_dropped} frames not shown"] if session.n_dropped else []
-        if session.source is SoundSource.MICROPHONE:
-            parts += self._microphone_parts()
-        else:
-            parts += [f"♪ {session.output_name}" if session.has_card else session.output_name]
-        _write(self.right, "   ·   ".join(part for part in parts if part) + " ")
+        self.chips.show_frozen(frozen)
+        self.chips.show_unseen(session.n_dropped)
+        listens = session.source is SoundSource.MICROPHONE
+        microphone = session.microphone
+        self.chips.show_lost(microphone.listener.lost_seconds if listens and microphone.active else 0.0)
+        self._show_latency(microphone.latency if listens else None)
+        output = "" if listens else f"♪ {session.output_name}" if session.has_card else session.output_name
+        _write(self.right, f"{output} ")
 
-    def _microphone_parts(self) -> list[str]:
-        microphone = self._session.microphone
-        latency = microphone.latency
-        lost = f"{microphone.listener.lost_seconds:.2f} s lost" if microphone.active else ""
+    def _show_latency(self, latency: Latency | None) -> None:
         if latency is None:
             self.latency_ms = None
-            self.right.setToolTip("")
-            return [lost]
+            self.chips.show_late("")
+            return
         total = latency.total + self._display
         self.latency_ms = 1000 * total
         self.without_look_ahead = total - latency.look_ahead
@@ -68,20 +71,19 @@ class StatusLine:
                  **({"look-ahead": latency.look_ahead} if latency.look_ahead else {}),
                  "analysis": latency.analysis, "display": self._display}  # fmt: skip
         shares = " + ".join(f"{name} {1000 * seconds:.0f}" for name, seconds in words.items())
-        self.right.setToolTip(
-            "From a sound to its phoneme on the screen, on the average, as measured now. People notice a picture "
-            "that is late by more than 45 ms, and stop accepting it at 90 ms (ITU-R BT.1359)."
-        )
         judgement, colour = self.judged(total)
-        late = f"<span style='color:{colour}'><b>{1000 * total:.0f} ms late, {judgement}</b></span>"
-        return [lost, f"{late} ({shares})"]
+        tip = (
+            f"From a sound to its phoneme on the screen, on the average, as measured now: {shares} ms. People notice "
+            "a picture that is late by more than 45 ms, and stop accepting it at 90 ms (ITU-R BT.1359)."
+        )
+        self.chips.show_late(f"{1000 * total:.0f} ms late, {judgement}", colour, tip)
 
     def judged(self, seconds: float) -> tuple[str, str]:
         """Return how people take a picture that is late by so much, and in which colour to say it."""
         if seconds <= UNNOTICED:
             return "nobody notices", self._theme.good
         if seconds <= ACCEPTED:
-            return "noticeable", self._theme.text
+            return "noticeable", self._theme.faint
         return "too late", self._theme.bad
 
 

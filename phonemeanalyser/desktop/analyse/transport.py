@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.analyse.microphone_bar import MicrophoneBar
+from phonemeanalyser.desktop.analyse.output_button import OutputButton
 from phonemeanalyser.desktop.analyse.position_slider import PositionSlider
 from phonemeanalyser.desktop.analyse.record_button import RecordButton
 from phonemeanalyser.desktop.analyse.tone_bar import ToneBar
@@ -71,12 +72,12 @@ class Transport(QWidget):
         self.tone.show_tone(session.tone)
         self.pages = Pages()
         self.time = StillLabel(LEAST_TIME_WIDTH)
-        self.volume_label, self.channel_label = QLabel("volume"), QLabel("channel")
+        self.output, self.channel_label = OutputButton(session), QLabel("channel")
         self.volume = QSlider(Qt.Orientation.Horizontal)
         self.channel = QComboBox()
         self._rows, self._row = QVBoxLayout(self), QHBoxLayout()
         self._first = (self.source, self.open, self.play, self.stop, self.record, self.loop)
-        self._last = (self.time, self.volume_label, self.volume, self.channel_label, self.channel)
+        self._last = (self.time, self.output, self.volume, self.channel_label, self.channel)
         self._lay_out()
         self._connect()
         self._show_state()
@@ -220,7 +221,7 @@ class Transport(QWidget):
         of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
         for widget in of_file:
             widget.setVisible(source is SoundSource.FILE)
-        for widget in (self.volume_label, self.volume):
+        for widget in (self.output, self.volume):
             widget.setVisible(source is not SoundSource.MICROPHONE)
         needing_a_file: tuple[QWidget, ...] = (self.play, self.stop, self.position_slider)
         for widget in needing_a_file:

@@ -1,5 +1,7 @@
 """The newest analysed window, after the filters of the time domain."""
 
+import math
+
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
@@ -15,10 +17,19 @@ from phonemeengine.settings import SAMPLE_RATE, WINDOW
 COARSE = 8
 """Samples that share a bar of the coarse display."""
 LENGTH_MS = 1000 * WINDOW / SAMPLE_RATE
+SOFTEST = 0.02
+"""Sound that is softer than this is not enlarged any more: it would be noise that looks like speech."""
+STEP = 2**0.5
+"""Between two scales that are found: the picture stands still while loudness changes a little."""
+FADING = 0.985
+"""Of the loudest amplitude from one picture to the next, so that a pause does not enlarge its noise at once."""
 
 
 class WaveformView(Plot):
-    """Draws a window, fine (every sample) or coarse (lowest and highest of eight); the slider enlarges it."""
+    """Draws a window, fine (every sample) or coarse (lowest and highest of eight).
+
+    It scales itself to what is loudest, until the slider says otherwise.
+    """
 
     def __init__(self, theme: Theme) -> None:
         tip = "The newest window of 46.4 ms, after the filters of the time domain; full scale is ±1"
@@ -28,7 +39,10 @@ class WaveformView(Plot):
         self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
         self.item.addItem(self._curve)
         self.coarse = toggle_button("coarse", "Coarse display: lowest and highest of eight neighbouring samples")
+        self.auto = toggle_button("auto", "The vertical scale follows the loudness; the slider beside it ends that")
         self.scale = QSlider(Qt.Orientation.Horizontal)
+        self._loudest = SOFTEST
+        self._half = 0.0
         self._add_controls()
         self.reset_zoom()
         self.item.vb.setLimits(xMin=0, xMax=LENGTH_MS, yMin=-1.1, yMax=1.1)
@@ -36,6 +50,9 @@ class WaveformView(Plot):
     def draw(self, wave: Float32Array) -> None:
         """Draw a window, shape (n_samples,), full scale ±1; it always spans 46.4 ms."""
         self._wave = wave
+        if self.auto.isChecked() and len(wave):
+            self._loudest = max(SOFTEST, FADING * self._loudest, float(np.abs(wave).max()))
+            self._show_height(self._height())
         y = wave
         if self.coarse.isChecked() and len(y):
             groups = y.reshape(-1, COARSE)
@@ -53,15 +70,33 @@ class WaveformView(Plot):
         self.scale.setToolTip("Vertical scale: enlarges quiet sound, in dB")
         self.header.addWidget(self.coarse)
         self.header.addWidget(QLabel("scale"))
+        self.header.addWidget(self.auto)
         self.header.addWidget(self.scale)
         self.coarse.toggled.connect(lambda _on: self.draw(self._wave))
-        self.scale.valueChanged.connect(lambda _value: self.reset_zoom())
+        self.auto.setChecked(True)
+        self.auto.toggled.connect(lambda _on: self.reset_zoom())
+        self.scale.valueChanged.connect(self._scale_by_hand)
+
+    def _scale_by_hand(self) -> None:
+        self.auto.setChecked(False)
+        self.reset_zoom()
+
+    def _height(self) -> float:
+        """Return the amplitude at the upper edge."""
+        if not self.auto.isChecked():
+            return 1.05 * 10 ** (-self.scale.value() / 20)
+        return min(1.05, 1.05 * STEP ** math.ceil(math.log(self._loudest, STEP) - 0.05))
+
+    def _show_height(self, half: float) -> None:
+        if half != self._half:
+            self._half = half
+            self.item.setYRange(-half, half, padding=0)
 
     def reset_zoom(self) -> None:
         """Show the whole window, as high as the vertical scale says."""
-        half = 1.05 * 10 ** (-self.scale.value() / 20)
         self.item.setXRange(0, LENGTH_MS, padding=0)
-        self.item.setYRange(-half, half, padding=0)
+        self._half = 0.0
+        self._show_height(self._height())
 
     def _columns(self) -> dict[str, NDArray[np.floating]]:
         """Return what is drawn as columns, each under its name and unit."""

@@ -9,14 +9,11 @@ from tempfile import TemporaryDirectory
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.conversion import CONVERSIONS, convert
 from phonemeengine.errors import EngineError
-from phonemeengine.mouth.exports.exporter import ExportOptions
-from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress
-from phonemeengine.settings import Channel
 
 MOST_PREVIEWED = 4000
 """Characters of a file that are shown before it is written."""
@@ -49,26 +46,6 @@ class ExportJob:
     state: ExportState = ExportState.WAITING
     duration: float = 0.0
     words: str = ""
-
-
-@dataclass(frozen=True)
-class ExportOrder:
-    """What sounds are turned into.
-
-    Attributes
-    ----------
-    kind : see `phonemeengine.conversion.CONVERSIONS`.
-    preset : what is recognised with.
-    options : how mouth cues are written.
-    channel : what is recognised of files of several channels.
-    overwrite : whether to replace files that may be somebody else's.
-    """
-
-    kind: str
-    preset: Preset
-    options: ExportOptions
-    channel: Channel = Channel.MIX
-    overwrite: bool = False
 
 
 class ExportQueue(QObject):
@@ -139,10 +116,7 @@ class ExportQueue(QObject):
         try:
             with SoundReader(job.source) as reader:
                 job = replace(job, duration=reader.duration)
-            convert(
-                job.source, job.target, order.kind, order.preset, order.options, channel=order.channel,
-                overwrite=order.overwrite, progress=progress,
-            )  # fmt: skip
+            EXPORT_KINDS[order.kind].make(job.source, job.target, order, progress)
         except EngineError as error:
             self._put(k, replace(job, state=ExportState.FAILED, words=str(error)))
         else:
@@ -155,8 +129,8 @@ class ExportQueue(QObject):
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     with TemporaryDirectory() as folder:
-        target = Path(folder) / f"{source.stem}{CONVERSIONS[order.kind].ending}"
-        convert(source, target, order.kind, order.preset, order.options, channel=order.channel, progress=progress)
+        target = Path(folder) / f"{source.stem}{EXPORT_KINDS[order.kind].ending}"
+        EXPORT_KINDS[order.kind].make(source, target, order, progress)
         content = target.read_bytes()
     try:
         text = content.decode()

@@ -1,7 +1,7 @@
 """The microphone: which one, what it does, and what is recorded of it."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -47,16 +47,18 @@ class DeviceList(QObject):
 
     changed = Signal()
 
-    def __init__(self, list_devices: Callable[[], list[Device]]) -> None:
+    def __init__(
+        self, list_devices: Callable[[], list[Device]], kind: Callable[[Sequence[Device]], list[Device]] = inputs_of
+    ) -> None:
         super().__init__()
         self.devices: list[Device] = []
-        self._list_devices = list_devices
+        self._list_devices, self._kind = list_devices, kind
         self._looking = TaskQueue(lambda _sentence: self._show([]))
 
     def look(self) -> None:
         """Look which there are now."""
         if not self._looking.busy:
-            self._looking.submit(lambda _progress: inputs_of(self._list_devices()), self._show)
+            self._looking.submit(lambda _progress: self._kind(self._list_devices()), self._show)
 
     def _show(self, devices: list[Device]) -> None:
         if devices != self.devices:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.formant_track import FormantTrack
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
+from phonemeanalyser.desktop.session.loudspeaker import Loudspeaker
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.phoneme_writer import PhonemeWriter
 from phonemeanalyser.desktop.session.preset import PresetModel
@@ -19,6 +20,7 @@ from phonemeanalyser.desktop.session.whole_file import WholeFile
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import Output, open_output
+from phonemeengine.audio.slowed_output import SLOWEST
 from phonemeengine.audio.source import Reader
 from phonemeengine.audio.tone.reader import ToneReader
 from phonemeengine.audio.tone.settings import Tone
@@ -97,7 +99,8 @@ class Session(QObject):
         self.volume = 0.0
         self.wanted_channel = Channel.MIX
         self.may_leave: Callable[[], bool] = lambda: True
-        self._open_device = open_device
+        self.loudspeaker = Loudspeaker(open_device)
+        self.speed = 1.0
         self._file: SoundReader | None = None
         self._left_at = 0.0
         self._told = ""
@@ -105,6 +108,7 @@ class Session(QObject):
         self._tone_reader: ToneReader | None = None
         self._speak_again: Callable[[], Reader] | None = None
         preset.changed.connect(self._use_preset)
+        self.loudspeaker.chosen.connect(self._change_loudspeaker)
         self.microphone.error.connect(self.error)
         self.writer.error.connect(self.error)
         self.labels.error.connect(self.error)
@@ -239,7 +243,7 @@ class Session(QObject):
         self._told = ""
         self.source = SoundSource.FILE
         self._file = file
-        self._attach(Player(file, while_played(self.preset.in_force), self._open_device))
+        self._attach(Player(file, while_played(self.preset.in_force), self.loudspeaker.open))
         analysed = file.channel
         self.view.open(file.duration)
         for track in (self.sonagram, self.formants):
@@ -267,7 +271,7 @@ class Session(QObject):
         self._forget("Opening")
         if source is SoundSource.TONE:
             self._tone_reader = ToneReader(self.tone)
-            self._attach(Player(self._tone_reader, self.preset.in_force, self._open_device))
+            self._attach(Player(self._tone_reader, self.preset.in_force, self.loudspeaker.open))
         if source is SoundSource.MICROPHONE:
             self.microphone.refresh_devices()
         if source is not SoundSource.FILE:
@@ -286,12 +290,12 @@ class Session(QObject):
         self._detach()
         self.source = SoundSource.TEXT
         self._speak_again = again
-        self._attach(Player(speech, self.preset.in_force, self._open_device))
+        self._attach(Player(speech, self.preset.in_force, self.loudspeaker.open))
         self.play()
 
     def player_of(self, reader: Reader) -> Player:
         """Return a player of another sound, as loud as the one in hand; who asks for it closes it."""
-        player = Player(reader, while_played(self.preset.in_force), self._open_device)
+        player = Player(reader, while_played(self.preset.in_force), self.loudspeaker.open)
         player.set_gain(self._gain)
         return player
 
@@ -307,6 +311,7 @@ class Session(QObject):
     def _attach(self, player: Player) -> None:
         player.loop = self.loop
         self._player = player
+        player.set_speed(self.speed)
         self.set_volume(self.volume)
         self._forget("Opening")
         self.opened.emit()
@@ -416,6 +421,18 @@ class Session(QObject):
         self.volume = min(0.0, max(QUIETEST_DB, float(decibels)))
         if self._player is not None:
             self._player.set_gain(self._gain)
+        self.transport_changed.emit()
+
+    def set_speed(self, speed: float) -> None:
+        """Play slower, 0.25..1, with the pitch kept; what is recognised stays as it is."""
+        self.speed = min(1.0, max(SLOWEST, float(speed)))
+        if self._player is not None:
+            self._player.set_speed(self.speed)
+        self.transport_changed.emit()
+
+    def _change_loudspeaker(self) -> None:
+        if self._player is not None:
+            self._player.change_device(self.loudspeaker.open)
         self.transport_changed.emit()
 
     @property

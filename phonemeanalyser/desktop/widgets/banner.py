@@ -1,15 +1,20 @@
-"""A line that says what went wrong or well and what to do, without a dialog."""
+"""A line over the page that says what went wrong or well and what to do, without a dialog, and moves nothing."""
 
 import logging
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
 from phonemeanalyser.desktop.theme import Theme
 
 SHOWN_MS = 15_000
+WIDEST = 760
+"""Of the line, pixels: eyes need not wander."""
+HEADINGS = 30
+"""Pixels at the top of a page that stay free: headings and their controls."""
+BESIDE = 12
+"""Pixels at least between the line and the page's edges."""
 
 _log = logging.getLogger(__name__)
 
@@ -17,15 +22,16 @@ _log = logging.getLogger(__name__)
 class Banner(QWidget):
     """Appears with a sentence, and goes by itself, by a click, or when there is nothing more to say.
 
-    Signals
-    -------
-    shown : whether it is to be seen.
+    Parameters
+    ----------
+    window : whose line it is.
+    page : what it lies over.
     """
 
-    shown = Signal(bool)
-
-    def __init__(self, theme: Theme) -> None:
-        super().__init__()
+    def __init__(self, theme: Theme, window: QWidget, page: QWidget) -> None:
+        super().__init__(window)
+        self._window, self._page = window, page
+        page.installEventFilter(self)
         self.label = QLabel()
         self.label.setWordWrap(True)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -35,7 +41,7 @@ class Banner(QWidget):
         dismiss.setToolTip("Dismiss")
         dismiss.setAccessibleName("dismiss the message")
         dismiss.clicked.connect(lambda _checked: self._dismiss())
-        row = QHBoxLayout(self)
+        self._row = row = QHBoxLayout(self)
         row.setContentsMargins(10, 4, 6, 4)
         self.action = QToolButton()
         self.action.setToolTip("What can be done about it")
@@ -51,10 +57,11 @@ class Banner(QWidget):
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._go_back)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Take as many lines as the sentence needs now."""
-        super().resizeEvent(event)
-        self._fit()
+    def eventFilter(self, _page: QObject, event: QEvent) -> bool:
+        """Go along with the page."""
+        if event.type() in {QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show}:
+            self._fit()
+        return False
 
     def show_error(self, sentence: str) -> None:
         """Show what went wrong; an empty sentence takes that away, but not an offer."""
@@ -97,18 +104,28 @@ class Banner(QWidget):
 
     def _show(self, sentence: str, colour: str, duration_ms: int) -> None:
         self.setStyleSheet(
-            f"#banner {{ background: {colour} }} #banner QLabel {{ color: {self._theme.on_colour} }}"
+            f"#banner {{ background: {colour}; border-radius: 6px }}"
+            f"#banner QLabel {{ color: {self._theme.on_colour} }}"
             f"#banner QToolButton {{ color: {self._theme.on_colour}; background: rgba(255, 255, 255, 40); border: 0;"
             " border-radius: 3px; padding: 3px 9px }"
             "#banner QToolButton:hover { background: rgba(255, 255, 255, 90) }"
         )
         self.label.setText(sentence)
         self.action.hide()
-        self.shown.emit(bool(sentence))
+        self.setVisible(bool(sentence))
         self._fit()
         self._timer.stop()
         if sentence and duration_ms:
             self._timer.start(duration_ms)
 
     def _fit(self) -> None:
-        self.label.setFixedHeight(max(0, self.label.heightForWidth(self.label.width())))  # no toolbar asks for that
+        """Lie at the top of the page, amid, with as many lines as the sentence needs."""
+        if self.isHidden():
+            return
+        self._row.activate()
+        width = min(WIDEST, self._page.width() - 2 * BESIDE)
+        height = max(self.sizeHint().height(), self.heightForWidth(width))
+        corner = self._page.mapTo(self._window, self._page.rect().topLeft())
+        left = corner.x() + (self._page.width() - width) // 2
+        self.setGeometry(left, corner.y() + HEADINGS, width, height)
+        self.raise_()

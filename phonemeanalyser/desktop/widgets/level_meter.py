@@ -14,6 +14,8 @@ from phonemeengine.audio.level import Level
 
 LOWEST_DB, LOUD_DB = -60.0, -6.0
 MARKS_DB = (-48, -36, -24, -12, 0)
+SOFT_DB = -30.0
+"""A voice whose peaks stay below is too soft: turn the gain of the microphone up."""
 LIGHT_WIDTH = 92
 FORGOTTEN = 60.0
 """Seconds after which a clipping is not told any more."""
@@ -35,7 +37,8 @@ class LevelMeterView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName("level of the microphone")
         self.setToolTip(
-            "Peak level in dB below full scale, with the highest of the last 1.5 s; speak up to -12 dB or so. "
+            "Peak level in dB below full scale, with the highest of the last 1.5 s, and how the microphone's gain "
+            "suits it: turn that up where it says soft, down where it says loud. "
             "The light tells for a minute that the microphone was too loud"
         )
 
@@ -52,7 +55,7 @@ class LevelMeterView(QWidget):
         )
         painter.fillRect(QRectF(self._x_of(level.held, track) - 1, 3, 2, 12), QColor(self._theme.text))
         self._paint_scale(painter, track)
-        self._paint_light(painter, level.clipped_ago)
+        self._paint_light(painter, level)
 
     def _paint_scale(self, painter: QPainter, track: QRectF) -> None:
         set_size(painter, 9)
@@ -66,7 +69,8 @@ class LevelMeterView(QWidget):
     def _align(self, mark: int) -> Qt.AlignmentFlag:
         return Qt.AlignmentFlag.AlignRight if mark == 0 else Qt.AlignmentFlag.AlignHCenter
 
-    def _paint_light(self, painter: QPainter, ago: float | None) -> None:
+    def _paint_light(self, painter: QPainter, level: Level) -> None:
+        ago = level.clipped_ago
         recent = ago is not None and ago < FORGOTTEN
         box = QRectF(self.width() - LIGHT_WIDTH, 3, LIGHT_WIDTH - 2, 22)
         fresh = recent and ago is not None and ago < 1.0
@@ -74,7 +78,7 @@ class LevelMeterView(QWidget):
         faded = self._theme.bad if recent else self._theme.faint
         painter.setPen(QColor(self._theme.on_colour if fresh else faded))
         set_size(painter, 10)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words_of(ago))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words_of(ago, level.held))
 
     def _x_of(self, amplitude: float, track: QRectF) -> float:
         decibels = 20 * math.log10(max(amplitude, 1e-6))
@@ -82,8 +86,12 @@ class LevelMeterView(QWidget):
         return track.left() + track.width() * min(max(share, 0.0), 1.0)
 
 
-def words_of(ago: float | None) -> str:
-    """Return how long ago a sample was clipped."""
+def words_of(ago: float | None, held: float = 0.0) -> str:
+    """Return how long ago a sample was clipped, else how well the gain suits the highest peak of late."""
     if ago is None or ago >= FORGOTTEN:
-        return "no clipping"
+        decibels = 20 * math.log10(max(held, 1e-6))
+        if decibels <= LOWEST_DB:
+            return "no clipping"
+        suits = "loud" if decibels > LOUD_DB else "soft" if decibels < SOFT_DB else "good"
+        return f"{decibels:.0f} dB, {suits}".replace("-", "−")
     return "CLIPPED" if ago < 1 else f"clipped {ago:.0f} s ago"

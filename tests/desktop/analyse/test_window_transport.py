@@ -188,13 +188,13 @@ def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(des
     press(window, Qt.Key.Key_F)
     qtbot.waitUntil(lambda: pictures(window) == pictures(window))  # what was begun before the key has been drawn
     still = pictures(window)
-    assert "views frozen" in window.status.right.text()
+    assert window.status.chips.words() == "frozen"
     n = desktop.session.history.n
     qtbot.waitUntil(lambda: desktop.session.history.n > n + 30)
     assert pictures(window) == still
     press(window, Qt.Key.Key_F)
     qtbot.waitUntil(lambda: window.analysis.scroll_view.grab().toImage() != still[0])
-    assert "frozen" not in window.status.right.text()
+    assert window.status.chips.words() == ""
 
 
 def test_frozen_views_catch_up_even_when_the_sound_has_stopped(desktop, window, qtbot):

@@ -1,0 +1,64 @@
+"""What is played on, how loud and how fast, behind one button beside the volume."""
+
+from functools import partial
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QActionGroup
+from PySide6.QtWidgets import QMenu, QToolButton
+
+from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session
+
+SPEEDS = (1.0, 0.85, 0.7, 0.5, 0.35, 0.25)
+DEFAULT = "the system's output"
+
+
+class OutputButton(QToolButton):
+    """Says how loud it plays, in dB, and how fast where that is not as usual; its menu has devices and speeds."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self._session = session
+        self._menu = QMenu(self)
+        self.setMenu(self._menu)
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setAccessibleName("output device and speed")
+        self.setToolTip("Volume in dB; click for the output device and the speed")
+        self._menu.aboutToShow.connect(session.loudspeaker.refresh_devices)
+        session.loudspeaker.devices_changed.connect(self._fill)
+        session.transport_changed.connect(self._show_state)
+        self._fill()
+        self._show_state()
+
+    def _show_state(self) -> None:
+        session = self._session
+        volume = "silent" if session.volume <= QUIETEST_DB else f"{session.volume:.0f} dB".replace("-", "−")
+        speed = "" if session.speed == 1 else f", {100 * session.speed:.0f} %"
+        self.setText(f"♪ {volume}{speed}")
+        for action in self._menu.actions():
+            action.setChecked(action.data() in {session.speed, session.loudspeaker.label})
+
+    def _fill(self) -> None:
+        session = self._session
+        self._menu.clear()
+        labels = {"": DEFAULT} | {device.label: device.label for device in session.loudspeaker.devices}
+        labels.setdefault(session.loudspeaker.label, f"{session.loudspeaker.label} (not there)")
+        devices, speeds = QActionGroup(self._menu), QActionGroup(self._menu)
+        for label, text in labels.items():
+            action = self._menu.addAction(text, partial(session.loudspeaker.choose, label))
+            action.setCheckable(True)
+            action.setData(label)
+            devices.addAction(action)
+        self._menu.addSeparator()
+        for speed in SPEEDS:
+            action = self._menu.addAction(f"Speed {100 * speed:.0f} %", partial(session.set_speed, speed))
+            action.setCheckable(True)
+            action.setData(speed)
+            speeds.addAction(action)
+        self._show_state()
+
+
+def next_speed(speed: float, speeds: tuple[float, ...]) -> float:
+    """Return the speed after this one, in the order given; the last one stays."""
+    nearest = min(range(len(speeds)), key=lambda k: abs(speeds[k] - speed))
+    return speeds[min(nearest + 1, len(speeds) - 1)]

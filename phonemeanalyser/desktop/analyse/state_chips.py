@@ -1,0 +1,81 @@
+"""Facts of the moment as small chips in the tool bar: views that stand still, sound that was lost, how late it is."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+
+from phonemeanalyser.desktop.theme import Theme
+
+
+class StateChips(QWidget):
+    """Chips that are there while there is something to say; a click on *frozen* lets the views go on.
+
+    Signals
+    -------
+    go_on_asked : the views are to go on.
+
+    Attributes
+    ----------
+    frozen, unseen, lost, late : the chips.
+    """
+
+    go_on_asked = Signal()
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self.frozen = QToolButton()
+        self.frozen.setText("frozen")
+        self.frozen.setAccessibleName("views stand still")
+        self.frozen.setToolTip("The views stand still while sound goes on; click, or press F, and they go on")
+        self.frozen.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.frozen.clicked.connect(self.go_on_asked)
+        self.unseen, self.lost, self.late = QLabel(), QLabel(), QLabel()
+        self.unseen.setToolTip("Frames that were analysed but never drawn: the machine has too much to do")
+        self.lost.setToolTip("Sound that never came from the microphone, since listening began")
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 6, 0)
+        row.setSpacing(4)
+        for chip in (self.frozen, self.unseen, self.lost, self.late):
+            chip.hide()
+            row.addWidget(chip)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+        self._dress(self.frozen, theme.accent)
+        self._dress(self.unseen, theme.bad)
+        self._dress(self.lost, theme.bad)
+
+    def show_frozen(self, on: bool) -> None:
+        """Say that the views stand still, or that they do not."""
+        self.frozen.setVisible(on)
+
+    def show_unseen(self, n_frames: int) -> None:
+        """Say how many frames were never drawn; 0 for none."""
+        _say(self.unseen, f"{n_frames} frames not drawn" if n_frames else "")
+
+    def show_lost(self, seconds: float) -> None:
+        """Say how much sound never came; 0 for none."""
+        _say(self.lost, f"{seconds:.2f} s lost" if seconds >= 0.005 else "")
+
+    def show_late(self, words: str, colour: str = "", tip: str = "") -> None:
+        """Say how late phonemes are on the screen; an empty text for nothing."""
+        if words and colour:
+            self._dress(self.late, colour)
+        self.late.setToolTip(tip)
+        _say(self.late, words)
+
+    def words(self) -> str:
+        """Return what the chips say."""
+        return "   ".join(c.text() for c in (self.frozen, self.unseen, self.lost, self.late) if not c.isHidden())
+
+    def _dress(self, chip: QWidget, colour: str) -> None:
+        sheet = (
+            f"* {{ background: {colour}; color: {self._theme.on_colour}; border: 0; border-radius: 8px;"
+            " padding: 1px 8px; font-weight: bold } QToolTip { font-weight: normal }"
+        )
+        if sheet != chip.styleSheet():
+            chip.setStyleSheet(sheet)
+
+
+def _say(chip: QLabel, words: str) -> None:
+    if words != chip.text():
+        chip.setText(words)
+    chip.setVisible(bool(words))

@@ -1,0 +1,135 @@
+"""What the window makes of sounds: all that the engine converts them to, clips of a head, and reports."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from phonemeanalyser.rendering.clip import animation_by_rules, check_clip, sound_track, write_clip
+from phonemeanalyser.rendering.clip_options import ClipOptions
+from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeanalyser.reports.page import page_of
+from phonemeanalyser.reports.report import Report, ScoredPreset
+from phonemeengine.analyser import analyse_file
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.calibration.scores.corpus import read_recordings
+from phonemeengine.calibration.scores.evaluation import score
+from phonemeengine.conversion import CONVERSIONS, check_options, convert
+from phonemeengine.errors import ExportError
+from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.mouth.exports.exporter import ExportOptions
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.transcript import transcript_of
+from phonemeengine.presets.ears import for_files
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, subrange
+from phonemeengine.settings import Channel
+
+ANALYSED = 0.2
+"""How much of the work at a clip is done when the sound is analysed."""
+
+
+@dataclass(frozen=True)
+class ExportOrder:
+    """What sounds are turned into.
+
+    Attributes
+    ----------
+    kind : one of `EXPORT_KINDS`.
+    preset : what is recognised with.
+    options : how mouths move.
+    channel : what is recognised of files of several channels.
+    overwrite : whether to replace files that may be somebody else's.
+    """
+
+    kind: str
+    preset: Preset
+    options: ExportOptions
+    channel: Channel = Channel.MIX
+    overwrite: bool = False
+
+
+@dataclass(frozen=True)
+class ExportKind:
+    """A kind of file that a sound can be turned into.
+
+    Attributes
+    ----------
+    words : what it is, for people.
+    ending : of its files.
+    moves_mouth : whether the order's options say how it is made.
+    make : makes it of a sound, as another file.
+    """
+
+    words: str
+    ending: str
+    moves_mouth: bool
+    make: Callable[[Path, Path, ExportOrder, Progress], None]
+
+
+def check_order(order: ExportOrder) -> None:
+    """Refuse what cannot be done, before any sound is heard.
+
+    Raises
+    ------
+    EngineError : a format or a table cannot do what the options say.
+    """
+    if order.kind in CONVERSIONS:
+        check_options(order.kind, order.options)
+    elif EXPORT_KINDS[order.kind].moves_mouth:
+        check_clip(Path("clip" + EXPORT_KINDS[order.kind].ending), ClipOptions().size)
+
+
+def _convert(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:
+    convert(
+        source, target, order.kind, order.preset, order.options, channel=order.channel, overwrite=order.overwrite,
+        progress=progress,
+    )  # fmt: skip
+
+
+def _make_clip(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:
+    _refuse_another(target, order)
+    look = ClipOptions() if order.options.rate is None else ClipOptions(rate=order.options.rate)
+    preset = for_files(order.preset)
+    with SoundReader(source, order.channel) as reader:
+        analyses = analyse_file(
+            reader, preset, pitch=order.options.idle.head, progress=subrange(progress, 0, ANALYSED)
+        )
+        speech = transcript_of(analyses, printable_name(source), reader.duration, source)
+        animation = animation_by_rules(speech, order.options, look.rate)
+        shown = subrange(progress, ANALYSED, 1)
+        write_clip(target, subdivided(load_head()), [animation], look, (), sound_track(reader), shown)
+
+
+def _write_report(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:
+    """Score the preset on the labels beside a sound, as the command `score` does."""
+    _refuse_another(target, order)
+    utterances = read_recordings(source, channel=order.channel)
+    progress(0.1)
+    found = score(for_files(order.preset), utterances)
+    page = page_of(Report(source.parent, (ScoredPreset(order.preset.name, found),)))
+    progress(1.0)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with atomic_write(target) as file:
+            file.write(page.encode())
+    except OSError as error:
+        fault = reason_of(error)
+        raise ExportError(f"{printable_name(target)}: cannot be written ({fault}); name another folder") from error
+
+
+def _refuse_another(target: Path, order: ExportOrder) -> None:
+    """Leave alone a file that may be somebody else's."""
+    if target.is_file() and not order.overwrite:
+        raise ExportError(
+            f"{printable_name(target)}: the file that is there may be somebody else's; name another folder, or have "
+            "it replaced"
+        )
+
+
+EXPORT_KINDS: dict[str, ExportKind] = {
+    **{name: ExportKind(c.words, c.ending, c.moves_mouth, _convert) for name, c in CONVERSIONS.items()},
+    "clip-mp4": ExportKind("a clip of the head with its sound", ".mp4", True, _make_clip),
+    "clip-gif": ExportKind("a clip of the head", ".gif", True, _make_clip),
+    "report-html": ExportKind("how right it is, by the labels beside it", ".report.html", False, _write_report),
+}
+"""All kinds, by name."""
