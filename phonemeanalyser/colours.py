@@ -30,13 +30,13 @@ class Theme:
 
 LIGHT = Theme(
     name="light", window="#f3f4f6", base="#ffffff", field="#ffffff",
-    raised="#e6e8ec", text="#1c2128", faint="#656d78",
-    line="#c3c8d0", accent="#2563c9", signal="#1a5fb4", good="#1d8348", bad="#c0392b",
+    raised="#e6e8ec", text="#1c2128", faint="#616974",
+    line="#c3c8d0", accent="#2563c9", signal="#1a5fb4", good="#1a7742", bad="#bd382a",
 )  # fmt: skip
 DARK = Theme(
     name="dark", window="#1f2228", base="#15171c", field="#343a45",
-    raised="#2c3038", text="#e4e7ec", faint="#98a1ae",
-    line="#434954", accent="#5b9bf5", signal="#7cc4ff", good="#58c98a", bad="#ff7b6b",
+    raised="#2c3038", text="#e4e7ec", faint="#9ba4b1",
+    line="#434954", accent="#5b9bf5", signal="#7cc4ff", good="#58c98a", bad="#ff7d6d",
 )  # fmt: skip
 
 PHONEME_COLOURS: dict[Phoneme, str] = {

@@ -58,6 +58,10 @@ class Desktop:
     open_device : opens what is played on.
     microphone : what is listened to; the system's, unless another is given.
     preset : what is tuned; the default preset, unless another is given.
+
+    Attributes
+    ----------
+    demo : the sound that is shown to who asks for a demo; None where there is none.
     """
 
     def __init__(
@@ -69,6 +73,7 @@ class Desktop:
         self._settings = settings
         self.preset = preset or PresetModel()
         self.session = Session(self.preset, open_device, microphone)
+        self.demo: Path | None = None
         self._calibration: calibrate.CalibrationModel | None = None
         self.talking = TalkModel(self.session)
         self.window = self._make_window()
@@ -121,9 +126,15 @@ class Desktop:
         session, preset = self.session, self.preset
         window = MainWindow(session, preset, self.theme, self._settings, lambda: self.calibration, self.talking)
         window.theme_asked.connect(self.set_theme)
+        window.demo_asked.connect(self._show_demo)
         if self._calibration is not None:
             window.join_calibration(self._calibration)
         return window
+
+    def _show_demo(self) -> None:
+        self.window.show_page(0)
+        if self.demo is not None and self.window.dialogs.open_sound(self.demo):
+            self.session.play()
 
     def _follow_system(self) -> None:
         if str(self._settings.value("theme", "system")) == "system" and self.window.theme != system_theme():
@@ -184,6 +195,7 @@ def _run(app: QApplication, file: Path | None, demo: Path, preset: Path | None, 
     dialogs.restore_unsaved(unsaved)
     if preset is not None:
         dialogs.load_preset(preset)
+    desktop.demo = demo
     begin = partial(_begin, desktop, file or dialogs.last_sound() or demo, channel)
     FirstPaint(desktop.window).painted.connect(begin)
     desktop.window.show()  # which lays the docks out, before a page without them is shown
@@ -211,6 +223,7 @@ def _begin(desktop: Desktop, file: Path, channel: Channel | None) -> None:
     if channel is not None:
         desktop.session.set_channel(channel)
     desktop.window.dialogs.offer_unfinished()
+    desktop.window.greet()
 
 
 def screenshot(

@@ -1,12 +1,15 @@
 """Letters on a painter: their size, their colour, and where they stand."""
 
 import math
+from functools import cache
 
 from PySide6.QtCore import QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 
 AT_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+READABLE = 0.179
+"""The luminance at which black and white stand out from a colour alike."""
 CENTRED = Qt.AlignmentFlag.AlignCenter
 
 
@@ -33,6 +36,18 @@ def draw_text(
     if size * len(text) > box.width():  # no letter is wider than high
         text = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, math.ceil(box.width()))
     painter.drawText(box, align, text)
+
+
+@cache
+def letters_on(colour: str) -> str:
+    """Return black or white, whichever is read better on a colour, #rrggbb, by the luminance of WCAG 2.2."""
+    return "#000000" if _luminance(QColor(colour)) > READABLE else "#ffffff"
+
+
+def _luminance(colour: QColor) -> float:
+    shares = (colour.redF(), colour.greenF(), colour.blueF())
+    red, green, blue = (s / 12.92 if s <= 0.04045 else ((s + 0.055) / 1.055) ** 2.4 for s in shares)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
 def size_that_fills(painter: QPainter, text: str, width: float, smallest: int, largest: int) -> int:

@@ -60,5 +60,7 @@ def _side_by_side(blocks: list[list[str]]) -> str:
     for block in blocks:
         middle = sum(map(len, columns)) + len(block) // 2
         columns[N_COLUMNS * middle // n_rows].extend(block)
-    cells = "<td width=24></td>".join(f"<td><table>{''.join(column)}</table></td>" for column in columns)
+    cells = "<td width=24></td>".join(
+        f"<td><table cellspacing=0>{''.join(column)}</table></td>" for column in columns
+    )
     return f"<table><tr>{cells}</tr></table>"

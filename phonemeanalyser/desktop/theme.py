@@ -32,7 +32,7 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
         QPalette.ColorRole.ToolTipBase: theme.raised,
         QPalette.ColorRole.ToolTipText: theme.text,
         QPalette.ColorRole.Highlight: theme.accent,
-        QPalette.ColorRole.HighlightedText: "#ffffff",
+        QPalette.ColorRole.HighlightedText: theme.on_colour,
         QPalette.ColorRole.Link: theme.accent,
         QPalette.ColorRole.Mid: theme.line,
         QPalette.ColorRole.Accent: theme.accent,
@@ -46,7 +46,7 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
         f"QToolTip {{ color: {theme.text}; background: {theme.raised}; border: 1px solid {theme.line} }}"
         f"QToolButton[checkable=true] {{ color: {theme.text}; background: {theme.raised}; padding: 1px 4px;"
         f" border: 1px solid {theme.line}; border-radius: 3px }}"
-        f"QToolButton[checkable=true]:checked {{ color: white; background: {theme.accent} }}"
+        f"QToolButton[checkable=true]:checked {{ color: {theme.on_colour}; background: {theme.accent} }}"
         f"QToolButton[checkable=true]:hover {{ border-color: {theme.accent} }}"
     )
     pg.setConfigOptions(background=theme.base, foreground=theme.text, antialias=False)

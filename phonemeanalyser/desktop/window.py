@@ -19,6 +19,7 @@ from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport import Transport
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.docks import Docks
+from phonemeanalyser.desktop.manual import ManualDialog
 from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.redraw import RedrawLoop
 from phonemeanalyser.desktop.session.preset import PresetModel
@@ -32,6 +33,8 @@ from phonemeanalyser.desktop.talk.heads import Heads
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.welcome import WelcomeCards
+from phonemeanalyser.desktop.what_is_this import WhatIsThis
 from phonemeanalyser.desktop.widgets.banner import Banner
 from phonemeanalyser.desktop.widgets.key_filters import ButtonKeys
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
@@ -65,10 +68,12 @@ class MainWindow(QMainWindow):
 
     Signals
     -------
+    demo_asked : the user wants to see and hear the demo.
     theme_asked : the user chose ``system``, ``light`` or ``dark``.
     """
 
     theme_asked = Signal(str)
+    demo_asked = Signal()
 
     def __init__(
         self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings,
@@ -114,6 +119,8 @@ class MainWindow(QMainWindow):
         self.switch = PageSwitch(commands.PAGES)
         self.pages = PageStack()
         self.banner = Banner(theme, self, self.pages)
+        self.welcome = WelcomeCards(theme, self, self.pages)
+        self.what_is_this = WhatIsThis(self)
         self.pages.addWidget(self.analysis)
         self._late_calibration = LazyPage(self.pages, self._make_calibration_page)
         self._late_talk = LazyPage(self.pages, self._make_talk_page)
@@ -233,6 +240,9 @@ class MainWindow(QMainWindow):
         add(
             "&Help",
             Command("Keyboard Shortcuts", "F1", self.show_shortcuts),
+            Command("What Is This?", "Shift+F1", self.what_is_this.begin),
+            Command("Manual", "Ctrl+F1", self.show_manual),
+            Command("First Steps…", "", self.welcome.show_cards),
             Command("About PhonemeAnalyser", "", self.dialogs.show_about),
         )
 
@@ -307,6 +317,10 @@ class MainWindow(QMainWindow):
         for model in (self._talking, session, self.selection):
             model.error.connect(self.banner.show_error)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
+        self.what_is_this.page_asked.connect(self.show_manual)
+        self.welcome.demo_asked.connect(self.demo_asked)
+        self.welcome.microphone_asked.connect(self._listen)
+        self.welcome.calibration_asked.connect(self._begin_calibration)
         session.opened.connect(self._show_names)
         session.cleared.connect(self.redraw.refresh_all)
         session.rewritten.connect(self.analysis.scroll_view.sonagram.forget)
@@ -394,6 +408,27 @@ class MainWindow(QMainWindow):
     def show_shortcuts(self) -> None:
         """List all keys."""
         ShortcutsDialog(self.menus.keys(), self).open()
+
+    def show_manual(self, page: str = "manual.md") -> None:
+        """Show the manual, at a page of it."""
+        dialog = ManualDialog(self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.show_page(page)
+        dialog.show()
+
+    def greet(self) -> None:
+        """Show what one could begin with, at the first start only."""
+        if self._settings.value("greeted") is None:
+            self._settings.setValue("greeted", 1)
+            self.welcome.show_cards()
+
+    def _begin_calibration(self) -> None:
+        self.show_page(CALIBRATE)
+        self._ask_calibration().begin_guide()
+
+    def _listen(self) -> None:
+        self.show_page(ANALYSE)
+        self._session.set_source(SoundSource.MICROPHONE)
 
     # -- Qt's events --------------------------------------------------------------------------------------
 

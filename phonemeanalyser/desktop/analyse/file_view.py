@@ -10,7 +10,7 @@ from PySide6.QtGui import QBrush, QColor, QImage, QKeyEvent, QMouseEvent, QPaint
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.analyse.sonagram import LETTER, NARROWEST_LETTER
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, format_clock, set_size
+from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, format_clock, letters_on, set_size
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sonagram_tiles import Tile
@@ -230,7 +230,8 @@ class FileView(QWidget):
             colour.setAlpha(255 if states[begin] == FrameState.KNOWN else 110)
             painter.fillRect(place, colour)
             if place.width() >= max(NARROWEST_LETTER, LETTER * len(self._names[code])):
-                draw_text(painter, place, self._names[code], "#ffffff", 11, CENTRED)
+                letters = letters_on(self._pixels[code].name())
+                draw_text(painter, place, self._names[code], letters, 11, CENTRED)
 
     def _paint_second(self, painter: QPainter, first: QRectF) -> None:
         """Paint what the second preset hears, and the names of both."""
@@ -280,7 +281,7 @@ class FileView(QWidget):
             painter.fillRect(box.adjusted(1, 1, 0, -1), QColor(self._theme.accent if chosen else self._theme.field))
             if box.width() >= NARROWEST_LETTER or shown.points:
                 words = painter.fontMetrics().elidedText(raw.name, Qt.TextElideMode.ElideRight, int(box.width()))
-                draw_text(painter, box, words, "#ffffff" if chosen else self._theme.text, 11, CENTRED)
+                draw_text(painter, box, words, self._theme.on_colour if chosen else self._theme.text, 11, CENTRED)
 
     def _paint_wave(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
         seen = self._view.seen

@@ -205,6 +205,7 @@ class FilterColumn(QScrollArea):
         reset.setText("↺")
         reset.setAutoRaise(True)
         reset.setFixedWidth(RESET_WIDTH)
+        reset.setAccessibleName(f"reset {text.lower()}")
         reset.setToolTip(f"Reset {text.lower()} to what the preset's file says")
         self.resets[key] = reset
         return reset

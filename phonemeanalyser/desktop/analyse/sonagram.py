@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from phonemeanalyser.desktop.painting import set_size
+from phonemeanalyser.desktop.painting import letters_on, set_size
 from phonemeanalyser.desktop.session.history import CAPACITY, MOST_BINS, NOWHERE, History
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeengine.arrays import UInt8Array, UInt32Array
@@ -120,6 +120,7 @@ class PhonemeLane(pg.GraphicsObject):
         self._sonagram = sonagram
         colours = [*(PHONEME_COLOURS[p] for p in Phoneme), theme.base]  # the last one is that of a gap
         self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
+        self._letters = [QColor(letters_on(colour)) for colour in colours]
         self._names = [*({"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme), ""]
 
     def boundingRect(self) -> QRectF:
@@ -145,11 +146,11 @@ class PhonemeLane(pg.GraphicsObject):
         transform = painter.transform()
         room = (edges[1:] - edges[:-1]) * FRAME_PERIOD * transform.m11()
         painter.resetTransform()
-        painter.setPen(Qt.GlobalColor.white)
         set_size(painter, 11)
         for k in np.flatnonzero(room >= NARROWEST_LETTER).tolist():
             begin, end = int(edges[k]), int(edges[k + 1])
             name = self._names[codes[begin]]
             if room[k] >= LETTER * len(name):
+                painter.setPen(self._letters[codes[begin]])
                 place = QRectF((begin - len(codes)) * FRAME_PERIOD, 0, (end - begin) * FRAME_PERIOD, 1)
                 painter.drawText(transform.mapRect(place), Qt.AlignmentFlag.AlignCenter, name)

@@ -72,6 +72,7 @@ class SpectrumView(Plot):
     def _add_controls(self) -> None:
         self.scale.setRange(0, SCALE_STEPS)
         self.scale.setFixedWidth(54)
+        self.scale.setAccessibleName(f"amplitude scale of the {self.heading.text().lower()}")
         self.scale.setToolTip("Amplitude scale: enlarges small amplitudes, in dB")
         for widget in (self.coarse, self.decibels, self.scale):
             self.header.addWidget(widget)

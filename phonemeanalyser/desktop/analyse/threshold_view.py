@@ -263,6 +263,7 @@ class ThresholdView(QScrollArea):
         reset = QToolButton()
         reset.setText("↺")
         reset.setAutoRaise(True)
+        reset.setAccessibleName("reset")
         reset.setToolTip("Reset to what the preset's file says")
         keep_place = reset.sizePolicy()
         keep_place.setRetainSizeWhenHidden(True)

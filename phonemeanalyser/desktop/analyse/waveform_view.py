@@ -67,6 +67,7 @@ class WaveformView(Plot):
     def _add_controls(self) -> None:
         self.scale.setRange(0, 40)
         self.scale.setFixedWidth(70)
+        self.scale.setAccessibleName("vertical scale of the waveform")
         self.scale.setToolTip("Vertical scale: enlarges quiet sound, in dB")
         self.header.addWidget(self.coarse)
         self.header.addWidget(QLabel("scale"))

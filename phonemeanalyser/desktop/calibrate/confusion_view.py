@@ -8,7 +8,7 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text
+from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, letters_on
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Int64Array
@@ -104,7 +104,7 @@ class ConfusionView(QWidget):
         count = int(self.counts[SAID[row], TAKEN[column]])
         if not count and abs(share) < 0.0005:
             return
-        colour = "#000000" if _light(fill) > 0.18 else "#ffffff"
+        colour = letters_on(fill.name())
         percent = f"{100 * share:.0f}" if self.difference is None else f"{100 * share:+.0f}"
         if self.difference is None and box.height() >= TALL:
             upper, lower = box.adjusted(0, 1, 0, -box.height() / 2 + 3), box.adjusted(0, box.height() / 2 - 2, 0, 0)
@@ -181,9 +181,3 @@ def _blend(one: str, other: str, share: float) -> QColor:
     a, b = QColor(one), QColor(other)
     pairs = ((a.red(), b.red()), (a.green(), b.green()), (a.blue(), b.blue()))
     return QColor(*(round(p + share * (q - p)) for p, q in pairs))
-
-
-def _light(colour: QColor) -> float:
-    """Return the relative luminance, 0..1, on which it depends whether black or white is read better."""
-    weights = ((0.2126, colour.redF()), (0.7152, colour.greenF()), (0.0722, colour.blueF()))
-    return float(sum(weight * amount**2.2 for weight, amount in weights))

@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
-from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock
+from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock, letters_on
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
@@ -43,7 +43,7 @@ class PhonemeButton(QToolButton):
         painter.setBrush(colour if down else QColor(self._theme.raised))
         painter.drawRoundedRect(box, 4, 4)
         painter.fillRect(box.left() + 4, box.bottom() - 4, box.width() - 8, 3, colour)
-        text = QColor("#ffffff" if down and self._theme.name == "light" else self._theme.text)
+        text = QColor(letters_on(PHONEME_COLOURS[self.phoneme]) if down else self._theme.text)
         name = self.phoneme.label
         inner = self.rect().adjusted(5, 2, -5, -3)
         draw_text(painter, inner.adjusted(-5, 0, 5, 0), name, text, 15 if len(name) < 4 else 12, CENTRED)

@@ -87,3 +87,5 @@ class PageSwitch(QWidget):
     def show_page(self, number: int) -> None:
         """Show which page is seen."""
         self.buttons[number].setChecked(True)
+        for k, button in enumerate(self.buttons):  # Tab goes to the one that is down, arrow keys to the others
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus if k == number else Qt.FocusPolicy.NoFocus)

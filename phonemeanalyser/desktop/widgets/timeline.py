@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QScrollBar, QSizePolicy, QToolTip, QVBoxLayout, QWidget
 
-from phonemeanalyser.desktop.painting import CENTRED, draw_text
+from phonemeanalyser.desktop.painting import CENTRED, draw_text, letters_on
 from phonemeanalyser.desktop.theme import Theme
 from phonemeengine.arrays import Float64Array, UInt32Array
 from phonemeengine.settings import FRAME_PERIOD
@@ -227,7 +227,8 @@ class Timeline(QWidget):
                 painter.fillRect(box.adjusted(0, HEIGHT - UNDERLINE, 0, 0), QColor(self._theme.bad))
             text = lane.texts[k]
             if box.width() >= LEAST_TEXT and painter.fontMetrics().horizontalAdvance(text) < box.width() - 2:
-                draw_text(painter, box, text, "#ffffff", SIZE, CENTRED)
+                letters = letters_on(QColor(int(lane.colours[k])).name())
+                draw_text(painter, box, text, letters, SIZE, CENTRED)
 
     def _paint_chapters(self, painter: QPainter) -> None:
         borders = [*(chapter.start for chapter in self.chapters), self.duration]

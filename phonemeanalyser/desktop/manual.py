@@ -1,0 +1,182 @@
+"""The manual inside the program: the pages of ``docs``, read in a window, and quoted by *What Is This?*."""
+
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QUrl
+from PySide6.QtGui import QDesktopServices, QTextCursor
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QTextBrowser,
+    QVBoxLayout,
+    QWidget,
+)
+
+PAGES = (
+    "index", "manual", "calibrating", "recognisers", "presets", "script", "speaking", "pinyin", "performance",
+    "expression", "formats", "command-line", "engine", "glossary",
+)  # fmt: skip
+"""Those that users read, in this order."""
+SIZE = 980, 640
+"""Of the window at first, pixels."""
+LIST_WIDTH = 200
+
+_PICTURE = re.compile(r"^!\[[^\]]*\]\([^)]*\)\s*$", re.MULTILINE)
+_HEADING = re.compile(r"^#+\s+(.*)$", re.MULTILINE)
+_NO_LETTER = re.compile(r"[^\w\- ]")
+
+
+class ManualDialog(QDialog):
+    """Shows the pages with a list of them and a field that searches.
+
+    Attributes
+    ----------
+    pages, text, field : the list, the page, and what is searched for.
+    """
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Manual")
+        self.resize(*SIZE)
+        self.pages, self.text, self.field = QListWidget(), QTextBrowser(), QLineEdit()
+        self.pages.addItems([title_of(page) for page in PAGES])
+        self.pages.setFixedWidth(LIST_WIDTH)
+        self.pages.setAccessibleName("pages of the manual")
+        self.text.setAccessibleName("the page")
+        self.text.setOpenLinks(False)
+        self.field.setPlaceholderText("search")
+        self.field.setAccessibleName("search the manual")
+        self.field.setClearButtonEnabled(True)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.reject)
+        self.pages.currentRowChanged.connect(lambda row: self._show(PAGES[row]))
+        self.text.anchorClicked.connect(self._follow)
+        self.field.returnPressed.connect(self._search)
+        top, sides = QHBoxLayout(), QHBoxLayout()
+        top.addWidget(self.field)
+        sides.addWidget(self.pages)
+        sides.addWidget(self.text, 1)
+        layout = QVBoxLayout(self)
+        layout.addLayout(top)
+        layout.addLayout(sides, 1)
+        layout.addWidget(buttons)
+        self.show_page("manual.md")
+
+    def show_page(self, link: str) -> None:
+        """Show a page, from a heading on where the link names one, such as ``manual.md#the-whole-file``."""
+        name, _, anchor = link.partition("#")
+        page = name.removesuffix(".md")
+        if page in PAGES:
+            self.pages.setCurrentRow(PAGES.index(page))
+            self._show(page)
+        headings = _HEADING.findall(page_text(PAGES[self.pages.currentRow()]))
+        heading = next((heading for heading in headings if slug_of(heading) == anchor), "")
+        if heading:
+            self._go_to(_plain(heading))
+
+    def _show(self, page: str) -> None:
+        self.text.setMarkdown(page_text(page))
+        self.text.moveCursor(QTextCursor.MoveOperation.Start)
+
+    def _follow(self, link: QUrl) -> None:
+        if link.scheme():
+            QDesktopServices.openUrl(link)
+        elif link.path().removesuffix(".md") in {*PAGES, ""}:
+            self.show_page(link.toString())
+
+    def _search(self) -> None:
+        """Go to the next place of these words, on this page or one after it."""
+        words = self.field.text()
+        if not words or self.text.find(words):
+            return
+        row = self.pages.currentRow()
+        for k in range(1, len(PAGES) + 1):
+            other = (row + k) % len(PAGES)
+            if words.casefold() in _plain(page_text(PAGES[other])).casefold():
+                self.pages.setCurrentRow(other)
+                self._show(PAGES[other])
+                self.text.find(words)
+                return
+
+    def _go_to(self, words: str) -> None:
+        """Have a heading stand at the upper edge."""
+        block: Any = self.text.document().begin()
+        while block.isValid():
+            if block.blockFormat().headingLevel() and block.text() == words:
+                top = self.text.document().documentLayout().blockBoundingRect(block).top()
+                self.text.verticalScrollBar().setValue(round(top))
+                return
+            block = block.next()
+
+
+@cache
+def page_text(page: str) -> str:
+    """Return a page as Markdown, without its pictures: they show what the reader has before him."""
+    return _PICTURE.sub("", (docs_folder() / f"{page}.md").read_text("utf-8"))
+
+
+def docs_folder() -> Path:
+    """Return the folder of the pages: beside the program where it is installed, else in the checkout."""
+    shipped = Path(__file__).resolve().parents[1] / "docs"
+    return shipped if shipped.is_dir() else Path(__file__).resolve().parents[2] / "docs"
+
+
+def title_of(page: str) -> str:
+    """Return the first heading of a page."""
+    found = _HEADING.search(page_text(page))
+    return _plain(found[1]) if found else page
+
+
+def passage(page: str, term: str) -> str:
+    """Return what a page says of a term, as Markdown: the paragraph that begins with it, printed boldly.
+
+    Parameters
+    ----------
+    term : such as ``Filters``; with ``#`` before it, the first paragraph under that heading.
+
+    Raises
+    ------
+    KeyError : the page has no such paragraph.
+    """
+    blocks = _blocks_of(page_text(page))
+    if term.startswith("#"):
+        for k, block in enumerate(blocks[:-1]):
+            if block.startswith("#") and _plain(block.lstrip("# ")) == term[1:]:
+                return blocks[k + 1]
+    for block in blocks:
+        if block.startswith(f"**{term}"):
+            return block
+    raise KeyError(f"{page}.md: {term}")
+
+
+def slug_of(heading: str) -> str:
+    """Return the anchor of a heading, as links have it."""
+    return _NO_LETTER.sub("", _plain(heading).lower()).strip().replace(" ", "-")
+
+
+def _blocks_of(text: str) -> list[str]:
+    """Return paragraphs, headings and list items, each as one line."""
+    blocks: list[str] = []
+    ended = True
+    for line in text.splitlines():
+        words = line.strip()
+        if not words:
+            ended = True
+            continue
+        starts = ended or line.startswith(("#", "- "))
+        if starts:
+            blocks.append(words.removeprefix("- "))
+        else:
+            blocks[-1] += " " + words
+        ended = words.startswith("#")
+    return blocks
+
+
+def _plain(markdown: str) -> str:
+    return re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", markdown).replace("*", "").replace("`", "").strip()

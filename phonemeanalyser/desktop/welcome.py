@@ -1,0 +1,114 @@
+"""Three cards for somebody who starts the program for the first time."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QVBoxLayout, QWidget
+
+from phonemeanalyser.desktop.theme import Theme
+
+CARD_WIDTH = 188
+CARDS = (
+    ("Watch the Demo", "A voice plays, and you see what is recognised of it, and why."),
+    ("Use My Microphone", "Speak, and the letters follow; nothing is recorded until you press R."),
+    ("Calibrate My Voice", "Read one line aloud: in a minute the program knows your voice."),
+)
+
+
+class WelcomeCards(QFrame):
+    """Lies over the page until a card is chosen or all are dismissed.
+
+    Parameters
+    ----------
+    window : whose cards they are.
+    page : what they lie over.
+
+    Signals
+    -------
+    demo_asked, microphone_asked, calibration_asked : what the user chose.
+
+    Attributes
+    ----------
+    cards : the three buttons.
+    """
+
+    demo_asked, microphone_asked, calibration_asked = Signal(), Signal(), Signal()
+
+    def __init__(self, theme: Theme, window: QWidget, page: QWidget) -> None:
+        super().__init__(window)
+        self._window, self._page = window, page
+        self.setObjectName("welcome")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setStyleSheet(
+            f"#welcome {{ background: {theme.raised}; border: 1px solid {theme.line}; border-radius: 10px }}"
+            f"QFrame#card {{ background: {theme.base}; border: 1px solid {theme.line}; border-radius: 8px }}"
+        )
+        self.cards: list[QPushButton] = []
+        heading = QLabel("<b>What would you like to do first?</b>")
+        self.dismiss = QToolButton()
+        self.dismiss.setText("✕")
+        self.dismiss.setAutoRaise(True)
+        self.dismiss.setToolTip("Not now; the cards are under Help")
+        self.dismiss.setAccessibleName("dismiss the cards")
+        self.dismiss.clicked.connect(lambda _checked: self.hide())
+        top, row = QHBoxLayout(), QHBoxLayout()
+        top.addWidget(heading, 1)
+        top.addWidget(self.dismiss)
+        row.setSpacing(12)
+        asked = (self.demo_asked, self.microphone_asked, self.calibration_asked)
+        for (title, words), signal in zip(CARDS, asked, strict=True):
+            row.addWidget(self._card(title, words, signal.emit))
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(18, 12, 18, 18)
+        layout.setSpacing(10)
+        layout.addLayout(top)
+        layout.addLayout(row)
+        page.installEventFilter(self)
+        self.hide()
+
+    def show_cards(self) -> None:
+        """Show them, with the first one ready for the return key."""
+        self.show()
+        self._fit()
+        self.cards[0].setFocus()
+
+    def eventFilter(self, _page: QObject, event: QEvent) -> bool:
+        """Go along with the page."""
+        if event.type() in {QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show}:
+            self._fit()
+        return False
+
+    def event(self, event: QEvent) -> bool:
+        """Go at Escape, which is for the cards while they are seen."""
+        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            event.accept()
+            if event.type() == QEvent.Type.KeyPress:
+                self.hide()
+            return True
+        return super().event(event)
+
+    def _card(self, title: str, words: str, chosen: Callable[[], object]) -> QFrame:
+        card, button, told = QFrame(), QPushButton(title), QLabel(words)
+        card.setObjectName("card")
+        card.setFixedWidth(CARD_WIDTH)
+        told.setWordWrap(True)
+        button.setAutoDefault(True)
+        button.setAccessibleDescription(words)
+        button.clicked.connect(lambda _checked: self.hide())
+        button.clicked.connect(lambda _checked: chosen())
+        column = QVBoxLayout(card)
+        column.setContentsMargins(14, 14, 14, 14)
+        column.addWidget(told, 1, Qt.AlignmentFlag.AlignTop)
+        column.addWidget(button)
+        self.cards.append(button)
+        return card
+
+    def _fit(self) -> None:
+        """Lie amid the page."""
+        if self.isHidden():
+            return
+        self.resize(self.sizeHint())
+        corner = self._page.mapTo(self._window, self._page.rect().center())
+        self.move(corner - self.rect().center())
+        self.raise_()

@@ -1,0 +1,79 @@
+"""For who does not see well, or not at all, or has no mouse: names, the way of Tab, and contrast."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
+
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.theme import DARK, LIGHT, PHONEME_COLOURS, Theme
+from tests.desktop.accessible import controls_of, spoken_name
+from tests.desktop.hands import shown
+
+TEXT, LARGE = 4.5, 3.0
+"""The least contrast by WCAG 2.2, level AA: of text, and of large text and of what marks a control."""
+
+
+@pytest.mark.parametrize("source", SoundSource)
+@pytest.mark.parametrize("page", range(3))
+def test_every_control_has_a_name_for_screen_readers(desktop, qtbot, page, source):
+    window = shown(desktop, qtbot)
+    desktop.session.set_source(source)
+    window.show_page(page)
+    nameless = [f"{type(w).__name__} in {type(w.parentWidget()).__name__}: {w.toolTip()}" for w in controls_of(window)
+                if not any(letter.isalnum() for letter in spoken_name(w))]  # fmt: skip
+    assert nameless == []
+
+
+@pytest.mark.parametrize("page", range(3))
+def test_tab_reaches_every_control_from_the_top_down(desktop, qtbot, page):
+    window = shown(desktop, qtbot)
+    window.show_page(page)
+    window.activateWindow()
+    wanted = {w for w in controls_of(window) if w.isEnabled() and w.focusPolicy() & Qt.FocusPolicy.TabFocus
+              and not grouped(w)}  # fmt: skip
+    reached = []
+    for _ in range(400):
+        QTest.keyClick(window.focusWidget() or window, Qt.Key.Key_Tab)
+        now = QApplication.focusWidget() or window.focusWidget()
+        if now in reached:
+            break
+        reached.append(now)
+    missed = [f"{type(w).__name__}: {spoken_name(w)}" for w in wanted - {*reached}]
+    assert missed == []
+
+
+def grouped(widget: QWidget) -> bool:
+    """Say whether arrow keys, not Tab, reach a button, since another one of its group is down."""
+    group = widget.group() if isinstance(widget, QAbstractButton) else None
+    return group is not None and group.exclusive() and group.checkedButton() not in {None, widget}
+
+
+def contrast(first: str, second: str) -> float:
+    """The contrast ratio of two colours by WCAG 2.2."""
+
+    def luminance(colour: str) -> float:
+        shares = (QColor(colour).redF(), QColor(colour).greenF(), QColor(colour).blueF())
+        red, green, blue = (s / 12.92 if s <= 0.04045 else ((s + 0.055) / 1.055) ** 2.4 for s in shares)
+        return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+    lighter, darker = sorted((luminance(first), luminance(second)), reverse=True)
+    return (lighter + 0.05) / (darker + 0.05)
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
+def test_text_stands_out_from_what_it_stands_on(theme: Theme):
+    for background in (theme.window, theme.base, theme.field, theme.raised):
+        for colour in (theme.text, theme.faint, theme.good, theme.bad):
+            assert contrast(colour, background) >= TEXT, (colour, background)
+    for background in (theme.accent, theme.bad):
+        assert contrast(theme.on_colour, background) >= TEXT, background
+    assert contrast(theme.signal, theme.base) >= LARGE
+    assert contrast(theme.accent, theme.window) >= LARGE
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
+def test_letters_in_the_lane_can_be_read_on_their_colours(theme: Theme):
+    for phoneme, colour in PHONEME_COLOURS.items():
+        assert max(contrast("#ffffff", colour), contrast("#000000", colour)) >= TEXT, phoneme

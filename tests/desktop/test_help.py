@@ -1,0 +1,109 @@
+"""What explains the program from within: the manual, What Is This?, and the cards of the first start."""
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWhatsThis, QWidget
+
+from phonemeanalyser.desktop.manual import PAGES, ManualDialog, docs_folder, page_text, passage, slug_of, title_of
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.what_is_this import PASSAGES, explanation_of, passage_for
+from tests.conftest import ROOT
+from tests.desktop.accessible import controls_of
+from tests.desktop.hands import CARDS, LEFT, shown
+
+
+@pytest.fixture
+def window(desktop, qtbot):
+    return shown(desktop, qtbot)
+
+
+@pytest.mark.parametrize("kind", PASSAGES)
+def test_the_manual_has_a_passage_for_each_part_of_the_window(kind):
+    assert len(passage(*PASSAGES[kind])) > 40
+
+
+def test_the_pages_are_those_of_the_documentation():
+    assert docs_folder() == ROOT / "docs"
+    for page in PAGES:
+        assert title_of(page)
+        assert "](../screenshots" not in page_text(page)
+
+
+@pytest.mark.parametrize("page", range(3))
+def test_everything_that_one_can_use_or_read_explains_itself(window, page):
+    window.show_page(page)
+    silent = [f"{type(w).__name__} {w.accessibleName()}" for w in controls_of(window) if not explanation_of(w)]
+    unexplained = [f"{type(w).__name__} {w.accessibleName()}" for w in controls_of(window) if passage_for(w) is None]
+    assert silent == unexplained == []
+
+
+def test_a_click_asks_and_the_answer_leads_into_the_manual(window, monkeypatch):
+    told = []
+    monkeypatch.setattr(QWhatsThis, "showText", lambda _at, text, _widget: told.append(text))
+    window.menus.actions["What Is This?"].trigger()
+    assert QWhatsThis.inWhatsThisMode()
+    QWhatsThis.leaveWhatsThisMode()
+    box = window.preset_box
+    QApplication.sendEvent(box, QHelpEvent(QEvent.Type.WhatsThis, QPoint(2, 2), box.mapToGlobal(QPoint(2, 2))))
+    (text,) = told
+    assert "Presets" in text
+    assert 'href="manual.md"' in text
+
+
+def dialogs(window) -> list[ManualDialog]:
+    return [w for w in window.findChildren(ManualDialog) if w.isVisible()]
+
+
+def test_the_manual_opens_follows_links_and_finds_words(window, qtbot):
+    window.menus.actions["Manual"].trigger()
+    (dialog,) = dialogs(window)
+    assert dialog.pages.currentItem().text() == title_of("manual")
+    dialog.show_page("calibrating.md#on-the-command-line")
+    assert dialog.pages.currentItem().text() == "How to calibrate"
+    assert dialog.text.verticalScrollBar().value() > 0
+    dialog.field.setText("mel bank")
+    QTest.keyClick(dialog.field, Qt.Key.Key_Return)
+    assert dialog.text.textCursor().selectedText().casefold() == "mel bank"
+    assert dialog.field.hasFocus() or not dialog.isActiveWindow()
+    dialog.reject()
+    assert dialogs(window) == []
+
+
+def test_anchors_are_those_that_links_have():
+    assert slug_of("The whole file") == "the-whole-file"
+    assert slug_of("Files are heard better") == "files-are-heard-better"
+
+
+def test_the_cards_come_once_and_lead_to_demo_microphone_and_calibration(desktop, window, qtbot):
+    assert not window.welcome.isVisible()
+    window.greet()
+    assert window.welcome.isVisible()
+    assert all(card.isVisible() for card in window.welcome.cards)
+    QTest.mouseClick(window.welcome.cards[1], LEFT)
+    assert not window.welcome.isVisible()
+    assert desktop.session.source is SoundSource.MICROPHONE
+    window.greet()
+    assert not window.welcome.isVisible()
+    window.menus.actions["First Steps…"].trigger()
+    assert window.welcome.isVisible()
+    desktop.demo = CARDS
+    QTest.mouseClick(window.welcome.cards[0], LEFT)
+    assert desktop.session.path == CARDS
+    assert desktop.session.playing
+    desktop.session.stop()
+    window.welcome.show_cards()
+    QTest.mouseClick(window.welcome.cards[2], LEFT)
+    assert window.calibration.guide.isVisible()
+
+
+def test_the_cards_go_at_escape_and_fit_into_a_small_window(window):
+    window.resize(1024, 700)
+    window.welcome.show_cards()
+    QApplication.processEvents()
+    page: QWidget = window.pages
+    inside = page.rect().translated(page.mapTo(window, QPoint(0, 0)))
+    assert inside.contains(window.welcome.geometry())
+    QTest.keyClick(window.welcome, Qt.Key.Key_Escape)
+    assert not window.welcome.isVisible()
