@@ -32,6 +32,7 @@ from phonemeanalyser.desktop.talk.head_view import HeadView
 from phonemeanalyser.desktop.talk.heads import Heads
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.page import TalkPage
+from phonemeanalyser.desktop.talk.words_view import spoken_lanes
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.what_is_this import WhatIsThis
@@ -291,6 +292,7 @@ class MainWindow(QMainWindow):
         self.transport.open_asked.connect(dialogs.ask_sound)
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
         self._talking.text.info.connect(self.banner.show_info)
+        self._talking.text.changed.connect(self._show_spoken)
         self._talking.text.speech_saved.connect(dialogs.offer_speech)
         session.may_leave = self._may_leave_sound
         session.labels.info.connect(self.banner.show_info)
@@ -332,6 +334,7 @@ class MainWindow(QMainWindow):
         self.show_page(ANALYSE)
         self._show_names()
         self._show_state()
+        self._show_spoken()
 
     def show_page(self, number: int) -> None:
         """Show a page; the docks belong to the first one."""
@@ -421,6 +424,9 @@ class MainWindow(QMainWindow):
         if self._settings.value("greeted") is None:
             self._settings.setValue("greeted", 1)
             self.welcome.show_cards()
+
+    def _show_spoken(self) -> None:
+        self.analysis.file.view.show_spoken(spoken_lanes(self._talking.text))
 
     def _begin_calibration(self) -> None:
         self.show_page(CALIBRATE)

@@ -23,6 +23,7 @@ OVERLAYS = {
     "formants": "red dots, by Burg's method, as Praat measures them",
     "pitch": "a blue line, 0 to 500 Hz from the lower edge to the upper",
     "level": "a yellow line, peaks of -80 to 0 dB",
+    "words": "lanes below, where the words are known: words, syllables or letters, phones, units",
 }
 """What may be drawn over the sonagram, and how."""
 
@@ -73,7 +74,7 @@ class FilePanel(QWidget):
         self.over.setText("over it")
         self.over.setMenu(menu)
         self.over.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.over.setToolTip("What is drawn over the sonagram: formants, pitch, level")
+        self.over.setToolTip("What is drawn over the sonagram, and below it: formants, pitch, level, words")
         self.axis.addItems([axis.value for axis in FrequencyAxis])
         self.axis.setAccessibleName("frequency axis")
         self.colours.setAccessibleName("colour map")
@@ -109,6 +110,7 @@ class FilePanel(QWidget):
         for name, action in self.overlays.items():
             action.setCheckable(True)
             action.toggled.connect(lambda on, name=name: self.view.show_over(name, on=on))
+        self.overlays["words"].setChecked(True)
         self.whole.clicked.connect(lambda _checked: view.show_all())
         self.selection.clicked.connect(lambda _checked: self._show_selection())
         self.axis.currentIndexChanged.connect(

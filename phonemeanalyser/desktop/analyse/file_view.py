@@ -16,6 +16,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sonagram_tiles import Tile
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.timeline import Lane
 from phonemeengine.arrays import Float32Array, UInt32Array
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
@@ -56,7 +57,7 @@ class FileView(QWidget):
     Attributes
     ----------
     variable : name of the variable whose course is drawn.
-    shows : which of ``formants``, ``pitch`` and ``level`` are drawn over the sonagram.
+    shows : which of ``formants``, ``pitch`` and ``level`` are drawn over the sonagram; ``words``: what is said below.
     """
 
     sought = Signal(float)
@@ -70,6 +71,7 @@ class FileView(QWidget):
         self._theme = theme
         self.variable = "energy"
         self.shows: set[str] = set()
+        self._spoken: list[Lane] = []
         self._mouse: QPointF | None = None
         self._colours: UInt32Array = np.zeros(256, np.uint32)
         self._images: dict[int, tuple[Tile, tuple[float, float], QImage]] = {}
@@ -109,6 +111,11 @@ class FileView(QWidget):
         self.shows = self.shows | {name} if on else self.shows - {name}
         self.update()
 
+    def show_spoken(self, lanes: list[Lane]) -> None:
+        """Draw other lanes of what is said; those that a tier of labels of the same name shows are left out."""
+        self._spoken = lanes
+        self.update()
+
     # -- where things lie ---------------------------------------------------------------------------------
 
     @property
@@ -117,7 +124,7 @@ class FileView(QWidget):
 
     def _rows(self) -> tuple[QRectF, QRectF, QRectF, QRectF]:
         """Return where sonagram, lane, waveform and course lie, from above."""
-        lanes = len(self._labels.state.shown) * (LABEL_HEIGHT + 1)
+        lanes = (len(self._labels.state.shown) + len(self._spoken_shown())) * (LABEL_HEIGHT + 1)
         lanes += 0 if self._session.second.preset is None else LANE_HEIGHT + 1
         room = max(0, self.height() - LANE_HEIGHT - lanes - TIME_HEIGHT - 3 * GAP)
         wave, course = WAVE_SHARE * room, COURSE_SHARE * room
@@ -144,6 +151,22 @@ class FileView(QWidget):
             tier: QRectF(LEFT, top + k * step, self._width, LABEL_HEIGHT)
             for k, tier in enumerate(self._labels.state.shown)
         }
+
+    def _spoken_shown(self) -> list[Lane]:
+        """Return the lanes of what is said that no tier shows already."""
+        tiers = {self._labels.state.tiers[tier].name for tier in self._labels.state.shown}
+        return [lane for lane in self._spoken if "words" in self.shows and lane.name not in tiers]
+
+    def _spoken_rows(self) -> list[tuple[QRectF, Lane]]:
+        """Return where the lanes of what is said lie, under the labels."""
+        labels, second = self._label_rows(), self._second_row()
+        above = max([row.bottom() for row in labels.values()], default=0.0)
+        top = above or (self._rows()[LANE] if second is None else second).bottom()
+        step = LABEL_HEIGHT + 1
+        return [
+            (QRectF(LEFT, top + 1 + k * step, self._width, LABEL_HEIGHT), lane)
+            for k, lane in enumerate(self._spoken_shown())
+        ]
 
     def _x_of(self, seconds: float) -> float:
         seen = self._view.seen
@@ -174,6 +197,8 @@ class FileView(QWidget):
             self._paint_over(painter, rows[0], tracks)
         for tier, row in self._label_rows().items():
             self._paint_labels(painter, row, tier)
+        for row, lane in self._spoken_rows():
+            self._paint_spoken(painter, row, lane)
         self._paint_times(painter, rows[3].bottom())
         self._paint_selection(painter, rows[3].bottom())
         x = self._x_of(self._session.position)
@@ -282,6 +307,29 @@ class FileView(QWidget):
             if box.width() >= NARROWEST_LETTER or shown.points:
                 words = painter.fontMetrics().elidedText(raw.name, Qt.TextElideMode.ElideRight, int(box.width()))
                 draw_text(painter, box, words, self._theme.on_colour if chosen else self._theme.text, 11, CENTRED)
+
+    def _paint_spoken(self, painter: QPainter, row: QRectF, lane: Lane) -> None:
+        """Paint words, syllables, phones, letters or units: a coloured box each, with its name where that fits."""
+        seen = self._view.seen
+        painter.fillRect(row, QColor(self._theme.base))
+        draw_text(painter, QRectF(0, row.top(), LEFT - 7, row.height()), lane.name, self._theme.faint, 10, AT_RIGHT)
+        set_size(painter, 11)
+        first = int(np.searchsorted(lane.ends, seen.start))
+        last = int(np.searchsorted(lane.starts, seen.end))
+        drawn = LEFT - 1.0
+        for k in range(first, last):
+            left, right = (self._x_of(min(max(t, seen.start), seen.end)) for t in (lane.starts[k], lane.ends[k]))
+            if right < drawn + 0.5:
+                continue  # lies within a pixel that is painted already
+            drawn = right
+            box = QRectF(left, row.top(), max(1.0, right - left - 1), row.height())
+            colour = QColor(int(lane.colours[k]))
+            painter.fillRect(box, colour)
+            if k in lane.marked:
+                painter.fillRect(box, QBrush(QColor(self._theme.bad), Qt.BrushStyle.BDiagPattern))
+            if box.width() >= NARROWEST_LETTER:
+                words = painter.fontMetrics().elidedText(lane.texts[k], Qt.TextElideMode.ElideRight, int(box.width()))
+                draw_text(painter, box, words, letters_on(colour.name()), 11, CENTRED)
 
     def _paint_wave(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
         seen = self._view.seen
@@ -397,10 +445,21 @@ class FileView(QWidget):
             return ""
         values = dict(zip(tracks.names, tracks.values[frame].tolist(), strict=True))
         parts = [f"{time:.3f} s", Phoneme(int(tracks.phonemes[frame])).label]
+        for under, lane in self._spoken_rows():
+            if under.contains(self._mouse) and (span := lane.span_at(time)) is not None:
+                parts.append(f"{lane.name}: {lane.texts[span]}")
         if row.contains(self._mouse):
             frequencies = self._session.sonagram.settings.frequencies
             share = (row.bottom() - self._mouse.y()) / row.height()
             parts.append(f"{np.interp(share, np.linspace(0, 1, len(frequencies)), frequencies):.0f} Hz")
+        parts += self._reading_over(values, frame)
+        if self.variable in values:
+            parts.append(f"{self.variable} {values[self.variable]:.4g}")
+        return "   ".join(parts)
+
+    def _reading_over(self, values: dict[str, float], frame: int) -> list[str]:
+        """Return the values of what is drawn over the sonagram."""
+        parts = []
         if "pitch" in self.shows:
             parts.append(f"f0 {values['f0']:.0f} Hz" if values.get("f0") else "no f0")
         if "level" in self.shows:
@@ -409,9 +468,7 @@ class FileView(QWidget):
         if known is not None and 0 <= frame - known.first < len(known.frequencies):
             found = known.frequencies[frame - known.first, :3].tolist()
             parts += [f"F{k} {value:.0f}" for k, value in enumerate(found, 1) if not math.isnan(value)]
-        if self.variable in values:
-            parts.append(f"{self.variable} {values[self.variable]:.4g}")
-        return "   ".join(parts)
+        return parts
 
     def _paint_times(self, painter: QPainter, top: float) -> None:
         seen = self._view.seen

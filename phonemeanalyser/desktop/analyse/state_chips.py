@@ -37,7 +37,7 @@ class StateChips(QWidget):
         row.setSpacing(4)
         for chip in (self.frozen, self.unseen, self.lost, self.late):
             chip.hide()
-            row.addWidget(chip)
+            row.addWidget(chip, 0, Qt.AlignmentFlag.AlignVCenter)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self._dress(self.frozen, theme.accent)
         self._dress(self.unseen, theme.bad)

@@ -112,6 +112,15 @@ class WordsTimeline(TimelineView):
         }
 
 
+def spoken_lanes(texts: TextModel) -> list[Lane]:
+    """Return the lanes of what is said in the sound in hand, none of which can be moved; none where nobody knows."""
+    if texts.utterance is None:
+        return []
+    units = _in_a_row(texts.drivers.performance.units)
+    lanes = lanes_of(texts.utterance, texts.drivers.letters, movable=False)
+    return [lane for lane in (*lanes, *([_lane_of_units(units)] if units else [])) if len(lane.starts)]
+
+
 def lanes_of(utterance: Utterance, letters: PinyinTrack | None, *, movable: bool) -> list[Lane]:
     """Return the lanes of an utterance, from above; letters of pinyin, where there are any, instead of syllables."""
     words = utterance.words

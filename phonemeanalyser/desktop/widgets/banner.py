@@ -124,7 +124,7 @@ class Banner(QWidget):
             return
         self._row.activate()
         width = min(WIDEST, self._page.width() - 2 * BESIDE)
-        height = max(self.sizeHint().height(), self.heightForWidth(width))
+        height = self.heightForWidth(width)
         corner = self._page.mapTo(self._window, self._page.rect().topLeft())
         left = corner.x() + (self._page.width() - width) // 2
         self.setGeometry(left, corner.y() + HEADINGS, width, height)

@@ -10,8 +10,10 @@ from PySide6.QtWidgets import QApplication
 from phonemeanalyser.desktop.analyse.file_view import LANE_HEIGHT, LEFT, FileView
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.talk.sound_words import KnownWords
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeengine.dsp.sonagram import FrequencyAxis
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 from tests.desktop.hands import CARDS, click, press, shown
@@ -185,3 +187,21 @@ def test_without_a_file_nothing_is_painted_and_nothing_breaks(desktop, qtbot):
     turn(view, 100, 2)
     drag(view, 100, 200)
     assert CARDS.exists()
+
+
+def test_words_and_phones_lie_on_the_same_time(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    view = window.analysis.file.view
+    phones = (Phone(0.5, 1.0, "a", Phoneme.A), Phone(1.0, 1.5, "o", Phoneme.O))
+    word = Word("hallo", (Syllable(phones),))
+    desktop.talking.text.words.put(KnownWords(Utterance((word,), desktop.session.duration)))
+    lanes = {lane.name: (row, lane) for row, lane in view._spoken_rows()}
+    assert list(lanes) == ["words", "syllables", "phones"]
+    row, lane = lanes["words"]
+    assert lane.texts == ["hallo"]
+    rows = view._rows()
+    assert rows[1].bottom() < row.top() < row.bottom() < rows[2].top()
+    QTest.mouseMove(view, QPointF(view._x_of(1.2), row.center().y()).toPoint())
+    qtbot.waitUntil(lambda: "words: hallo" in view.reading())
+    window.analysis.file.overlays["words"].setChecked(False)
+    assert view._spoken_rows() == []
