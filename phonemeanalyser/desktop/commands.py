@@ -85,6 +85,7 @@ def record_commands(session: Session, dialogs: Dialogs) -> Commands:
     """Return what belongs to the microphone."""
     return (
         Command("Record", "R", session.toggle_recording),
+        Command("Look Back", "Ctrl+B", session.look_back, checkable=True),
         Command("Recordings Folder…", "", dialogs.ask_recordings_folder),
         Command("Look for Microphones", "F5", session.microphone.refresh_devices),
     )

@@ -266,9 +266,9 @@ class MainWindow(QMainWindow):
 
     def _use_as_take(self, phoneme: Phoneme) -> None:
         """Make what is selected a take of a phoneme."""
-        span, path = self.selection.span, self._session.path
-        if span is not None and path is not None:
-            self._ask_calibration().takes.add_from_file(path, self._session.channel, *span, phoneme)
+        span, seen = self.selection.span, self._session.seen_sound
+        if span is not None and seen is not None:
+            self._ask_calibration().takes.add_from_file(*seen, *span, phoneme)
 
     def _show_recent(self) -> None:
         """List the sounds that were opened last, the last one first."""
@@ -327,6 +327,7 @@ class MainWindow(QMainWindow):
         session.cleared.connect(self.redraw.refresh_all)
         session.rewritten.connect(self.analysis.scroll_view.sonagram.forget)
         session.transport_changed.connect(self._show_state)
+        session.looked_back.connect(self._show_state)
         preset.changed.connect(self._show_state)
         session.second.changed.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
@@ -403,6 +404,7 @@ class MainWindow(QMainWindow):
 
     def _show_state(self) -> None:
         self.menus.show_checked("Loop", self._session.loop)
+        self.menus.show_checked("Look Back", self._session.looks_back)
         self.menus.show_checked("Bypass All Filters", self._preset.bypassed)
         self.menus.show_checked("Hear with the Second", self._session.second.is_in_force)
         self.redraw.dirty = True

@@ -36,6 +36,8 @@ class FilePanel(QWidget):
     view : what is painted.
     follow : whether the view goes along with what is heard.
     filtered : whether the sonagram is that after the filters.
+    heading : whether that is a file, or what a microphone heard.
+    live : a button that goes back to what the microphone hears now.
     whole, selection : buttons that show all of it, and what is selected.
     over : a menu with the `overlays`, the switches for what is drawn over the sonagram.
     axis, colours, variable : choices.
@@ -51,6 +53,8 @@ class FilePanel(QWidget):
         self.filtered = toggle_button("filtered", "The sonagram after all filters that are on, as recognisers see it")
         self.whole = toggle_button("all", "See the whole file")
         self.selection = toggle_button("selection", "See what is selected (Shift+drag selects)")
+        self.live = toggle_button("live", "Back to what the microphone hears now (Ctrl+B)")
+        self.heading = QLabel("<b>File</b>")
         self.over = QToolButton()
         self.overlays = {name: QAction(f"{name}: {what}", self) for name, what in OVERLAYS.items()}
         self.axis, self.colours, self.variable = QComboBox(), QComboBox(), QComboBox()
@@ -62,12 +66,12 @@ class FilePanel(QWidget):
 
     def refresh(self) -> None:
         """Go along with what is heard."""
-        if self._session.playing:
+        if self._session.playing and not self._session.looks_back:
             self._session.view.follow(self._session.position)
             self.view.update()
 
     def _lay_out(self) -> None:
-        for button in (self.whole, self.selection):
+        for button in (self.whole, self.selection, self.live):
             button.setCheckable(False)
         menu = QMenu(self.over)
         menu.addActions([*self.overlays.values()])
@@ -89,10 +93,11 @@ class FilePanel(QWidget):
         row = QHBoxLayout()
         row.setContentsMargins(6, 3, 6, 1)
         row.setSpacing(8)
-        row.addWidget(QLabel("<b>File</b>"))
+        row.addWidget(self.heading)
         row.addWidget(self.differs, 1)
         widgets: tuple[QWidget, ...] = (
-            self.follow, self.filtered, self.whole, self.selection, self.over, self.axis, self.colours, self.variable
+            self.live, self.follow, self.filtered, self.whole, self.selection, self.over, self.axis, self.colours,
+            self.variable,
         )  # fmt: skip
         for widget in widgets:
             widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -112,6 +117,8 @@ class FilePanel(QWidget):
             action.toggled.connect(lambda on, name=name: self.view.show_over(name, on=on))
         self.overlays["words"].setChecked(True)
         self.whole.clicked.connect(lambda _checked: view.show_all())
+        self.live.clicked.connect(lambda _checked: self._session.look_back(False))
+        self._session.looked_back.connect(self._show_state)
         self.selection.clicked.connect(lambda _checked: self._show_selection())
         self.axis.currentIndexChanged.connect(
             lambda k: sonagram.use(replace(sonagram.settings, axis=list(FrequencyAxis)[k]))
@@ -151,5 +158,7 @@ class FilePanel(QWidget):
             self.variable.setCurrentText(chosen if chosen in names else "energy")
 
     def _show_state(self) -> None:
+        self.live.setVisible(self._session.looks_back)
+        self.heading.setText("<b>Heard</b>" if self._session.looks_back else "<b>File</b>")
         self.follow.setChecked(self._session.view.follows)
         self.selection.setEnabled(self._session.view.selection is not None)

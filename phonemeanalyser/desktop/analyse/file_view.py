@@ -124,7 +124,7 @@ class FileView(QWidget):
 
     def _rows(self) -> tuple[QRectF, QRectF, QRectF, QRectF]:
         """Return where sonagram, lane, waveform and course lie, from above."""
-        lanes = (len(self._labels.state.shown) + len(self._spoken_shown())) * (LABEL_HEIGHT + 1)
+        lanes = (len(self._tiers_shown()) + len(self._spoken_shown())) * (LABEL_HEIGHT + 1)
         lanes += 0 if self._session.second.preset is None else LANE_HEIGHT + 1
         room = max(0, self.height() - LANE_HEIGHT - lanes - TIME_HEIGHT - 3 * GAP)
         wave, course = WAVE_SHARE * room, COURSE_SHARE * room
@@ -149,13 +149,19 @@ class FileView(QWidget):
         step = LABEL_HEIGHT + 1
         return {
             tier: QRectF(LEFT, top + k * step, self._width, LABEL_HEIGHT)
-            for k, tier in enumerate(self._labels.state.shown)
+            for k, tier in enumerate(self._tiers_shown())
         }
+
+    def _tiers_shown(self) -> tuple[int, ...]:
+        """Return the tiers that are shown; what a microphone heard has none."""
+        return () if self._session.looks_back else self._labels.state.shown
 
     def _spoken_shown(self) -> list[Lane]:
         """Return the lanes of what is said that no tier shows already."""
-        tiers = {self._labels.state.tiers[tier].name for tier in self._labels.state.shown}
-        return [lane for lane in self._spoken if "words" in self.shows and lane.name not in tiers]
+        if self._session.looks_back or "words" not in self.shows:
+            return []
+        tiers = {self._labels.state.tiers[tier].name for tier in self._tiers_shown()}
+        return [lane for lane in self._spoken if lane.name not in tiers]
 
     def _spoken_rows(self) -> list[tuple[QRectF, Lane]]:
         """Return where the lanes of what is said lie, under the labels."""
@@ -190,7 +196,8 @@ class FileView(QWidget):
         tracks = self._session.whole.tracks
         if tracks is not None:
             self._paint_lane(painter, rows[LANE], tracks)
-            self._paint_errors(painter, rows[LANE], tracks)
+            if not self._session.looks_back:
+                self._paint_errors(painter, rows[LANE], tracks)
             self._paint_second(painter, rows[LANE])
             self._paint_wave(painter, rows[2], tracks)
             self._paint_course(painter, rows[3], tracks)
@@ -202,7 +209,7 @@ class FileView(QWidget):
         self._paint_times(painter, rows[3].bottom())
         self._paint_selection(painter, rows[3].bottom())
         x = self._x_of(self._session.position)
-        if LEFT <= x <= LEFT + self._width:
+        if LEFT <= x <= LEFT + self._width and not self._session.looks_back:
             painter.fillRect(QRectF(x - 0.5, 0, 1.5, rows[3].bottom()), QColor(self._theme.accent))
         self._paint_reading(painter, rows[0])
 

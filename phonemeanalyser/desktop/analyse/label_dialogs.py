@@ -30,6 +30,9 @@ AROUND = 0.5
 """Seconds that are seen at least on either side of an error."""
 
 
+WHAT_WAS_HEARD = "Save what was heard as a sound (Selection > Save Selection as Sound…), open that, and label it."
+
+
 class LabelDialogs(QObject):
     """Asks, and passes the answers to the labels of the session."""
 
@@ -45,6 +48,8 @@ class LabelDialogs(QObject):
     def next_error(self, *, back: bool = False) -> None:
         """Select the next stretch, or the one before, in which something else was recognised than the labels say."""
         session, tracks = self._session, self._session.whole.tracks
+        if not self._has_file():
+            return
         if tracks is None or self._labels.said_frames() is None:
             session.error.emit("No labels say what is said; load some by Labels > Load Labels.")
             return
@@ -65,6 +70,12 @@ class LabelDialogs(QObject):
             f"{found.start:.2f} to {found.end:.2f} s: {said} is said, {recognised} was recognised"
         )
 
+    def _has_file(self) -> bool:
+        """Say whether there is something to label: what a microphone heard becomes a file first."""
+        if self._session.looks_back:
+            self._session.error.emit(WHAT_WAS_HEARD)
+        return not self._session.looks_back
+
     # -- labels -------------------------------------------------------------------------------------------
 
     def ask_rename(self) -> None:
@@ -81,6 +92,8 @@ class LabelDialogs(QObject):
     def ask_insert(self) -> None:
         """Let the user label what is selected."""
         span = self._session.view.selection
+        if not self._has_file():
+            return
         if span is None:
             self._session.error.emit(NOTHING_SELECTED)
             return

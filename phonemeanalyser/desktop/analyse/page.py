@@ -108,8 +108,9 @@ class AnalysisPage(QSplitter):
 
     def _show_source(self) -> None:
         """Show a file on its own time, and what is heard at once as it scrolls by."""
+        self.scroll_view.back.setVisible(self._session.source is SoundSource.MICROPHONE)
         is_file = self._session.source is SoundSource.FILE and self._session.path is not None
-        self.over_time.setCurrentWidget(self.file if is_file else self.scroll_view)
+        self.over_time.setCurrentWidget(self.file if is_file or self._session.looks_back else self.scroll_view)
 
     def _lay_out(self) -> None:
         self.spectra.addWidget(self.spectrum)
@@ -120,6 +121,8 @@ class AnalysisPage(QSplitter):
         for widget in (self.spectra, self.waveform, self.over_time):
             self.addWidget(widget)
         self._session.opened.connect(self._show_source)
+        self._session.looked_back.connect(self._show_source)
+        self.scroll_view.back.clicked.connect(lambda _checked: self._session.look_back(True))
         self._show_source()
         self.setSizes([190, 130, 370])
         for splitter in (self.spectra, self):

@@ -54,6 +54,7 @@ class ScrollView(QWidget):
         self._course_range = (0.0, 0.0)
         self._n_bins = 0
         self.decibels = toggle_button("dB", "Brightness in dB, or linear")
+        self.back = toggle_button("look back", "All that the microphone heard since Clear, on its own time (Ctrl+B)")
         self.low, self.high = NumberField(), NumberField()
         self.colours = QComboBox()
         self.variable = QComboBox()
@@ -158,7 +159,8 @@ class ScrollView(QWidget):
         self.variable.setAccessibleName("variable")
         self.decibels.setChecked(True)
         header.setSpacing(8)
-        controls: tuple[QWidget, ...] = (self.decibels, self.low, self.high, self.colours)
+        self.back.setCheckable(False)
+        controls: tuple[QWidget, ...] = (self.back, self.decibels, self.low, self.high, self.colours)
         for widget in controls:
             header.addWidget(widget)
         footer = QHBoxLayout()

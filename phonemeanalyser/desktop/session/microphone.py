@@ -10,11 +10,13 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from phonemeanalyser.desktop.session.latency_test import LatencyTest
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import Analysis
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import Device, InputChoice, inputs_of
 from phonemeengine.audio.journal import InterruptedRecording, interrupted_recordings
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
 from phonemeengine.live.capture import SampleCapture
+from phonemeengine.live.heard_sound import HeardSound
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.live.microphone_analyser import Latency
@@ -97,6 +99,7 @@ class Microphone(QObject):
     ----------
     listener : what is heard, how loud, and what was lost of it.
     capture : what is heard while somebody wants its samples.
+    heard : everything that was heard since it was forgotten; None before the first listening.
 
     Signals
     -------
@@ -125,6 +128,7 @@ class Microphone(QObject):
         self._cards, self._files = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
         self.latency_test = LatencyTest(self._cards, measure)
         self.capture = SampleCapture()
+        self.heard: HeardSound | None = None
         self.folder = self._rescue = folder or recordings_folder()
         self.suffix = ".wav"
         self.with_phonemes = False
@@ -206,9 +210,20 @@ class Microphone(QObject):
         if self.latency_test.running:
             self._goes_on = True
         elif not self.active:
-            self.listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self.capture.add_samples)
+            self.heard = self.heard or HeardSound()
+            self.listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self._take_samples)
             self._watch.start()
             self.changed.emit()
+
+    def _take_samples(self, block: Float32Array, rate: int) -> None:
+        self.capture.add_samples(block, rate)
+        if self.heard is not None:
+            self.heard.add_samples(block, rate)
+
+    def forget_heard(self) -> None:
+        """Forget what was heard so far."""
+        if self.heard is not None:
+            self.heard.clear()
 
     def stop(self) -> None:
         """Let the microphone go, and end the recording."""
@@ -286,6 +301,8 @@ class Microphone(QObject):
     def close(self) -> None:
         """Let everything go; waits until recordings are complete."""
         self.stop()
+        if self.heard is not None:
+            self.heard.close()
         for queue in (self._cards, self._files):
             queue.finish(CLOSE_TIMEOUT)
 

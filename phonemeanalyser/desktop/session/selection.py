@@ -44,7 +44,7 @@ class Selection(QObject):
     def span(self) -> TimeSpan | None:
         """What is selected of the file in hand; None, after saying so, where that is nothing."""
         span = self._session.view.selection
-        if span is None or self._session.path is None:
+        if span is None or self._session.seen_sound is None:
             self.error.emit(NOTHING_SELECTED)
             return None
         return span
@@ -71,10 +71,10 @@ class Selection(QObject):
 
     def measure(self) -> None:
         """Measure it."""
-        span, tracks, path = self.span, self._session.whole.tracks, self._session.path
-        if span is None or tracks is None or path is None:
+        span, tracks, seen = self.span, self._session.whole.tracks, self._session.seen_sound
+        if span is None or tracks is None or seen is None:
             return
-        open_sound, ceiling = partial(SoundReader, path, self._session.channel), self._session.formants.ceiling
+        open_sound, ceiling = partial(SoundReader, *seen), self._session.formants.ceiling
 
         def act(progress: Progress) -> StretchMeasurement:
             return measure_stretch(open_sound, tracks, *span, ceiling=ceiling, progress=progress)
@@ -83,8 +83,9 @@ class Selection(QObject):
 
     def save(self, target: Path) -> None:
         """Write it as a sound of its own."""
-        span, path, channel = self.span, self._session.path, self._session.channel
-        if span is not None and path is not None:
+        span, seen = self.span, self._session.seen_sound
+        if span is not None and seen is not None:
+            path, channel = seen
             self._work.submit(
                 lambda _: save_stretch(path, *span, target, channel=channel),
                 lambda _: self.info.emit(f"Saved {span.seconds:.2f} s of {path.name} as {target}"),
@@ -92,10 +93,11 @@ class Selection(QObject):
 
     def average(self) -> None:
         """Show its averaged spectrum as a curve beside the others."""
-        span, path, channel = self.span, self._session.path, self._session.channel
+        span, seen = self.span, self._session.seen_sound
         preset = self._session.preset.in_force
-        if span is None or path is None:
+        if span is None or seen is None:
             return
+        path, channel = seen
         name = f"{path.stem} {span.start:.2f}-{span.end:.2f} s"
 
         def act(_progress: Progress) -> AveragedSpectrum:

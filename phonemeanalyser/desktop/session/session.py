@@ -57,6 +57,7 @@ class Session(QObject):
     Signals
     -------
     opened : another file is in hand, or another source.
+    looked_back : what the microphone heard is looked at, or no longer.
     transport_changed : playing, pausing, stopping, recording, loop, volume or channel.
     cleared : everything gathered was forgotten.
     rewritten : the columns of the history from this one on are others now.
@@ -71,6 +72,7 @@ class Session(QObject):
     """
 
     opened = Signal()
+    looked_back = Signal()
     heard = Signal(list)
     sought = Signal()
     speech_asked = Signal()
@@ -102,6 +104,7 @@ class Session(QObject):
         self.loudspeaker = Loudspeaker(open_device)
         self.speed = 1.0
         self._file: SoundReader | None = None
+        self._past: Path | None = None
         self._left_at = 0.0
         self._told = ""
         self._player: Player | None = None
@@ -127,6 +130,18 @@ class Session(QObject):
     def path(self) -> Path | None:
         """The file in hand; it stays so while another source is in use."""
         return self._file.path if self._file else None
+
+    @property
+    def looks_back(self) -> bool:
+        """Whether what the microphone heard so far is looked at, as a file."""
+        return self._past is not None
+
+    @property
+    def seen_sound(self) -> tuple[Path, Channel] | None:
+        """What is seen on its own time, and which channel: the file in hand, or what a microphone heard."""
+        if self._past is not None:
+            return self._past, Channel.MIX
+        return None if self._file is None else (self._file.path, self._file.channel)
 
     @property
     def duration(self) -> float:
@@ -244,13 +259,7 @@ class Session(QObject):
         self.source = SoundSource.FILE
         self._file = file
         self._attach(Player(file, while_played(self.preset.in_force), self.loudspeaker.open))
-        analysed = file.channel
-        self.view.open(file.duration)
-        for track in (self.sonagram, self.formants):
-            track.open(lambda: SoundReader(path, analysed), file.duration)
-        self.whole.open(file, self.preset.in_force)
-        self.second.follow()
-        self._look()
+        self._see(file, self.preset.in_force)
         if is_another:
             self.labels.follow(path, file.duration)
         return True
@@ -299,6 +308,40 @@ class Session(QObject):
         player.set_gain(self._gain)
         return player
 
+    def look_back(self, on: bool) -> None:
+        """Look at all that the microphone heard since Clear, as at a file, or no longer; it goes on listening."""
+        if not on:
+            self._leave_past()
+            return
+        past = None if self.microphone.heard is None else self.microphone.heard.snapshot()
+        if self.source is not SoundSource.MICROPHONE or past is None:
+            failure = self.microphone.heard.failure if self.microphone.heard is not None else None
+            self.error.emit(failure or "The microphone heard nothing yet; listen to it, then look back.")
+            return
+        with SoundReader(past) as reader:
+            self._past = past
+            self._see(reader, self.preset.in_force)
+            self.view.show_end()
+        self.looked_back.emit()
+
+    def _leave_past(self) -> None:
+        if self._past is not None:
+            self._past = None
+            for model in (self.whole, self.second.whole, self.sonagram, self.formants):
+                model.leave()
+            self.view.open(0.0)
+            self.looked_back.emit()
+
+    def _see(self, sound: SoundReader, preset: Preset) -> None:
+        """Have a sound seen on its own time."""
+        path, channel = sound.path, sound.channel
+        self.view.open(sound.duration)
+        for track in (self.sonagram, self.formants):
+            track.open(lambda: SoundReader(path, channel), sound.duration)
+        self.whole.open(sound, preset)
+        self.second.follow()
+        self._look()
+
     def set_tone(self, tone: Tone) -> None:
         """Generate another tone, which is heard at once."""
         self.tone = tone
@@ -320,6 +363,7 @@ class Session(QObject):
     def _detach(self) -> None:
         """Let the source in use go: some cards serve one stream at a time."""
         self.microphone.stop()
+        self._leave_past()
         for model in (self.whole, self.second.whole, self.sonagram, self.formants):
             model.leave()
         self.view.open(0.0)
@@ -461,6 +505,8 @@ class Session(QObject):
 
     def clear(self) -> None:
         """Forget spectra, averages, sonagram and extremes."""
+        self._leave_past()
+        self.microphone.forget_heard()
         self._forget("Clear")
 
     def close(self) -> None:

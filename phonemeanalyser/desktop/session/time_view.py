@@ -64,6 +64,10 @@ class TimeView(QObject):
         """See the whole file."""
         self._show(0.0, self.duration)
 
+    def show_end(self) -> None:
+        """See the last seconds."""
+        self._show(self.duration, min(USUAL, self.duration))
+
     def show(self, span: TimeSpan) -> None:
         """See a part, such as what is selected."""
         self._show(span.start, span.seconds)

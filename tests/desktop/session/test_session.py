@@ -235,6 +235,6 @@ def test_the_sound_card_is_let_go_before_the_next_file_takes_it(
     session.open(sound)
     first = outputs.last
     seen: list[bool] = []
-    session._open_device = lambda n: (seen.append(first.closed), outputs(n))[1]
+    session.loudspeaker._open_device = lambda n: (seen.append(first.closed), outputs(n))[1]
     session.open(stereo)
     assert seen == [True]
