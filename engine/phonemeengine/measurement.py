@@ -127,7 +127,8 @@ def measure_stretch(
     if not tracks.is_known(frames):
         raise EngineError("this stretch is still being analysed; measure it in a moment")
     place = slice(frames.first, frames.last)
-    columns = {name: tracks.values[place, k] for k, name in enumerate(tracks.names)}
+    features = tracks.features
+    columns = {name: features[name][place] for name in features.names}
     pitch = columns.pop("f0", np.zeros(frames.last - frames.first, np.float32))
     voiced = pitch > 0
     with open_sound() as reader:
@@ -208,12 +209,13 @@ def format_frames(tracks: SoundTracks, start: float, end: float) -> str:
     AudioError : the stretch holds nothing of the sound.
     """
     frames = frames_between(start, end, tracks.n_frames)
-    lines = ["\t".join(("time_s", "phoneme", "intensity", "confidence", *tracks.names))]
+    features = tracks.features
+    lines = ["\t".join(("time_s", "phoneme", "intensity", "confidence", *features.names))]
     for k in range(frames.first, frames.last):
         if tracks.states[k] == FrameState.UNKNOWN:
-            lines.append(f"{(k + 0.5) * FRAME_PERIOD:.3f}" + "\t" * (3 + len(tracks.names)))
+            lines.append(f"{(k + 0.5) * FRAME_PERIOD:.3f}" + "\t" * (3 + len(features.names)))
             continue
-        numbers = (tracks.intensities[k], tracks.confidences[k], *tracks.values[k])
+        numbers = (tracks.intensities[k], tracks.confidences[k], *features.values[k])
         cells = ("" if math.isnan(number) else f"{number:.6g}" for number in numbers)
         lines.append("\t".join((f"{(k + 0.5) * FRAME_PERIOD:.3f}", Phoneme(int(tracks.phonemes[k])).label, *cells)))
     return "\n".join(lines) + "\n"

@@ -15,6 +15,7 @@ from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import frame_count
 from phonemeengine.dsp.waveform_peaks import WaveformPeaks
+from phonemeengine.features.measure import Features
 from phonemeengine.presets.ears import for_files, while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress, subrange
@@ -40,6 +41,13 @@ class FrameRange(NamedTuple):
     last: int
 
 
+class _Measured(NamedTuple):
+    """Variables that were measured, and their values, which change together."""
+
+    names: tuple[str, ...]
+    columns: Float32Array
+
+
 class SoundTracks:
     """What was found in each frame of a sound of known length; one thread writes, others may look.
 
@@ -49,8 +57,6 @@ class SoundTracks:
     states : codes of `FrameState`, uint8, shape (n_frames,).
     recognised, phonemes, visemes : as of `Analysis`, uint8, shape (n_frames,).
     intensities, confidences : as of `Analysis`, float32, shape (n_frames,).
-    names : of the measured variables; empty until something is known.
-    columns : of these, float32, shape (n_names, n_frames).
     peaks : the outline of the waveform, as far as the sound was read.
     revision : another number after each change.
     """
@@ -60,15 +66,30 @@ class SoundTracks:
         self.states: UInt8Array = np.zeros(n_frames, np.uint8)
         self.recognised, self.phonemes, self.visemes = (np.zeros(n_frames, np.uint8) for _ in range(3))
         self.intensities, self.confidences = (np.zeros(n_frames, np.float32) for _ in range(2))
-        self.names: tuple[str, ...] = ()
-        self.columns: Float32Array = np.zeros((0, n_frames), np.float32)
+        self._measured = _Measured((), np.zeros((0, n_frames), np.float32))
         self.peaks = WaveformPeaks()
         self.revision = 0
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The measured variables; empty until something is known."""
+        return self._measured.names
+
+    @property
+    def columns(self) -> Float32Array:
+        """The variables, float32, shape (n_names, n_frames)."""
+        return self._measured.columns
 
     @property
     def values(self) -> Float32Array:
         """The same as a view, float32, shape (n_frames, n_names)."""
         return self.columns.T
+
+    @property
+    def features(self) -> Features:
+        """Names and values that belong together, whatever another thread measures meanwhile."""
+        measured = self._measured
+        return Features(measured.names, measured.columns.T)
 
     def outdate(self) -> None:
         """Mark all that is known as found with other settings; it stays to be seen until it is found anew."""
@@ -79,8 +100,8 @@ class SoundTracks:
         """Take what was found in a block of frames; what lies beyond the sound is left out."""
         part = analysis.part(slice(max(0, -analysis.start), max(0, self.n_frames - analysis.start)))
         if part.features.names != self.names:
-            self.columns = np.full((len(part.features.names), self.n_frames), np.nan, np.float32)
-            self.names = part.features.names
+            columns = np.full((len(part.features.names), self.n_frames), np.nan, np.float32)
+            self._measured = _Measured(part.features.names, columns)
         place = slice(part.start, part.start + len(part))
         self.recognised[place], self.phonemes[place] = part.recognised, part.phonemes
         self.visemes[place], self.intensities[place] = part.visemes, part.intensities

@@ -1,5 +1,6 @@
 """The outline of a long waveform: its lowest and highest sample in every stretch, at any scale, at once."""
 
+import threading
 from typing import NamedTuple
 
 import numpy as np
@@ -20,24 +21,26 @@ class Peaks(NamedTuple):
 
 
 class WaveformPeaks:
-    """Takes a sound as it comes, and tells its outline; an hour takes 5 MB."""
+    """Takes a sound as it comes, and tells its outline, also to other threads; an hour takes 5 MB."""
 
     def __init__(self) -> None:
         self.n_samples = 0
+        self._growing = threading.Lock()
         self._rest = np.zeros(0, np.float32)
         self._parts: list[Peaks] = []
         self._joined: list[Peaks] | None = None
 
     def push(self, samples: Float32Array) -> None:
         """Take the next samples, shape (n,)."""
-        self.n_samples += len(samples)
-        sound = np.concatenate((self._rest, samples))
-        whole = len(sound) // FINEST * FINEST
-        self._rest = sound[whole:].copy()
-        if whole:
-            stretches = sound[:whole].reshape(-1, FINEST)
-            self._parts.append(Peaks(stretches.min(axis=1), stretches.max(axis=1)))
-        self._joined = None
+        with self._growing:
+            self.n_samples += len(samples)
+            sound = np.concatenate((self._rest, samples))
+            whole = len(sound) // FINEST * FINEST
+            self._rest = sound[whole:].copy()
+            if whole:
+                stretches = sound[:whole].reshape(-1, FINEST)
+                self._parts.append(Peaks(stretches.min(axis=1), stretches.max(axis=1)))
+            self._joined = None
 
     def between(self, first: float, last: float, n_columns: int) -> Peaks:
         """Return the outline from one sample to another in so many columns, each at least as wide as `FINEST`.
@@ -61,7 +64,8 @@ class WaveformPeaks:
 
     def _level_for(self, samples_per_column: float) -> tuple[Peaks, int]:
         """Return the coarsest level whose stretches are no wider than a column, and their samples."""
-        levels = self._all_levels()
+        with self._growing:
+            levels = self._all_levels()
         k = 0
         while k + 1 < len(levels) and FINEST * FACTOR ** (k + 1) <= samples_per_column:
             k += 1

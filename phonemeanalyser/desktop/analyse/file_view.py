@@ -186,6 +186,12 @@ class FileView(QWidget):
     def paintEvent(self, _event: Any) -> None:
         """Paint all rows, what is selected, and the place that is heard."""
         painter = QPainter(self)
+        try:
+            self._paint(painter)
+        finally:
+            painter.end()  # whatever went wrong: Qt crashes where two paint one widget
+
+    def _paint(self, painter: QPainter) -> None:
         rows = self._rows()
         for row in rows:
             painter.fillRect(row, QColor(self._theme.base))
@@ -353,9 +359,10 @@ class FileView(QWidget):
 
     def _paint_course(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
         first, last = self._frames_seen(tracks)
-        if self.variable not in tracks.names or last - first < 2:
+        features = tracks.features
+        if self.variable not in features.names or last - first < 2:
             return
-        values = tracks.values[first:last, tracks.names.index(self.variable)]
+        values = features[self.variable][first:last]
         values = np.where(tracks.states[first:last] == FrameState.UNKNOWN, np.nan, values)
         if not np.isfinite(values).any():
             return
@@ -386,11 +393,12 @@ class FileView(QWidget):
         painter.setClipRect(row)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         first, last = self._frames_seen(tracks)
-        if "level" in self.shows and "volume" in tracks.names:
-            levels = 20 * np.log10(np.maximum(tracks.values[first:last, tracks.names.index("volume")], 1e-6))
+        features = tracks.features
+        if "level" in self.shows and "volume" in features.names:
+            levels = 20 * np.log10(np.maximum(features["volume"][first:last], 1e-6))
             self._paint_line(painter, row, first, levels, LEVELS, LEVEL_COLOUR)
-        if "pitch" in self.shows and "f0" in tracks.names:
-            pitch = tracks.values[first:last, tracks.names.index("f0")]
+        if "pitch" in self.shows and "f0" in features.names:
+            pitch = features["f0"][first:last]
             self._paint_line(painter, row, first, np.where(pitch > 0, pitch, np.nan), PITCHES, PITCH_COLOUR)
         known = self._session.formants.formants_in(self._view.seen) if "formants" in self.shows else None
         if known is not None:
@@ -450,7 +458,7 @@ class FileView(QWidget):
         frame = int(time / FRAME_PERIOD)
         if not 0 <= frame < tracks.n_frames or tracks.states[frame] == FrameState.UNKNOWN:
             return ""
-        values = dict(zip(tracks.names, tracks.values[frame].tolist(), strict=True))
+        values = tracks.features.frame(frame)
         parts = [f"{time:.3f} s", Phoneme(int(tracks.phonemes[frame])).label]
         for under, lane in self._spoken_rows():
             if under.contains(self._mouse) and (span := lane.span_at(time)) is not None:

@@ -64,6 +64,12 @@ class PositionSlider(QWidget):
     def paintEvent(self, _event: Any) -> None:
         """Paint the whole sound, how much of it has been heard, marks of time, and the place."""
         painter = QPainter(self)
+        try:
+            self._paint(painter)
+        finally:
+            painter.end()  # whatever went wrong: Qt crashes where two paint one widget
+
+    def _paint(self, painter: QPainter) -> None:
         width = self.width() - 2 * MARGIN
         tracks = self._session.whole.tracks
         if tracks is not None and width > 0:

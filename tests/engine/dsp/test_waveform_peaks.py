@@ -1,5 +1,7 @@
 """The outline of a long waveform: no peak is lost at any scale, whatever blocks the sound came in."""
 
+import threading
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -70,3 +72,21 @@ def test_what_came_last_is_seen_at_once():
     peaks.between(0, 44_100, 10)
     peaks.push(np.array([0.9], np.float32))
     assert peaks.between(44_000, 44_101, 1).high[0] == np.float32(0.9)
+
+
+def test_one_thread_may_look_while_another_writes() -> None:
+    peaks, faults = WaveformPeaks(), []
+
+    def look() -> None:
+        try:
+            while peaks.n_samples < 400 * 5000:
+                assert len(peaks.between(0, 2e6, 300).low) == 300
+        except Exception as fault:  # noqa: BLE001 - any is told
+            faults.append(fault)
+
+    looking = threading.Thread(target=look)
+    looking.start()
+    for _ in range(400):
+        peaks.push(np.ones(5000, np.float32))
+    looking.join()
+    assert faults == []
