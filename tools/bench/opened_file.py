@@ -107,7 +107,7 @@ def _tuned(desktop: Desktop) -> float:
 
 def _scrolled(desktop: Desktop) -> tuple[float, float]:
     """Scroll and zoom for some seconds; the share of a core, and the pictures a second."""
-    session, view = desktop.session, desktop.window.analysis.file.view
+    session = desktop.session
     live_for(1.0)
     began, worked, n = time.perf_counter(), time.process_time(), 0
     while time.perf_counter() - began < 8.0:
@@ -115,7 +115,6 @@ def _scrolled(desktop: Desktop) -> tuple[float, float]:
         seconds = 20 * 4 ** (1.5 * sin(at))
         middle = HOUR / 2 + 600 * sin(at / 2)
         session.view.show(TimeSpan(middle - seconds / 2, middle + seconds / 2))
-        view.repaint()
         n += 1
         live_for(max(0.0, (n / PICTURES) - (time.perf_counter() - began)))
     elapsed = time.perf_counter() - began

@@ -51,10 +51,10 @@ class WaveformPeaks:
         level, width = self._level_for((last - first) / n_columns)
         begins = np.floor(edges[:-1] / width).astype(int)
         ends = np.maximum(np.ceil(edges[1:] / width).astype(int), begins + 1)
-        n = len(level.low)
+        n = len(level.low) - 1
         inside = (begins < n) & (ends > 0)
         begins, ends = np.clip(begins, 0, max(n - 1, 0)), np.clip(ends, 1, max(n, 1))
-        if not n:
+        if n < 1:
             nothing = np.full(n_columns, np.nan, np.float32)
             return Peaks(nothing, nothing)
         low, high = (
@@ -63,7 +63,10 @@ class WaveformPeaks:
         return Peaks(np.where(inside, low, np.float32(np.nan)), np.where(inside, high, np.float32(np.nan)))
 
     def _level_for(self, samples_per_column: float) -> tuple[Peaks, int]:
-        """Return the coarsest level whose stretches are no wider than a column, and their samples."""
+        """Return the coarsest level whose stretches are no wider than a column, and their samples.
+
+        Its last value stands there twice, so that a stretch may end at the end.
+        """
         with self._growing:
             levels = self._all_levels()
         k = 0
@@ -78,9 +81,10 @@ class WaveformPeaks:
                 parts.append(Peaks(self._rest.min(keepdims=True), self._rest.max(keepdims=True)))
             nothing = np.zeros(0, np.float32)
             finest = Peaks(*(np.concatenate([nothing, *(p[k] for p in parts)]) for k in (0, 1)))
-            self._joined = [finest]
-            while len(self._joined[-1].low) > FACTOR:
-                self._joined.append(_coarser(self._joined[-1]))
+            levels = [finest]
+            while len(levels[-1].low) > FACTOR:
+                levels.append(_coarser(levels[-1]))
+            self._joined = [Peaks(*(np.append(values, values[-1:]) for values in level)) for level in levels]
         return self._joined
 
 
@@ -91,6 +95,5 @@ def _coarser(level: Peaks) -> Peaks:
 
 def _reduced(values: Float32Array, begins: np.ndarray, ends: np.ndarray, act: np.ufunc) -> Float32Array:
     """Reduce stretches that may overlap, shape (n_columns,)."""
-    places = np.stack((begins, np.minimum(ends, len(values))), axis=1).ravel()
-    padded = np.append(values, values[-1])  # so that a stretch may end at the end
-    return np.asarray(act.reduceat(padded, places)[::2], np.float32)
+    places = np.stack((begins, np.minimum(ends, len(values) - 1)), axis=1).ravel()
+    return np.asarray(act.reduceat(values, places)[::2], np.float32)

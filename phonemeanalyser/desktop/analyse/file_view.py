@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QImage, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPen, QWheelEvent
+from PySide6.QtGui import QBrush, QColor, QImage, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from phonemeanalyser.desktop.analyse.file_rows import course_of, lane_pixels, wave_pixels, wide_runs
 from phonemeanalyser.desktop.analyse.sonagram import LETTER, NARROWEST_LETTER
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, format_clock, letters_on, set_size
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
@@ -16,6 +17,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sonagram_tiles import Tile
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.plot import broken_line
 from phonemeanalyser.desktop.widgets.timeline import Lane
 from phonemeengine.arrays import Float32Array, UInt32Array
 from phonemeengine.phonemes import Phoneme
@@ -32,13 +34,15 @@ SPACINGS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600,
 """Between two marks of time, seconds."""
 LEAST_SPACING = 70
 """Pixels between two marks of time."""
-FREQUENCY_MARKS = (100, 200, 500, 1000, 2000, 3000, 4000, 5000, 6000, 7000, 8000)
+FREQUENCY_MARKS = (500, 1000, 2000, 4000, 6000, 8000)
 LEVELS, PITCHES = (-80.0, 0.0), (0.0, 500.0)
 """Decibels and Hz of the sonagram's lower and upper edge, for the lines over it."""
 FORMANT_COLOUR, PITCH_COLOUR, LEVEL_COLOUR = "#ff5050", "#50b4ff", "#ffe060"
 """As in Praat: red dots, a blue and a yellow line."""
 WHEEL_STEP = 0.8
 """How much less is seen after a notch of the wheel."""
+OUTDATED = 0.43
+"""How much of its colour is left of what was found with other settings."""
 GRAB = 3
 """Pixels by which a press may move and still be a click."""
 
@@ -80,6 +84,8 @@ class FileView(QWidget):
         self._selects = False
         self._boundary: tuple[ChosenLabel, bool] | None = None
         self._pixels = [QColor(PHONEME_COLOURS[p]) for p in Phoneme]
+        self._letters = [letters_on(colour.name()) for colour in self._pixels]
+        self._lane_colours = _lane_colours(self._pixels, QColor(theme.base))
         self._names = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
         self.setMinimumSize(260, 200)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -231,10 +237,10 @@ class FileView(QWidget):
             painter.drawImage(QRectF(left, row.top(), right - left, row.height()), image)
         painter.restore()
         frequencies = self._session.sonagram.settings.frequencies
-        for mark in FREQUENCY_MARKS:
-            share = float(np.interp(mark, frequencies, np.linspace(0, 1, len(frequencies)), -1, -1))
+        shares = np.interp(FREQUENCY_MARKS, frequencies, np.linspace(0, 1, len(frequencies)), -1, -1).tolist()
+        for mark, share in zip(FREQUENCY_MARKS, shares, strict=True):
             y = row.bottom() - share * row.height()
-            if share >= 0 and row.top() + 6 < y and (mark in {500, 1000, 2000} or mark % 2000 == 0):
+            if share >= 0 and row.top() + 6 < y:
                 painter.fillRect(QRectF(LEFT - 4, y, 4, 1), QColor(self._theme.faint))
                 place = QRectF(0, y - 7, LEFT - 7, 14)
                 draw_text(painter, place, f"{mark} Hz", self._theme.faint, 10, AT_RIGHT)
@@ -252,24 +258,15 @@ class FileView(QWidget):
         return image
 
     def _paint_lane(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
-        first, last = self._frames_seen(tracks)
-        step = max(1, (last - first) // (2 * self._width))  # two frames a pixel are enough to be seen
-        at = np.arange(first, last, step)
-        codes, states = tracks.phonemes[at], tracks.states[at]
-        changes = np.flatnonzero((codes[1:] != codes[:-1]) | (states[1:] != states[:-1])) + 1
-        set_size(painter, 11)
-        for begin, end in zip([0, *changes.tolist()], [*changes.tolist(), len(at)], strict=True):
-            if begin == end or states[begin] == FrameState.UNKNOWN:
-                continue
-            left = self._x_of(max(float(at[begin]) * FRAME_PERIOD, self._view.seen.start))
-            right = self._x_of(min(float(first + end * step) * FRAME_PERIOD, self._view.seen.end))
-            place, code = QRectF(left, row.top(), right - left, row.height()), int(codes[begin])
-            colour = QColor(self._pixels[code])
-            colour.setAlpha(255 if states[begin] == FrameState.KNOWN else 110)
-            painter.fillRect(place, colour)
-            if place.width() >= max(NARROWEST_LETTER, LETTER * len(self._names[code])):
-                letters = letters_on(self._pixels[code].name())
-                draw_text(painter, place, self._names[code], letters, 11, CENTRED)
+        seen, n = self._view.seen, self._width
+        pixels = lane_pixels(tracks, seen, n, self._lane_colours)
+        painter.drawImage(row, QImage(pixels.data, n, 1, 4 * n, QImage.Format.Format_RGB32))
+        runs = wide_runs(tracks, seen, NARROWEST_LETTER / n * seen.seconds)
+        for start, end, code in zip(*(values.tolist() for values in runs), strict=True):
+            left, right = self._x_of(start), self._x_of(end)
+            if right - left >= LETTER * len(self._names[code]):
+                place = QRectF(left, row.top(), right - left, row.height())
+                draw_text(painter, place, self._names[code], self._letters[code], 11, CENTRED)
 
     def _paint_second(self, painter: QPainter, first: QRectF) -> None:
         """Paint what the second preset hears, and the names of both."""
@@ -348,14 +345,10 @@ class FileView(QWidget):
         seen = self._view.seen
         peaks = tracks.peaks.between(seen.start * SAMPLE_RATE, seen.end * SAMPLE_RATE, self._width)
         loudest = max(0.05, float(np.nanmax([np.abs(peaks.low), np.abs(peaks.high), np.zeros(self._width)])))
-        middle, scale = row.center().y(), (row.height() / 2 - 1) / loudest
-        path = QPainterPath()
-        for k, (low, high) in enumerate(zip(peaks.low.tolist(), peaks.high.tolist(), strict=True)):
-            if not math.isnan(low):
-                path.moveTo(LEFT + k + 0.5, middle - high * scale)
-                path.lineTo(LEFT + k + 0.5, middle - low * scale + 0.5)
-        painter.setPen(QPen(QColor(self._theme.signal), 1))
-        painter.drawPath(path)
+        colour, base = (QColor(name).rgb() for name in (self._theme.signal, self._theme.base))
+        height = max(3, round(row.height()))
+        pixels = wave_pixels(peaks, loudest, height, colour, base)
+        painter.drawImage(row, QImage(pixels.data, self._width, height, 4 * self._width, QImage.Format.Format_RGB32))
 
     def _paint_course(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
         first, last = self._frames_seen(tracks)
@@ -367,25 +360,21 @@ class FileView(QWidget):
         if not np.isfinite(values).any():
             return
         low, high = min(0.0, float(np.nanmin(values))), float(np.nanmax(values))
-        step = max(1, len(values) // (2 * self._width))
-        path, down = QPainterPath(), False
-        for k in range(0, len(values), step):
-            value = float(values[k])
-            if math.isnan(value):
-                down = False
-                continue
-            x = self._x_of((first + k + 0.5) * FRAME_PERIOD)
-            y = row.bottom() - 2 - (value - low) / max(high - low, 1e-12) * (row.height() - 4)
-            (path.lineTo if down else path.moveTo)(x, y)
-            down = True
-        painter.save()
-        painter.setClipRect(row)
-        painter.setPen(QPen(QColor(self._theme.signal), 1.2))
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.drawPath(path)
-        painter.restore()
+        inner = row.adjusted(0, 2, 0, -2)
+        painter.setPen(QPen(QColor(self._theme.signal), 1))
+        for line in self._line_in(inner, values, first, (low, high)):
+            painter.drawPolyline(line)
         for value, y in ((high, row.top()), (low, row.bottom() - 14)):
             draw_text(painter, QRectF(0, y, LEFT - 7, 14), f"{value:.3g}", self._theme.faint, 10, AT_RIGHT)
+
+    def _line_in(
+        self, row: QRectF, values: Float32Array, first: int, scale: tuple[float, float]
+    ) -> tuple[QPolygonF, ...]:
+        """Return the course of values of the frames from one on, between two values at the row's edges."""
+        seen, (low, high) = self._view.seen, scale
+        times, heights = course_of(values, first, seen, self._width)
+        x = LEFT + (times - seen.start) / max(seen.seconds, 1e-9) * self._width
+        return broken_line(x, row.bottom() - (heights - low) / max(high - low, 1e-12) * row.height())
 
     def _paint_over(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
         """Paint formants as dots, and pitch and level as lines on scales of their own."""
@@ -416,20 +405,11 @@ class FileView(QWidget):
         self, painter: QPainter, row: QRectF, first: int, values: Float32Array, scale: tuple[float, float],
         colour: str,
     ) -> None:  # fmt: skip
-        low, high = scale
-        path, down = QPainterPath(), False
-        for k in range(0, len(values), max(1, len(values) // (2 * self._width))):
-            value = float(values[k])
-            if math.isnan(value):
-                down = False
-                continue
-            y = row.bottom() - (value - low) / (high - low) * row.height()
-            (path.lineTo if down else path.moveTo)(self._x_of((first + k + 0.5) * FRAME_PERIOD), y)
-            down = True
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for pen in (QPen(QColor(0, 0, 0, 150), 3), QPen(QColor(colour), 1.6)):  # seen on every colour
             painter.setPen(pen)
-            painter.drawPath(path)
+            for line in self._line_in(row, values, first, scale):
+                painter.drawPolyline(line)
 
     def _y_of(self, frequency: float, row: QRectF) -> float:
         frequencies = self._session.sonagram.settings.frequencies
@@ -614,6 +594,23 @@ class FileView(QWidget):
             super().keyPressEvent(event)
         else:
             act()
+
+
+def _lane_colours(colours: list[QColor], base: QColor) -> UInt32Array:
+    """Return the colours of phonemes by state: none where nothing is known, paler where that is outdated."""
+    table = np.full((len(FrameState), len(colours)), base.rgb(), np.uint32)
+    for k, colour in enumerate(colours):
+        table[FrameState.KNOWN, k] = colour.rgb()
+        shares = zip(
+            (colour.red(), colour.green(), colour.blue()), (base.red(), base.green(), base.blue()), strict=True
+        )
+        pale = QColor(*(round(OUTDATED * a + (1 - OUTDATED) * b) for a, b in shares))
+        table[FrameState.OUTDATED, k] = pale.rgb()
+    return table
+
+
+def _rgb_of(colour: QColor) -> tuple[int, int, int]:
+    return colour.red(), colour.green(), colour.blue()
 
 
 def _clock(seconds: float, spacing: float) -> str:

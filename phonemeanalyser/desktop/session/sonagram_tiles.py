@@ -1,6 +1,8 @@
 """The sonagram of a file, measured in the background where somebody looks, and kept as tiles of several scales."""
 
+import math
 import threading
+import time
 from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from math import ceil, floor, log2
@@ -8,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
@@ -28,6 +30,9 @@ MOST_READ = 20.0
 """Seconds of sound that are read at a time."""
 MOST_TILES = 96
 """That are kept, the newest: 25 MB of 256 rows."""
+REST = 1.0
+"""Seconds between two beginnings of such work: who scrolls on and on wants each tile for a moment only, sees
+coarser ones meanwhile, and leaves the processor to others."""
 
 
 class Tile(NamedTuple):
@@ -76,6 +81,7 @@ class SonagramTiles(QObject):
 
     changed = Signal()
     error = Signal(str)
+    _kept = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -90,12 +96,15 @@ class SonagramTiles(QObject):
         self._duration = 0.0
         self._open: Callable[[], SoundReader] | None = None
         self._work = TaskQueue(self.error.emit)
-        self._work.changed.connect(self.changed)
+        self._kept.connect(self.changed, Qt.ConnectionType.QueuedConnection)
+        self._began = -math.inf
+        self._resting = QTimer(self, singleShot=True)
+        self._resting.timeout.connect(self._measure)
 
     @property
     def busy(self) -> bool:
         """Whether more is being measured."""
-        return self._work.busy
+        return self._work.busy or self._resting.isActive()
 
     def open(self, open_sound: Callable[[], SoundReader], duration: float) -> None:
         """Measure another file, of so many seconds."""
@@ -133,7 +142,12 @@ class SonagramTiles(QObject):
                 self._tiles.move_to_end(key)
             found = [self._tiles[key] for key in sorted(known, reverse=True)]
         if missing and not set(missing) <= set(self._wanted):
-            self._measure(missing)
+            self._wanted = missing
+            rest = self._began + REST - time.monotonic()
+            if rest <= 0:
+                self._measure()
+            elif not self._resting.isActive():
+                self._resting.start(round(1000 * rest))
         return found
 
     def close(self) -> None:
@@ -161,11 +175,13 @@ class SonagramTiles(QObject):
         if key in self._tiles:
             yield key
 
-    def _measure(self, keys: tuple[_Key, ...]) -> None:
-        open_sound, generation, self._wanted = self._open, self._generation, keys
+    def _measure(self) -> None:
+        """Measure what is wanted now: who scrolls on and on wants each tile for a moment only."""
+        open_sound, generation, keys = self._open, self._generation, self._wanted
         settings, filters = self.settings, self.filters
         if open_sound is None:
             return
+        self._began = time.monotonic()
 
         def measure(progress: Progress) -> None:
             with open_sound() as reader:
@@ -187,9 +203,12 @@ class SonagramTiles(QObject):
                 self._highest, self.level_range = high, (low, high)
             while len(self._tiles) > MOST_TILES:
                 self._tiles.popitem(last=False)
+        self._kept.emit()
 
     def _forget(self) -> None:
         self._work.cancel()
+        self._resting.stop()
+        self._began = -math.inf
         with self._lock:
             self._generation += 1
             self._tiles, self._highest = OrderedDict(), None

@@ -36,12 +36,7 @@ class LiveCurve(pg.PlotCurveItem):
         """Draw another curve, both of shape (n,)."""
         self.xData, self.yData = np.asarray(x, float), np.asarray(y, float)
         self.path = None
-        known = np.isfinite(self.yData)
-        if known.all():
-            self._lines = (_polyline(self.xData, self.yData),)
-        else:
-            edges = np.flatnonzero(np.diff(known, prepend=False, append=False)).reshape(-1, 2)
-            self._lines = tuple(_polyline(self.xData[a:b], self.yData[a:b]) for a, b in edges.tolist())
+        self._lines = broken_line(self.xData, self.yData)
         self.update()
 
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
@@ -65,7 +60,17 @@ class LiveCurve(pg.PlotCurveItem):
         return None, None
 
 
-def _polyline(x: Float64Array, y: Float64Array) -> QPolygonF:
+def broken_line(x: Float64Array, y: Float64Array) -> tuple[QPolygonF, ...]:
+    """Return a line as polygons for a painter, broken where a value is no number; both of shape (n,)."""
+    known = np.isfinite(y)
+    if known.all():
+        return (polyline_of(x, y),)
+    edges = np.flatnonzero(np.diff(known, prepend=False, append=False)).reshape(-1, 2)
+    return tuple(polyline_of(x[a:b], y[a:b]) for a, b in edges.tolist())
+
+
+def polyline_of(x: Float64Array, y: Float64Array) -> QPolygonF:
+    """Return points as a polygon for a painter, both of shape (n,)."""
     line = QPolygonF()
     line.resize(len(x))
     if len(x):

@@ -31,7 +31,7 @@ def tiles(qtbot, tmp_path: Path):
 
 def measured(tiles: SonagramTiles, qtbot, seen: TimeSpan, n_pixels: int):
     tiles.tiles_for(seen, n_pixels)
-    qtbot.waitUntil(lambda: not tiles._work.busy)
+    qtbot.waitUntil(lambda: not tiles.busy)
     return tiles.tiles_for(seen, n_pixels)
 
 
