@@ -107,7 +107,7 @@ def _pictures_of(
     camera, colour = Camera.facing(morph_mesh.mesh).orbit(ASIDE, ABOVE), colour_of(background)
     for k, heads in enumerate(zip(*(player.scenes() for player in players), strict=True)):
         report_progress(progress, k / max(1, len(players[0])))
-        yield [offscreen.picture(camera, positions, pose, background=colour) for positions, pose in heads]
+        yield [offscreen.picture(camera, positions, pose, background=colour, glow=True) for positions, pose in heads]
 
 
 def _write(

@@ -70,13 +70,14 @@ class OffscreenRenderer:
         wireframe: bool = False,
         light: Light = LIGHT,
         fine: bool = True,
+        glow: bool = False,
     ) -> UInt8Array:
         """Take a picture; the arguments are those of `HeadRenderer.draw`."""
         width, height = self._sheet.size
         with self._context:
             self._renderer.draw(
                 camera, positions, pose, size=(width, height), background=background,
-                wireframe=wireframe, light=light, fine=fine, target=self._sheet,
+                wireframe=wireframe, light=light, fine=fine, glow=glow, target=self._sheet,
             )  # fmt: skip
             rows = np.frombuffer(self._sheet.read(components=3, alignment=1), np.uint8)
         picture: UInt8Array = rows.reshape(height, width, 3)[::-1]

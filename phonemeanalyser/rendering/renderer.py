@@ -6,6 +6,7 @@ import moderngl
 import numpy as np
 
 from phonemeanalyser.rendering.ambient_occlusion import ambient_occlusion
+from phonemeanalyser.rendering.backdrop import Backdrop
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.canvas import Canvas
 from phonemeanalyser.rendering.errors import RenderingError
@@ -94,6 +95,7 @@ class HeadRenderer:
         self._programs = {name: program_of(context, *shaders) for name, shaders in PROGRAMS.items()}
         for finish in (QUICK, FINE):
             self._programs[finish.name] = program_of(context, "head", "head", taps_of(finish.taps, finish.penumbra))
+        self._backdrop = Backdrop(context)
         self._arrays = {name: self._array_of(program) for name, program in self._programs.items()}
         self._look_at_mesh()
 
@@ -108,6 +110,7 @@ class HeadRenderer:
         wireframe: bool = False,
         light: Light = LIGHT,
         fine: bool = True,
+        glow: bool = False,
         target: moderngl.Framebuffer | None = None,
     ) -> None:
         """Draw one picture, over whatever was there.
@@ -122,6 +125,7 @@ class HeadRenderer:
         wireframe : the edges of the triangles alone, those that nothing hides.
         light : the light that it stands in.
         fine : without jagged edges and with soft shadows, which takes longer where there is no graphics card.
+        glow : whether a soft light stands behind the head, which ends before the picture does.
         target : what the picture goes to; the framebuffer that is bound, where it is None (right for a
             QOpenGLWidget).
 
@@ -143,6 +147,8 @@ class HeadRenderer:
         if wireframe:
             self._draw_wires(background)
         else:
+            if glow:
+                self._backdrop.draw(background)
             self._draw_skin(finish)
         self._context.copy_framebuffer(target, canvas)
         target.use()
@@ -154,6 +160,7 @@ class HeadRenderer:
             program.release()
         for buffer in (self._corners, self._moving, self._looks):
             buffer.release()
+        self._backdrop.release()
         for shadow in self._shadows.values():
             shadow.release()
         for canvas in self._canvases.values():

@@ -8,9 +8,14 @@ from PySide6.QtCore import QSettings
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog
 
+from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.export_dialog import BESIDE, ExportDialog
 from phonemeanalyser.desktop.session.export_queue import ExportState
 from phonemeengine import Channel, convert, load_preset
+from phonemeengine.labels.files import write_labels
+from phonemeengine.labels.label import Label
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.hands import CARDS, LEFT, shown
 
 PRESET = load_preset("thesis")
@@ -148,3 +153,38 @@ def test_where_nothing_can_be_written_it_is_said(dialog, folder, qtbot):
         QTest.mouseClick(dialog.start, LEFT)
     assert dialog.told.text() == "2 failed"
     assert blocked.read_text() == "a file, no folder"
+
+
+def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbot):
+    (folder / "deep" / "two.flac").unlink()
+    dialog.files.selectAll()
+    QTest.mouseClick(dialog.remove, LEFT)
+    dialog.add([folder / "one.flac"])
+    choose(dialog, "clip-gif")
+    dialog.rate.setValue(4)
+    dialog.head.setChecked(False)
+    QTest.mouseClick(dialog.look, LEFT)
+    qtbot.waitUntil(lambda: dialog.preview.toPlainText().startswith("A clip is seen once it is made"))
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.told.text() == "1 done"
+    other, preset = tmp_path / "other.gif", str(THESIS_PRESET)
+    words = [str(folder / "one.flac"), "-o", str(other), "--fps", "4", "--preset", preset, "--no-head"]
+    assert main(["preview", *words]) == 0
+    assert (folder / "one.gif").read_bytes() == other.read_bytes()
+    with qtbot.waitSignal(dialog.queue.finished):  # it may be somebody's by now
+        QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.queue.jobs[0].state is ExportState.FAILED
+    assert "replaced" in cells(dialog, 0)[3]
+
+
+def test_a_report_says_how_right_the_preset_is_by_the_labels_beside_the_sound(dialog, folder, qtbot):
+    choose(dialog, "report-html")
+    labels = [Label(0.0, 2.0, "a", Phoneme.A), Label(2.0, 3.5, "", Phoneme.SILENCE)]
+    write_labels(labels, folder / "one.csv", duration=3.5)
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    states = {job.source.name: job.state for job in dialog.queue.jobs}
+    assert states == {"one.flac": ExportState.DONE, "two.flac": ExportState.FAILED}
+    assert "Macro F1" in (folder / "one.report.html").read_text()
+    assert "no label file beside this sound" in cells(dialog, 0)[3]

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.mouth.mesh import normals_of
-from tools.head.colours import brow_region, eye_colours, painted
+from tools.head.colours import brow_region, eye_colours, hair_share, hairline_region, painted
 
 Floats = NDArray[np.float32]
 Numbers = NDArray[np.int64]
@@ -39,6 +39,8 @@ SKULL = 8.35
 """Above this height is the skull, which is made rounder."""
 BULGE, STEEPEST, N_ROUNDED = 0.003, 0.9, 2
 """Edges are cut, so many times, where the arc over them rises so far; where it turns more (radians), it is a fold."""
+HAIR, HIGHEST = (0.03, 0.10), 9.3
+"""How thick the hair is at its edge and at the top, and how high that is."""
 INSIDE_OF_NECK = (60, 44, 40)
 N_AROUND = 32
 RINGS = np.radians([0, 6, 11, 11, 16, 21, 26.5, 26.5, 33, 45, 60, 80, 100])
@@ -203,11 +205,22 @@ def rested(clay: Clay, names: list[str]) -> Clay:
     return Clay(points, clay.triangles, clay.part, offsets)
 
 
+def haired(clay: Clay) -> Clay:
+    """Have short hair stand on the skull, thickest at its top."""
+    share = np.where(clay.part == 0, hair_share(clay.points), 0)
+    normals = normals_of(clay.points, clay.triangles.astype(np.uint32))
+    thick = HAIR[0] + (HAIR[1] - HAIR[0]) * np.clip((clay.points[:, 1] - SKULL) / (HIGHEST - SKULL), 0, 1)
+    points = clay.points + (share * thick)[:, np.newaxis] * normals
+    return Clay(points.astype(np.float32), clay.triangles, clay.part, clay.offsets)
+
+
 def bust(clay: Clay) -> tuple[Clay, NDArray[np.uint8]]:
     """Give the trimmed and closed head without eyes, and its colours."""
     x, y, z = clay.points.T
     clay = trimmed(clay, y - np.float32(NECK) - np.float32(SLOPE) * z - np.float32(FLARE) * x**2)
     clay = refined(clay, brow_region(clay.points))
+    clay = refined(clay, hairline_region(clay.points) & (clay.part == 0))
+    clay = haired(clay)
     for _ in range(N_ROUNDED):
         clay = rounded(clay)
     colours = painted(clay.points, clay.triangles, clay.part)

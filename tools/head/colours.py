@@ -9,6 +9,7 @@ Numbers = NDArray[np.int64]
 
 SKIN, LIPS, BROWS, INSIDE = (216, 172, 150), (184, 108, 100), (84, 58, 46), (84, 32, 32)
 BLUSH, STUBBLE, LID = (210, 140, 122), (196, 156, 138), (196, 142, 124)
+HAIR, STRAND = (66, 48, 38), (104, 78, 60)
 TEETH, TONGUE = (236, 230, 214), (176, 86, 86)
 SHADED = 0.66
 """Of the lower teeth, which stand in the lips' shade."""
@@ -16,6 +17,10 @@ EYE = {"pupil": (0, 2), "iris": (3, 6), "white": (7, 12)}
 """First and last ring of each."""
 PUPIL, IRIS, LIMBUS, WHITE = (16, 14, 14), (104, 138, 156), (44, 62, 78), (238, 236, 232)
 
+HAIRLINE = np.radians([0, 25, 48, 62, 74, 100, 122, 150, 180]), (9.00, 9.00, 8.93, 8.62, 8.42, 8.42, 8.02, 7.83, 7.80)
+"""How high the hair begins, by the angle from the gaze around the head's axis."""
+HAIR_AXIS, HAIR_EDGE = (0.0, 0.42), 0.11
+"""Where that axis stands, and over what height the hair begins."""
 MOUTH_WIDTH, MOUTH_HEIGHT, LIPS_FRONT = 0.235, 7.492, 1.28
 EYE_AT = (0.305, 8.27, 1.44)
 BLUSHING = (((0.38, 7.92, 1.28), 0.34), ((0.0, 7.84, 1.72), 0.22), ((0.80, 8.05, 0.35), 0.42))
@@ -31,6 +36,8 @@ def painted(points: Floats, triangles: Numbers, part: NDArray[np.uint8]) -> Colo
     _tint(colours, BLUSH, 0.65 * _blush(points))
     _tint(colours, LID, 0.7 * _near(points, EYE_AT, 0.17))
     _tint(colours, BROWS, 0.8 * _brows(points))
+    _tint(colours, HAIR, 0.94 * hair_share(points))
+    _tint(colours, STRAND, 0.5 * hair_share(points) * _strands(points))
     _tint(colours, LIPS, _lips(points))
     _tint(colours, INSIDE, _hidden(points, triangles).astype(np.float32))
     depth = 0.35 + 0.65 * np.clip((points[:, 2:] - 1.05) / 0.4, 0, 1)
@@ -63,6 +70,31 @@ def _lips(points: Floats) -> Floats:
     below = (MOUTH_HEIGHT - y) / (LOWER_LIP * bow**0.5 + 1e-6)
     inside = np.clip((1.25 - np.maximum(above, below)) / 0.25, 0, 1)
     return np.where(z > LIPS_FRONT, inside, 0).astype(np.float32)
+
+
+def hair_share(points: Floats) -> Floats:
+    """Tell where hair grows: 1 there, 0 on bare skin."""
+    return np.clip(_above_hairline(points) / HAIR_EDGE, 0, 1).astype(np.float32)
+
+
+def hairline_region(points: Floats) -> NDArray[np.bool_]:
+    """Tell which vertices lie about the edge of the hair."""
+    return (np.abs(_above_hairline(points)) < 0.16) & (points[:, 1] > 7.7)
+
+
+def _above_hairline(points: Floats) -> Floats:
+    x, y, z = points.T
+    angle = np.arctan2(np.abs(x - HAIR_AXIS[0]), z - HAIR_AXIS[1])
+    line = np.interp(angle, *HAIRLINE)
+    ear = (np.abs(x) > 0.775) & (y < 8.5)
+    return np.where(ear, -1.0, y - line).astype(np.float32)
+
+
+def _strands(points: Floats) -> Floats:
+    """Tell how light each strand is, 0..1: combed from the crown forwards and down."""
+    x, y, z = points.T
+    along = np.arctan2(x, y - 8.4) * 9 + np.sin(5 * z) * 0.8
+    return (0.5 + 0.5 * np.sin(along * 3.1) * np.cos(7 * z + 3 * x)).astype(np.float32)
 
 
 def brow_region(points: Floats) -> NDArray[np.bool_]:

@@ -34,7 +34,9 @@ def visemes(theme: str) -> UInt8Array:
     with OffscreenRenderer(morph_mesh, (SIZE, SIZE)) as offscreen:
         for phoneme in SAID:
             face.set_percentages(dict(zip(table.movestates, 100.0 * table.weights()[phoneme], strict=True)))
-            picture = offscreen.picture(camera, face.morphed(), HeadPose(), background=colour_of(colours.window))
+            picture = offscreen.picture(
+                camera, face.morphed(), HeadPose(), background=colour_of(colours.window), glow=True
+            )
             shown.append(_labelled(picture, phoneme.label, colours.text))
     rows = [np.concatenate(shown[k : k + N_COLUMNS], axis=1) for k in range(0, len(shown), N_COLUMNS)]
     return np.concatenate(rows)

@@ -159,6 +159,7 @@ class FilePanel(QWidget):
 
     def _show_state(self) -> None:
         self.live.setVisible(self._session.looks_back)
+        self.follow.setVisible(not self._session.looks_back)
         self.heading.setText("<b>Heard</b>" if self._session.looks_back else "<b>File</b>")
         self.follow.setChecked(self._session.view.follows)
         self.selection.setEnabled(self._session.view.selection is not None)

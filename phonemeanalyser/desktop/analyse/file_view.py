@@ -43,6 +43,8 @@ WHEEL_STEP = 0.8
 """How much less is seen after a notch of the wheel."""
 OUTDATED = 0.43
 """How much of its colour is left of what was found with other settings."""
+LETTERS_APART = 11
+"""Pixels between two frequencies that are written."""
 GRAB = 3
 """Pixels by which a press may move and still be a click."""
 
@@ -238,9 +240,11 @@ class FileView(QWidget):
         painter.restore()
         frequencies = self._session.sonagram.settings.frequencies
         shares = np.interp(FREQUENCY_MARKS, frequencies, np.linspace(0, 1, len(frequencies)), -1, -1).tolist()
+        below = row.bottom() + LETTERS_APART
         for mark, share in zip(FREQUENCY_MARKS, shares, strict=True):
             y = row.bottom() - share * row.height()
-            if share >= 0 and row.top() + 6 < y:
+            if share >= 0 and row.top() + 6 < y <= below - LETTERS_APART:
+                below = y
                 painter.fillRect(QRectF(LEFT - 4, y, 4, 1), QColor(self._theme.faint))
                 place = QRectF(0, y - 7, LEFT - 7, 14)
                 draw_text(painter, place, f"{mark} Hz", self._theme.faint, 10, AT_RIGHT)

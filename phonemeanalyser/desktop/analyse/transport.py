@@ -6,6 +6,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
+    QSizePolicy,
     QSlider,
     QStackedWidget,
     QStyle,
@@ -120,6 +121,7 @@ class Transport(QWidget):
         for source in SoundSource:
             self.source.addItem(source.value, source)
         self.source.setToolTip("Where the sound comes from")
+        self.source.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.source.setAccessibleName("source")
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         for page in (self.position_slider, self.microphone, self.tone):
@@ -129,6 +131,7 @@ class Transport(QWidget):
         self._row.setSpacing(6)
         for widget in (*self._first, self.pages, *self._last):
             self._row.addWidget(widget, 1 if widget is self.pages else 0)
+        self._row.addStretch(0)  # takes what is over while the pages have a row of their own
         self._rows.addLayout(self._row)
 
     def minimumSizeHint(self) -> QSize:

@@ -58,12 +58,14 @@ class ExportKind:
     ending : of its files.
     moves_mouth : whether the order's options say how it is made.
     make : makes it of a sound, as another file.
+    is_text : whether its beginning tells what it will be.
     """
 
     words: str
     ending: str
     moves_mouth: bool
     make: Callable[[Path, Path, ExportOrder, Progress], None]
+    is_text: bool = True
 
 
 def check_order(order: ExportOrder) -> None:
@@ -128,8 +130,8 @@ def _refuse_another(target: Path, order: ExportOrder) -> None:
 
 EXPORT_KINDS: dict[str, ExportKind] = {
     **{name: ExportKind(c.words, c.ending, c.moves_mouth, _convert) for name, c in CONVERSIONS.items()},
-    "clip-mp4": ExportKind("a clip of the head with its sound", ".mp4", True, _make_clip),
-    "clip-gif": ExportKind("a clip of the head", ".gif", True, _make_clip),
+    "clip-mp4": ExportKind("a clip of the head with its sound", ".mp4", True, _make_clip, is_text=False),
+    "clip-gif": ExportKind("a clip of the head", ".gif", True, _make_clip, is_text=False),
     "report-html": ExportKind("how right it is, by the labels beside it", ".report.html", False, _write_report),
 }
 """All kinds, by name."""

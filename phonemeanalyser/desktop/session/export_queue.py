@@ -128,6 +128,8 @@ class ExportQueue(QObject):
 
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
+    if not EXPORT_KINDS[order.kind].is_text:
+        return "A clip is seen once it is made; the page Talk shows the same head at once."
     with TemporaryDirectory() as folder:
         target = Path(folder) / f"{source.stem}{EXPORT_KINDS[order.kind].ending}"
         EXPORT_KINDS[order.kind].make(source, target, order, progress)

@@ -104,7 +104,7 @@ class GlSurface(QOpenGLWidget):
         try:
             self._renderer_of(scene.morph_mesh).draw(
                 scene.camera, scene.positions, scene.pose, size=size, background=scene.background,
-                wireframe=scene.wireframe, light=scene.light,
+                wireframe=scene.wireframe, light=scene.light, glow=True,
             )  # fmt: skip
             self.n_drawn += 1
         except RenderingError as error:
@@ -210,7 +210,7 @@ class PictureSurface(QWidget):
             offscreen.resize((width, height))
             picture = offscreen.picture(
                 scene.camera, scene.positions, scene.pose, background=scene.background,
-                wireframe=scene.wireframe, light=scene.light, fine=fine,
+                wireframe=scene.wireframe, light=scene.light, fine=fine, glow=True,
             )  # fmt: skip
         except RenderingError as error:
             self.error.emit(str(error))
