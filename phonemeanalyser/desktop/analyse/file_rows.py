@@ -11,7 +11,7 @@ from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.whole_sound import FrameState, SoundTracks
 
 
-class Runs(NamedTuple):
+class PhonemeRuns(NamedTuple):
     """Stretches of frames in a row that have one phoneme and one state, each of shape (n_runs,).
 
     Attributes
@@ -44,7 +44,7 @@ def lane_pixels(tracks: SoundTracks, seen: TimeSpan, n_columns: int, colours: UI
     return np.ascontiguousarray(colours[states, tracks.phonemes[at]])
 
 
-def wide_runs(tracks: SoundTracks, seen: TimeSpan, least: float) -> Runs:
+def wide_runs(tracks: SoundTracks, seen: TimeSpan, least: float) -> PhonemeRuns:
     """Return the runs in view that last so many seconds at least, as far as they are known and in view."""
     first = max(0, int(seen.start / FRAME_PERIOD))
     last = min(tracks.n_frames, int(seen.end / FRAME_PERIOD) + 1)
@@ -54,7 +54,7 @@ def wide_runs(tracks: SoundTracks, seen: TimeSpan, least: float) -> Runs:
     times = np.clip((edges + first) * FRAME_PERIOD, seen.start, seen.end)
     begins = edges[:-1]
     wide = (np.diff(times) >= least) & (states[begins] != FrameState.UNKNOWN)
-    return Runs(times[:-1][wide], times[1:][wide], codes[begins[wide]])
+    return PhonemeRuns(times[:-1][wide], times[1:][wide], codes[begins[wide]])
 
 
 def wave_pixels(peaks: Peaks, loudest: float, height: int, colour: int, background: int) -> UInt32Array:

@@ -1,5 +1,6 @@
 """Whose face it is: the head that ships with the program, or a mesh and movestates of the user's own."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
+from phonemeengine.mouth.gaze import EYES
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.movestate_set import MovestateSet
@@ -64,6 +66,7 @@ class FaceModel(QObject):
         self._columns: list[tuple[int, str]] = []
         self._spoken: dict[str, float] = {}
         self._lids: tuple[str, ...] = ()
+        self._eyes: tuple[str, ...] = ()
 
     @property
     def busy(self) -> bool:
@@ -122,6 +125,11 @@ class FaceModel(QObject):
             for lid in self._lids:
                 self.states.set_percentage(lid, max(100 * closure, self._spoken.get(lid, 0.0)))
 
+    def look(self, weights: Mapping[str, float]) -> None:
+        """Turn the eyes by the weights of their movestates, 0..1, where nothing that is said or felt turns them."""
+        if self.states is not None and not any(self._spoken.get(name) for name in self._eyes):
+            self.states.set_percentages({name: 100 * weights[name] for name in self._eyes})
+
     def positions(self) -> Float32Array:
         """Return where the vertices are now, shape (n_vertices, 3); the array is used again by the next call."""
         assert self.states is not None
@@ -142,6 +150,7 @@ class FaceModel(QObject):
         self._shown = files
         self.morph_mesh, self.states = morph_mesh, MovestateSet(morph_mesh.mesh, morph_mesh.states)
         self._lids = tuple(name for name in EYELIDS if name in self.states)
+        self._eyes = tuple(name for name in EYES if name in self.states)
         for name in self.states.names:  # brows and eyes are the table's here: only blinks have a life of their own
             self.states.set_interactable(name, name not in self._lids)
         known = [(name, load_table(name)) for name in shipped_tables()]

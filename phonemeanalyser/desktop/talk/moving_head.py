@@ -4,6 +4,7 @@ import numpy as np
 
 from phonemeanalyser.desktop.talk.face_model import FaceModel
 from phonemeengine.arrays import Float32Array
+from phonemeengine.mouth.gaze import Gaze, gaze_weights
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable
@@ -33,10 +34,12 @@ class MovingHead:
         self.caption = ""
         self.notes: tuple[str, ...] = ()
         self._seen: Float32Array = np.zeros(0, np.float32)
+        self._gaze, self._looks = Gaze(idle.seed), idle.blinks
 
     def configure(self, table: MouthTable, idle: IdleMotion) -> None:
         """Go on with another table, or with other motion."""
         self.performer.configure(table, idle)
+        self._looks = idle.blinks
         self.face.set_table(table)
         self._seen = np.zeros(0, np.float32)
 
@@ -45,7 +48,8 @@ class MovingHead:
         if self.face.states is None:
             return
         _, weights, closure, pose = self.performer.at(now)
-        look = np.array([*weights, closure, pose.yaw, pose.pitch, pose.roll], np.float32)
+        eyes = gaze_weights(self._gaze.at(now), pose) if self._looks else {}
+        look = np.array([*weights, closure, *eyes.values(), pose.yaw, pose.pitch, pose.roll], np.float32)
         if len(look) == len(self._seen):
             change = np.abs(look - self._seen)
             if change[:-3].max() < LEAST_WEIGHT and change[-3:].max() < LEAST_ANGLE:
@@ -53,4 +57,6 @@ class MovingHead:
         self._seen, self.pose = look, pose
         self.face.move(weights)
         self.face.blink(closure)
+        if eyes:
+            self.face.look(eyes)
         self.revision += 1

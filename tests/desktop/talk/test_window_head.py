@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +27,7 @@ from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.mouth.files.io import save_morph_targets
+from phonemeengine.mouth.gaze import EYES
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import morph_targets_of
 from phonemeengine.mouth.movestate import movestate_of
@@ -554,3 +556,18 @@ def test_the_window_keeps_its_width_whichever_page_is_shown(window, desktop, qtb
         press(desktop.window, key, CONTROL)
         QTest.qWait(30)
     assert abs(desktop.window.width() - width) <= 2
+
+
+def test_the_eyes_look_about_unless_blinks_are_off(desktop, qtbot):
+    desktop.window.show()
+    head = desktop.talking.head
+    desktop.talking.face.wake()
+    qtbot.waitUntil(lambda: head.face.states is not None)
+    seen = set()
+    for k in range(2000):
+        head.move(k * 0.02)
+        seen.add(tuple(round(head.face.states.percentage(name), 3) for name in EYES))
+    assert len(seen) > 5
+    head.configure(load_table("arkit"), replace(desktop.talking.idle, blinks=False))
+    head.move(41.0)
+    assert all(head.face.states.percentage(name) == 0 for name in EYES)
