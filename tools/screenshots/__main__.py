@@ -36,8 +36,8 @@ TALK = {
 """The page of the head, while it says the demo."""
 COMPARE = {"compare-light.png": ("1280", "800", "light", "1.02")}
 """Two heads that say a text in step, a recorded face and the rules."""
-HEAD = {"head-visemes.png": "light"}
-"""The head that says a, e, i, o, u and m."""
+HEAD = {"head": {"head-visemes.png": "light"}, "contact_sheet": {"contact-sheet.png": "light"}}
+"""The head that says a, e, i, o, u and m; and a sentence of the demo, sound by sound, beside its labels."""
 
 
 def main() -> None:
@@ -53,10 +53,10 @@ def main() -> None:
             place = str(_place(name))
             command = [sys.executable, "-m", f"tools.screenshots.{module}", place, theme, width, height, at]
             subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
-    for name, theme in HEAD.items():
-        subprocess.run(
-            [sys.executable, "-m", "tools.screenshots.head", str(_place(name)), theme], check=True, cwd=ROOT
-        )
+    for module, pictures in HEAD.items():
+        for name, theme in pictures.items():
+            command = [sys.executable, "-m", f"tools.screenshots.{module}", str(_place(name)), theme]
+            subprocess.run(command, check=True, cwd=ROOT)
     with tempfile.TemporaryDirectory() as folder, VirtualSound() as sound:
         wav = Path(folder) / "demo.wav"
         soundfile.write(wav, *soundfile.read(DEMO))
