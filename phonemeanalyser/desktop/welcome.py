@@ -95,6 +95,7 @@ class WelcomeCards(QFrame):
         told.setWordWrap(True)
         button.setAutoDefault(True)
         button.setAccessibleDescription(words)
+        button.setToolTip(words)
         button.clicked.connect(lambda _checked: self.hide())
         button.clicked.connect(lambda _checked: chosen())
         column = QVBoxLayout(card)

@@ -81,6 +81,6 @@ def test_impossible_options_are_refused_before_any_sound_is_heard() -> None:
 
 def test_equal_names_are_told_apart(tmp_path: Path) -> None:
     sounds = [tmp_path / "a" / "x.wav", tmp_path / "b" / "x.wav", tmp_path / "b" / "y.wav"]
-    names = [target.name for target in targets_of(sounds, tmp_path, "rhubarb-json").values()]
+    names = [target.name for target in targets_of(sounds, tmp_path, ".rhubarb.json").values()]
     assert names == [f"{name}.rhubarb.json" for name in ("x", "x-2", "y")]
-    assert targets_of(sounds, None, "phonemes-csv")[sounds[1]] == tmp_path / "b" / "x.csv"
+    assert targets_of(sounds, None, ".csv")[sounds[1]] == tmp_path / "b" / "x.csv"
