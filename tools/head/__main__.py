@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.mouth.mesh import normals_of
 from tools.head.colours import brow_region, eye_colours, hair_share, hairline_region, painted
+from tools.head.teeth import LOWER, UPPER, Row, row_of_teeth
 
 Floats = NDArray[np.float32]
 Numbers = NDArray[np.int64]
@@ -181,17 +182,30 @@ def eyeball(clay: Clay, part: int) -> Clay:
     polar, turn = (grid.ravel() for grid in np.meshgrid(RINGS, around, indexing="ij"))
     ball = np.stack((np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), np.cos(polar)), axis=1)
     points = (centre + radius * ball).astype(np.float32)
-    known = np.column_stack((clay.points[old], np.ones(old.sum())))
-    moved = np.column_stack((points, np.ones(len(points))))
-    offsets = np.stack([moved @ np.linalg.lstsq(known, state[old], rcond=None)[0] for state in clay.offsets])
-    offsets[np.abs(clay.offsets[:, old]).max(axis=(1, 2)) < 1e-4] = 0
+    offsets = _carried(clay, old, points)
     triangles = []
     for ring in np.flatnonzero(np.diff(RINGS) > 0):
         for k in range(N_AROUND):
             a, b = ring * N_AROUND + k, ring * N_AROUND + (k + 1) % N_AROUND
             triangles += [(a, a + N_AROUND, b + N_AROUND), (a, b + N_AROUND, b)]
     triangles = [t for t in triangles if len({tuple(points[v].tolist()) for v in t}) == 3]
-    return Clay(points, np.array(triangles), np.full(len(points), part, np.uint8), offsets.astype(np.float32))
+    return Clay(points, np.array(triangles), np.full(len(points), part, np.uint8), offsets)
+
+
+def teeth(clay: Clay, part: int, row: Row) -> tuple[Clay, NDArray[np.uint8]]:
+    """Make a row of teeth in place of a part, and its colours; it goes with the jaw as the original does."""
+    old = clay.part == part
+    points, triangles, colours = row_of_teeth(clay.points[old], row)
+    return Clay(points, triangles, np.full(len(points), part, np.uint8), _carried(clay, old, points)), colours
+
+
+def _carried(clay: Clay, old: NDArray[np.bool_], points: Floats) -> Floats:
+    """Return the offsets of new vertices that go along with old ones, which move as one, shape (n_states, n, 3)."""
+    known = np.column_stack((clay.points[old], np.ones(old.sum())))
+    moved = np.column_stack((points, np.ones(len(points))))
+    offsets = np.stack([moved @ np.linalg.lstsq(known, state[old], rcond=None)[0] for state in clay.offsets])
+    offsets[np.abs(clay.offsets[:, old]).max(axis=(1, 2)) < 1e-4] = 0
+    return offsets.astype(np.float32)
 
 
 def rested(clay: Clay, names: list[str]) -> Clay:
@@ -242,7 +256,11 @@ def main() -> None:
     for part, moved in TEETH.items():
         clay.points[clay.part == PARTS.index(part)] += np.float32(moved)
     eyes = [PARTS.index(f"{side} eye") for side in ("left", "right")]
-    head, colours = bust(clay.kept(~np.isin(clay.part[clay.triangles[:, 0]], eyes)))
+    rows = {PARTS.index("upper teeth"): UPPER, PARTS.index("lower teeth"): LOWER}
+    head, colours = bust(clay.kept(~np.isin(clay.part[clay.triangles[:, 0]], [*eyes, *rows])))
+    for part, row in rows.items():
+        made, painted_so = teeth(clay, part, row)
+        head, colours = head.joined(made), np.concatenate((colours, painted_so))
     rings = np.repeat(np.arange(len(RINGS)), N_AROUND)
     for eye in eyes:
         head = head.joined(eyeball(clay, eye))
