@@ -52,11 +52,14 @@ class Studio:
         self.told: list[str] = []
         self.failed: list[str] = []
         self.recorded: list[tuple[str, float]] = []
+        self.gaps: list[str] = []
         self.model.info.connect(self.told.append)
         self.model.error.connect(self.failed.append)
-        self.gaps: list[str] = []
-        self.model.recorded.connect(lambda path, seconds, _gaps: self.recorded.append((path, seconds)))
-        self.model.recorded.connect(lambda _path, _seconds, gaps: self.gaps.append(gaps))
+        self.model.recorded.connect(self._note_recording)  # a lambda would keep all of this alive
+
+    def _note_recording(self, path: str, seconds: float, gaps: str) -> None:
+        self.recorded.append((path, seconds))
+        self.gaps.append(gaps)
 
     def _list_devices(self) -> list[Device]:
         if self.refusal:

@@ -4,7 +4,14 @@ import gc
 import threading
 import weakref
 
+from PySide6.QtCore import QSettings
+from PySide6.QtWidgets import QApplication
+
+from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.garbage import WindowThreadCollector
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeengine.audio.output import ClockOutput
+from tests.desktop.hands import shown
 
 
 class Ring:
@@ -38,3 +45,22 @@ def test_python_collects_again_when_the_program_has_ended(collector: WindowThrea
     another.close()
     assert gc.isenabled()
     gc.disable()  # the one of the tests goes on
+
+
+def test_a_program_that_was_closed_and_a_window_that_another_replaced_are_forgotten(
+    qapp: QApplication, settings: QSettings, no_microphone: Microphone, qtbot
+) -> None:
+    desktop = Desktop(qapp, settings, lambda _n: ClockOutput(), no_microphone)
+    for page in range(shown(desktop, qtbot).pages.count()):
+        desktop.window.show_page(page)
+    known: list[weakref.ref[object]] = [weakref.ref(desktop.window)]
+    desktop.set_theme("dark")
+    desktop.close()
+    known += [weakref.ref(desktop.window), weakref.ref(desktop.session), weakref.ref(desktop.talking)]
+    del desktop
+
+    def forgotten() -> bool:
+        gc.collect()
+        return all(each() is None for each in known)
+
+    qtbot.waitUntil(forgotten)  # what works in the background knows them for a moment

@@ -198,8 +198,7 @@ def start_again(desktop, qapp, settings):
 
     yield start
     for other in others:
-        other.session.close()
-        other.window.close_without_asking()
+        other.close()
 
 
 def test_layout_and_choices_come_back(desktop, qtbot, start_again):

@@ -57,7 +57,7 @@ class OscModel(QObject):
         self._mouth: OscMouth | None = None
         self._wanted: OscAddress | None = None
         self._work = TaskQueue(self._fail)
-        self._lost.connect(lambda sentence: self.error.emit(_sentence(sentence)), Qt.ConnectionType.QueuedConnection)
+        self._lost.connect(self._tell_lost, Qt.ConnectionType.QueuedConnection)
 
     @property
     def on(self) -> bool:
@@ -140,8 +140,11 @@ class OscModel(QObject):
 
     def _fail(self, sentence: str) -> None:
         self._leave()
-        self.error.emit(_sentence(sentence))
+        self._tell_lost(sentence)
         self.changed.emit()
+
+    def _tell_lost(self, sentence: str) -> None:
+        self.error.emit(_sentence(sentence))
 
 
 def _sentence(words: str) -> str:
