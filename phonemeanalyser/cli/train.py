@@ -35,6 +35,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     ):
         parser.add_argument(f"--{name}", type=whole_in(least), default=usual, help=f"{words} (default {usual})")
     parser.add_argument(
+        "--validated",
+        type=whole_in(0),
+        metavar="N",
+        help="of these groups, how many are left out (default all); each that is not saves the time of a training",
+    )
+    parser.add_argument(
         "--teacher",
         type=Path,
         metavar="FOLDER",
@@ -64,6 +70,7 @@ def run(options: argparse.Namespace) -> int:
             options.folds,
             told,
             work,
+            n_validated=options.validated,
             channel=options.channel,
             whisper=options.teacher,
         )

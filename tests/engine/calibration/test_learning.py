@@ -11,7 +11,7 @@ from phonemeengine.calibration.learning.augment_spectrum import augment_spectra
 from phonemeengine.calibration.learning.augment_waveform import Augmentation, augment
 from phonemeengine.calibration.learning.checkpoint import Checkpoint
 from phonemeengine.calibration.learning.example_cache import SpeakerExamples
-from phonemeengine.calibration.learning.optimiser import ExponentialAverage, Optimiser
+from phonemeengine.calibration.learning.optimiser import ExponentialAverage, Optimiser, orthogonalised
 from phonemeengine.calibration.learning.soft_labels import N_HEARD, key_of
 from phonemeengine.calibration.learning.targets import Targets, targets_of
 from phonemeengine.calibration.learning.trainable_layer import TrainableLayer
@@ -123,6 +123,25 @@ def test_the_optimiser_finds_the_bottom_of_a_bowl_and_the_average_follows():
         average.update()
     np.testing.assert_allclose(place, 1, atol=0.02)
     np.testing.assert_allclose(average.means[0], 1, atol=0.3)
+
+
+def test_an_orthogonalised_matrix_has_the_same_singular_vectors_and_equal_values():
+    generator = np.random.default_rng(3)
+    for shape in ((6, 4), (4, 6)):
+        matrix = generator.normal(size=shape).astype(np.float32)
+        left, _, right = np.linalg.svd(matrix, full_matrices=False)
+        inner = left.T @ orthogonalised(matrix) @ right.T
+        values = np.diag(inner)
+        assert ((values > 0.6) & (values < 1.3)).all()
+        np.testing.assert_allclose(inner, np.diag(values), atol=1e-4)
+
+
+def test_hidden_matrices_find_the_bottom_of_a_bowl_too():
+    place = np.diag([2.0, -1.0]).astype(np.float32)
+    optimiser = Optimiser([place], 400, 0.02, hidden={0})
+    for _ in range(400):
+        optimiser.step([2 * (place - np.float32(0.5))])
+    np.testing.assert_allclose(place, 0.5, atol=0.02)
 
 
 def test_a_network_learns_the_vowels_of_made_up_voices_and_names_those_of_another(model):

@@ -119,8 +119,11 @@ def _validation(result: TrainingResult) -> str:
         [f"{name} ({kinds.get(name, '')})", *_figures(scores)]
         for name, scores in result.live.validation.held_out.items()
     ]
+    who = "Each speaker"
+    if result.n_validated < result.n_folds:
+        who = f"Each speaker of {result.n_validated} of {result.n_folds} groups, into which all were dealt evenly,"
     lead = (
-        f"Each speaker was left out of one training, and recognised by it, as the preset does: live sound looking "
+        f"{who} was left out of one training, and recognised by it, as the preset does: live sound looking "
         f"{SETTINGS.look_ahead * 1000:.0f} ms ahead, each phoneme held {SETTINGS.minimum_hold * 1000:.0f} ms. The "
         "definitions are those of `phonemeanalyser score`. The teacher's heads had not heard them either. Single "
         "speakers are heard by the model for live sound.\n\n"

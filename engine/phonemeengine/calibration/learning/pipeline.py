@@ -83,6 +83,7 @@ class TrainingResult:
     rounds : in which the labels of people were moved.
     head : on the teacher's encoder, trained on all speakers; None without a teacher.
     with_encoder : how well the model for files and the encoder do together.
+    n_folds, n_validated : groups of speakers, and how many of these were left out of a training.
     """
 
     sources: tuple[LabelSource, ...]
@@ -91,11 +92,13 @@ class TrainingResult:
     rounds: tuple[Round, ...] = ()
     head: EncoderHead | None = None
     with_encoder: Validation = field(default_factory=Validation)
+    n_folds: int = 0
+    n_validated: int = 0
 
 
 def train_and_validate(
     corpora: Sequence[Path], config: TrainingConfig, n_variations: int, n_folds: int, on_progress: OnProgress,
-    work: Path, *, channel: Channel = Channel.MIX, whisper: Path | None = None,
+    work: Path, *, n_validated: int | None = None, channel: Channel = Channel.MIX, whisper: Path | None = None,
 ) -> TrainingResult:  # fmt: skip
     """Train the model for live sound and its twin for files, and validate both on speakers left out.
 
@@ -105,6 +108,8 @@ def train_and_validate(
     config : how to train the one for live sound.
     n_variations : of each recording, besides the recording itself.
     n_folds : groups of speakers, each of which is left out once; 0 for no validation.
+    n_validated : how many of these groups are left out, the first ones, which saves the time of the others; None
+        for all.
     on_progress : is told of the progress.
     work : a folder for what is done so far; a training that was interrupted goes on from there.
     channel : what is heard of sounds that have several.
@@ -124,10 +129,11 @@ def train_and_validate(
             "there is too little speech to train with; give at least ten minutes of it, of many speakers"
         )
     configs = (config, replace(config, centred=True, dilations=BOTH_WAYS))
-    _begin(work, repr((configs, n_variations, n_folds, channel, sources, whisper is not None)))
+    _begin(work, repr((configs, n_variations, n_folds, n_validated, channel, sources, whisper is not None)))
     weights = {source.name: source.weight for source in sources}
     people = {source.name for source in sources if source.kind == HUMAN}
     groups = folds_of(list(weights), n_folds)
+    validated = groups[:n_validated]
     rounds: list[Round] = []
     soft_labels, head = None, None
     if whisper is not None:
@@ -148,7 +154,7 @@ def train_and_validate(
         write_examples(work, utterances, n_variations, config.seed, soft_labels, count)
     parts = [
         TrainingPart(f"{name}-{k}", kind, tuple(u for u in scored if u.voice in group))
-        for k, group in enumerate((set[str](), *groups))
+        for k, group in enumerate((set[str](), *validated))
         for name, kind in zip(("live", "files"), configs, strict=True)
     ]
     hear = partial(hear_held_out, teacher=None if head is None else work)
@@ -159,7 +165,7 @@ def train_and_validate(
     )
     with_encoder = [h.with_encoder for group in by_kind[-1] for h in group.heard]
     together = _validated([predictions for predictions in with_encoder if predictions is not None], people)
-    return TrainingResult(sources, live, files, tuple(rounds), head, together)
+    return TrainingResult(sources, live, files, tuple(rounds), head, together, n_folds, len(validated))
 
 
 def _recordings_of(corpora: Sequence[Path], channel: Channel, *, unlabelled: bool) -> list[LabelledUtterance]:

@@ -56,6 +56,12 @@ class TrainableNetwork:
         return [v for layer in self._layers for v in layer.values.values()] + [*self._heads.values()]
 
     @property
+    def hidden(self) -> set[int]:
+        """The positions in `values` of the matrices between hidden layers."""
+        names = [name for layer in self._layers for name in layer.values]
+        return {k for k, name in enumerate(names) if name == "weights"} - {0}
+
+    @property
     def gradients(self) -> list[Float32Array]:
         """The gradients of `values` after `learn`."""
         ordered = [layer.gradients[name] for layer in self._layers for name in layer.values]

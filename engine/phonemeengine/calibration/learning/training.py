@@ -68,7 +68,7 @@ def train(
     network = TrainableNetwork(config.width, config.dilations, config.dropout, generator, centred=config.centred)
     importance, viseme_importance = _importance(voices)
     n_steps = config.n_epochs * sum(1 for _ in _batches(voices, config, np.random.default_rng(config.seed)))
-    optimiser = Optimiser(network.values, n_steps, config.rate)
+    optimiser = Optimiser(network.values, n_steps, config.rate, network.hidden)
     average = ExponentialAverage([*network.values, *network.statistics])
     state = [*network.values, *network.statistics, *optimiser.moments, *average.means]
     step = 0 if checkpoint is None else checkpoint.restore(state, generator)
