@@ -31,7 +31,7 @@ from phonemeengine.recognition.smoothing import frames_held
 from phonemeengine.recognition.spec import RecogniserSpec, Tuning, spec_of
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
-from phonemeengine.ship.binary import SectionWriter
+from phonemeengine.shipping.binary import SectionWriter
 
 BY_RULES, BY_NETWORK, BY_TEMPLATES = range(3)
 ZERO_CROSSINGS, VOLUME, NOTHING, BAND = range(4)
@@ -152,7 +152,7 @@ def _front_end(settings: AnalysisSettings, variables: list[Variable | str]) -> S
     section.filters(mel_bank(n_mel, n_bins, BIN_WIDTH) if n_mel else np.zeros((n_bins, 0)))
     section.whole(len(variables))
     names = [v.name if isinstance(v, Variable) else v for v in variables]
-    centres = {source: np.arange(n_bins) * BIN_WIDTH for source in SOURCES}
+    centres = {source: np.arange(n_bins, dtype=float) * BIN_WIDTH for source in SOURCES}
     centres[Spectrum.MEL] = mel_edges(n_mel, n_bins * BIN_WIDTH)[1:-1] if n_mel else np.zeros(0)
     for v in variables:
         if isinstance(v, str):

@@ -2,7 +2,7 @@
 
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.ship.binary import SectionWriter
+from phonemeengine.shipping.binary import SectionWriter
 from phonemeengine.visemes import VISEME_PHONES, Viseme
 
 SIDES = ("Right", "Left")
