@@ -270,13 +270,15 @@ static const float *read_floats(reader *in, arena *memory, size_t n)
 /* Numbers of half precision (IEEE 754 binary16). */
 static float half_at(reader *in, const unsigned char *at)
 {
-    unsigned bits = (unsigned)at[0] | (unsigned)at[1] << 8, exponent = bits >> 10 & 31, mantissa = bits & 1023;
-    float value = exponent ? ldexpf((float)(mantissa | 1024), (int)exponent - 25) : ldexpf((float)mantissa, -24);
-    if (exponent == 31) {
+    uint32_t half = (uint32_t)at[0] | (uint32_t)at[1] << 8, exponent = half >> 10 & 31, mantissa = half & 1023;
+    uint32_t bits = (half & 0x8000u) << 16 | (exponent + 112) << 23 | mantissa << 13;
+    float value;
+    if (exponent == 31)
         in->failed = 1;
-        return 0;
-    }
-    return bits >> 15 ? -value : value;
+    if (exponent == 0)
+        return (half & 0x8000u ? -1.0f : 1.0f) * (float)mantissa / 16777216.0f;
+    memcpy(&value, &bits, sizeof value);
+    return value;
 }
 
 /* Read a matrix of halves, n_in rows of n_out, into tiles: of each tile all rows; columns beyond the last are 0. */
@@ -1226,6 +1228,7 @@ typedef struct {
     int is_exact;
     const float *table; /* [phase][tap] */
     float *seen;        /* n_taps + CHUNK samples */
+    float *turned;      /* the same from the last to the first, for phases that are mirrored */
     uint64_t n_in, n_out;
 } resampler;
 
@@ -1274,6 +1277,7 @@ static void restart_resampler(resampler *of)
     of->remainder = 0;
     of->n_in = of->n_out = 0;
     memset(of->seen, 0, (of->n_taps + CHUNK) * sizeof *of->seen);
+    memset(of->turned, 0, (of->n_taps + CHUNK) * sizeof *of->turned);
 }
 
 static resampler make_resampler(arena *memory, uint32_t rate)
@@ -1291,6 +1295,7 @@ static resampler make_resampler(arena *memory, uint32_t rate)
     n_kept = made.is_exact ? made.n_phases / 2 + 1 : made.n_phases + AROUND + 2;
     made.table = table = take_floats(memory, n_kept * made.n_taps);
     made.seen = take_floats(memory, made.n_taps + CHUNK);
+    made.turned = take_floats(memory, made.n_taps + CHUNK);
     for (phase = 0; table && phase < n_kept; phase++) {
         double place = made.is_exact ? (double)phase : (double)phase - AROUND;
         fill_phase(table + phase * made.n_taps, made.n_taps, place / (double)made.n_phases, scale);
@@ -1300,24 +1305,12 @@ static resampler make_resampler(arena *memory, uint32_t rate)
     return made;
 }
 
-static float mirrored_dot(const float *a, const float *b, size_t n)
-{
-    float parts[PARTS] = {0};
-    size_t k, j;
-    for (k = 0; k + PARTS <= n; k += PARTS)
-        for (j = 0; j < PARTS; j++)
-            parts[j] += a[k + j] * b[n - 1 - k - j];
-    for (; k < n; k++)
-        parts[0] += a[k] * b[n - 1 - k];
-    return sum_of_parts(parts);
-}
-
 static float resampled_exactly(const resampler *of, const float *here)
 {
     size_t phase = (size_t)((uint64_t)of->remainder * of->n_phases / RATE), n = of->n_taps;
     if (phase <= of->n_phases / 2)
         return dot(here, of->table + phase * n, n);
-    return mirrored_dot(here, of->table + (of->n_phases - phase) * n, n);
+    return dot(of->turned + CHUNK - of->first, of->table + (of->n_phases - phase) * n, n);
 }
 
 static float resampled_between(const resampler *of, const float *here)
@@ -1350,14 +1343,16 @@ static int resample(resampler *of, float *sample)
 /* Take as many samples as there is room for; returns how many. */
 static size_t feed_resampler(resampler *of, const float *samples, size_t n)
 {
-    size_t room, gone = of->first < of->n_filled ? of->first : of->n_filled;
-    memmove(of->seen, of->seen + gone, (of->n_filled - gone) * sizeof *of->seen);
-    of->n_filled -= gone;
+    size_t all = of->n_taps + CHUNK, gone = of->first < of->n_filled ? of->first : of->n_filled, kept, k;
+    kept = of->n_filled - gone;
+    memmove(of->seen, of->seen + gone, kept * sizeof *of->seen);
+    memmove(of->turned + all - kept, of->turned + all - of->n_filled, kept * sizeof *of->turned);
     of->first -= gone;
-    room = of->n_taps + CHUNK - of->n_filled;
-    n = n < room ? n : room;
-    memcpy(of->seen + of->n_filled, samples, n * sizeof *samples);
-    of->n_filled += n;
+    n = n < all - kept ? n : all - kept;
+    memcpy(of->seen + kept, samples, n * sizeof *samples);
+    for (k = 0; k < n; k++)
+        of->turned[all - 1 - kept - k] = samples[k];
+    of->n_filled = kept + n;
     of->n_in += n;
     return n;
 }

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BLOCK = 3000, ROUNDS = 4 };
+enum { MOST = 3000, ROUNDS = 4 };
 
 static const uint32_t RATES[] = {44100, 48000, 1000, 768000, 16000, 44101, 11025, 1, 0, 768001};
 
@@ -53,7 +53,8 @@ static void check(const ear_frame *frames, size_t n, uint32_t *next)
 
 static void listen(const ear_model *model, uint32_t rate)
 {
-    static float samples[BLOCK];
+    static float samples[MOST];
+    const size_t block = rate / 20 < MOST ? rate / 20 : MOST; /* 50 ms, or less */
     ear_frame *frames = NULL;
     ear *listener = NULL;
     size_t size = 0, most, n, k;
@@ -64,18 +65,18 @@ static void listen(const ear_model *model, uint32_t rate)
     if (result != EAR_OK)
         return;
     memory = malloc(size);
-    most = EAR_MOST_FRAMES(BLOCK, rate) + EAR_LAST_FRAMES;
+    most = EAR_MOST_FRAMES(block, rate) + EAR_LAST_FRAMES;
     frames = calloc(most, sizeof *frames);
     expect(memory && frames, "there is memory");
     expect(ear_open(model, rate, memory, size - 1, &listener) == EAR_TOO_LITTLE_MEMORY, "an ear knows its size");
     expect(ear_open(model, rate, memory, size, &listener) == EAR_OK, "a model that opens can be listened with");
     for (round = 0; round < ROUNDS; round++) {
-        for (k = 0; k < BLOCK; k++)
+        for (k = 0; k < block; k++)
             samples[k] = sample_at(k, round);
-        expect(ear_push(listener, samples, BLOCK, frames, most, &n) == EAR_OK, "sound is taken");
+        expect(ear_push(listener, samples, block, frames, most, &n) == EAR_OK, "sound is taken");
         check(frames, n, &next);
     }
-    expect(ear_push(listener, samples, BLOCK, frames, 1, &n) == EAR_TOO_FEW_FRAMES, "too little room is refused");
+    expect(ear_push(listener, samples, block, frames, 1, &n) == EAR_TOO_FEW_FRAMES, "too little room is refused");
     expect(ear_finish(listener, frames, most, &n) == EAR_OK, "a sound ends");
     check(frames, n, &next);
     ear_close(listener);
