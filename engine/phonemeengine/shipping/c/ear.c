@@ -1064,9 +1064,9 @@ static void read_mouth_table(reader *in, arena *memory, ear_model *model)
     counted.loudness = read_f64_within(in, 0, 1000);
     counted.minimum_opening = read_f64_within(in, 0, 1);
     counted.randomness = read_f64_within(in, 0, 1);
-    counted.n_movestates = read_within(in, 1, MOST_MOVESTATES);
+    counted.n_movestates = read_within(in, 0, MOST_MOVESTATES); /* none where a table is of drawings alone */
     counted.movestates = read_texts(in, memory, counted.n_movestates);
-    counted.left_of = read_numbers(in, memory, counted.n_movestates, (uint32_t)counted.n_movestates - 1);
+    counted.left_of = read_numbers(in, memory, counted.n_movestates, (uint32_t)counted.n_movestates - 1u);
     counted.n_shapes = read_within(in, 1, MOST_SHAPES);
     counted.n_rows = EAR_PHONEMES + counted.n_shapes;
     counted.shapes = read_texts(in, memory, counted.n_shapes);
