@@ -113,11 +113,11 @@ class CEar:
 
     def __init__(self, model: CModel, rate: int = SAMPLE_RATE) -> None:
         self.model, self.rate, self._c = model, rate, model.library.c
-        size, self._handle = ctypes.c_size_t(), ctypes.c_void_p()
+        size, self.handle = ctypes.c_size_t(), ctypes.c_void_p()
         self._ask(self._c.ear_size(model.handle, rate, ctypes.byref(size)))
         self.size, self._memory = size.value, ctypes.create_string_buffer(size.value)
-        self._ask(self._c.ear_open(model.handle, rate, self._memory, size, ctypes.byref(self._handle)))
-        self.latency = self._c.ear_latency(self._handle)
+        self._ask(self._c.ear_open(model.handle, rate, self._memory, size, ctypes.byref(self.handle)))
+        self.latency = self._c.ear_latency(self.handle)
 
     def push(self, samples: Sound) -> Frames:
         """Take samples, and give the frames that became known."""
@@ -125,13 +125,13 @@ class CEar:
         frames = np.zeros(len(samples) * 100 // self.rate + 2, FRAME)
         n = ctypes.c_size_t()
         words = samples.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(samples))
-        self._ask(self._c.ear_push(self._handle, *words, *_room(frames), ctypes.byref(n)))
+        self._ask(self._c.ear_push(self.handle, *words, *_room(frames), ctypes.byref(n)))
         return frames[: n.value]
 
     def finish(self) -> Frames:
         """Give the last frames."""
         frames, n = np.zeros(LAST_FRAMES, FRAME), ctypes.c_size_t()
-        self._ask(self._c.ear_finish(self._handle, *_room(frames), ctypes.byref(n)))
+        self._ask(self._c.ear_finish(self.handle, *_room(frames), ctypes.byref(n)))
         return frames[: n.value]
 
     def hear(self, sound: Sound, cuts: Sequence[int] = ()) -> Frames:
@@ -146,22 +146,22 @@ class CMouth:
     """A mouth that moves by a table of a model."""
 
     def __init__(self, model: CModel, table: str, seed: int) -> None:
-        self._c, self._model, self._handle = model.library.c, model, ctypes.c_void_p()
+        self._c, self._model, self.handle = model.library.c, model, ctypes.c_void_p()
         number = self._c.ear_table_find(model.handle, table.encode())
         self._weights = np.zeros(self._c.ear_table_movestates(model.handle, number), np.float32)
         size = ctypes.c_size_t()
         assert self._c.ear_mouth_size(model.handle, number, ctypes.byref(size)) == OK
         self._memory = ctypes.create_string_buffer(size.value)
-        opened = self._c.ear_mouth_open(model.handle, number, seed, self._memory, size, ctypes.byref(self._handle))
+        opened = self._c.ear_mouth_open(model.handle, number, seed, self._memory, size, ctypes.byref(self.handle))
         assert opened == OK
 
     def hear(self, time: float, phoneme: int, viseme: int, intensity: float) -> None:
         """Take what is heard from a time on."""
-        self._c.ear_mouth_hear(self._handle, ctypes.c_double(time), phoneme, viseme, ctypes.c_float(intensity))
+        self._c.ear_mouth_hear(self.handle, ctypes.c_double(time), phoneme, viseme, ctypes.c_float(intensity))
 
     def weights(self, time: float) -> NDArray[np.float32]:
         """Give the weights of the movestates at a time."""
-        self._c.ear_mouth_weights(self._handle, ctypes.c_double(time), self._weights.ctypes.data_as(ctypes.c_void_p))
+        self._c.ear_mouth_weights(self.handle, ctypes.c_double(time), self._weights.ctypes.data_as(ctypes.c_void_p))
         return self._weights.copy()
 
 

@@ -28,7 +28,5 @@ def run(options: argparse.Namespace) -> int:
     preset = load_preset(options.preset)
     written = ship(preset, options.out, options.target, tables=tables, overwrite=options.overwrite)
     size = sum(path.stat().st_size for path in written)
-    print(
-        f"{options.out}: {preset.name!r} in {len(written)} files, {size / 1e6:.2f} MB; see README.md there"
-    )
+    print(f"{options.out}: {preset.name!r} in {len(written)} files, {size / 1e6:.2f} MB; see README.md there")
     return 0

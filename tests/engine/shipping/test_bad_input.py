@@ -101,7 +101,7 @@ def test_where_frames_have_no_room_nothing_is_taken(library: EarLibrary, content
     ear, n = CEar(CModel(library, content)), ctypes.c_size_t()
     samples, frames = tone(1000, 1.0), ctypes.create_string_buffer(100 * 60)
     words = samples.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(samples))
-    assert library.c.ear_push(ear._handle, *words, frames, ctypes.c_size_t(99), ctypes.byref(n)) == TOO_FEW_FRAMES
+    assert library.c.ear_push(ear.handle, *words, frames, ctypes.c_size_t(99), ctypes.byref(n)) == TOO_FEW_FRAMES
     assert len(ear.hear(samples)) == 100
 
 
