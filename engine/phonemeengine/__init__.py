@@ -107,6 +107,7 @@ _PAGE = {
     "mouth.exports.exporter": "ExportOptions",
     "mouth.exports.formats": "FORMATS",
     "mouth.animation": "Animation animation_of",
+    "shipping.folder": "format_ear ship",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
     "mouth.expression.channels": "ExpressionChannels load_channels",

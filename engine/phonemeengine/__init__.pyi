@@ -137,6 +137,7 @@ from phonemeengine.settings import (
     Filter,
     WindowFunction,
 )
+from phonemeengine.shipping.folder import format_ear, ship
 from phonemeengine.speech.pinyin.driver import PinyinMouth
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow, format_plan
 from phonemeengine.speech.pinyin.spring import Spring
@@ -355,6 +356,7 @@ __all__ = [
     "fetch_whisper",
     "find_whisper",
     "for_files",
+    "format_ear",
     "format_plan",
     "format_units",
     "format_utterance",
@@ -398,6 +400,7 @@ __all__ = [
     "save_stretch",
     "score",
     "sentences_in",
+    "ship",
     "speak",
     "speak_by_program",
     "spoken_text",

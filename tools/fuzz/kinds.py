@@ -43,12 +43,14 @@ from phonemeengine.performance.vmc import read_vmc
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model
+from phonemeengine.shipping.folder import format_ear
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE, load_pinyin_table
 from phonemeengine.text.espeak import language_of
 from phonemeengine.text.lexicon import load_lexicon
 from phonemeengine.text.pronunciation import notes_on
 from phonemeengine.text.respelling import respelt
 from phonemeengine.text.script import load_script
+from tests.ear_probe import HEADER, EarProbe, with_true_header
 from tests.engine.performance.corpora import PHONES, SYLLABLES
 from tests.engine.performance.faces import animated_face, ramp, recorded_vmc
 from tests.engine.performance.sentences import performance_of, phones_in
@@ -134,6 +136,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "utterance": Kind(utterances, _through(folder / "said.TextGrid", lambda path: read_utterance(path, 2.0))),
         "phonemedata": Kind(old, _through(folder / "old.phonemedata", load_preset)),
         "npz": Kind((model.read_bytes(),), _through(folder / "model.npz", load_model)),
+        "ear": Kind((_ear("thesis"), _ear("templates")), EarProbe().read, with_true_header, head=HEADER),
         "arrays in npz": Kind(_members(model), _through(folder / "model.npz", load_model), _Zipped(model), head=128),
     }
 
@@ -224,6 +227,10 @@ class _Zipped:
 def _members(model: Path) -> tuple[bytes, ...]:
     with zipfile.ZipFile(model) as archive:
         return tuple(archive.read(name) for name in archive.namelist())
+
+
+def _ear(name: str) -> bytes:
+    return format_ear(load_preset(name), ("five",))
 
 
 def _parts_of(glb: bytes) -> tuple[bytes, bytes]:

@@ -24,12 +24,12 @@ def cepstra_of(log_mels: Float32Array) -> Float32Array:
     -------
     float32, shape (n_frames, 12).
     """
-    cepstra: Float32Array = log_mels.dot(_cosines())
+    cepstra: Float32Array = log_mels.dot(cepstral_cosines())
     return cepstra
 
 
 @lru_cache(maxsize=1)
-def _cosines() -> Float32Array:
+def cepstral_cosines() -> Float32Array:
     """Return the orthonormal cosines of the transform (DCT-II), shape (n_bands, n_cepstra)."""
     bands = np.arange(N_BANDS)[:, np.newaxis] + 0.5
     return np.asarray(

@@ -34,6 +34,12 @@ class FrequencyShaper:
     strength : of the blur, 0..1.
     gains : of the ramps, shape (n_bins,).
     scale : what each bin is multiplied with before all else, shape (n_bins,); nothing where it is not given.
+
+    Attributes
+    ----------
+    centre : weight of each bin, float32, shape (1, n_bins).
+    below, above : of its neighbours, float32, shape (n_bins - 1,): of bin k for bin k + 1, and of k + 1 for k.
+    blurs : whether those count.
     """
 
     def __init__(self, strength: float, gains: Float32Array, scale: Float32Array | None = None) -> None:
@@ -41,17 +47,17 @@ class FrequencyShaper:
         side = strength / 3
         centre = np.full(len(gains), 1 - 2 * side)
         centre[[0, -1]] += side
-        self._centre = (centre * gains * scale).astype(np.float32)[np.newaxis]
-        self._below = (side * gains[1:] * scale[:-1]).astype(np.float32)
-        self._above = (side * gains[:-1] * scale[1:]).astype(np.float32)
-        self._blurs = strength > 0
+        self.centre = (centre * gains * scale).astype(np.float32)[np.newaxis]
+        self.below = (side * gains[1:] * scale[:-1]).astype(np.float32)
+        self.above = (side * gains[:-1] * scale[1:]).astype(np.float32)
+        self.blurs = strength > 0
 
     def shape(self, spectra: Float32Array, out: Float32Array | None = None) -> Float32Array:
         """Return the shaped spectra, written to `out` where it is given; the input stays as it is."""
-        shaped: Float32Array = np.multiply(spectra, self._centre, out=out)
-        if self._blurs:
-            shaped[:, 1:] += self._below * spectra[:, :-1]
-            shaped[:, :-1] += self._above * spectra[:, 1:]
+        shaped: Float32Array = np.multiply(spectra, self.centre, out=out)
+        if self.blurs:
+            shaped[:, 1:] += self.below * spectra[:, :-1]
+            shaped[:, :-1] += self.above * spectra[:, 1:]
         return shaped
 
 

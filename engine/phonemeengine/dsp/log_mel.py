@@ -51,7 +51,7 @@ def mel_powers(windows: Float32Array, bank: Float32Array) -> Float32Array:
     -------
     float32, shape (n_frames, n_bands); a full-scale sine has the power 1.
     """
-    bins = rfft()(windows[:, _MIDDLE] * _hann(), axis=1)[:, : len(bank)]
+    bins = rfft()(windows[:, _MIDDLE] * short_window(), axis=1)[:, : len(bank)]
     powers = bins.real * bins.real
     powers += bins.imag * bins.imag
     mels: Float32Array = powers.dot(bank)
@@ -59,8 +59,8 @@ def mel_powers(windows: Float32Array, bank: Float32Array) -> Float32Array:
 
 
 @lru_cache(maxsize=1)
-def _hann() -> Float32Array:
-    """Return the Hann window, scaled so that a full-scale sine on a bin reads 1."""
+def short_window() -> Float32Array:
+    """Return the Hann window, shape (1024,), scaled so that a full-scale sine on a bin reads 1."""
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(SHORT) / SHORT)
     return np.asarray(window * 2 / window.sum(), np.float32)
 

@@ -80,13 +80,12 @@ class FrontEnd:
 
     def __init__(self, settings: AnalysisSettings, variables: tuple[Variable, ...], *, pitch: bool) -> None:
         variables = (*BAND_VARIABLES, *variables)
-        blur = settings.frequency_smooth if settings.has(Filter.FREQUENCY_SMOOTH) else 0.0
         self.names = (*WHOLE_FRAME_VARIABLES, *(v.name for v in variables))
         self._smoother = TimeSmoother(settings.time_smooth if settings.has(Filter.TIME_SMOOTH) else 0.0)
         self._pitch = pitch
         self._n_bins = settings.n_bins
         self._transform = SpectrumAnalyser(settings)
-        self._shaper = FrequencyShaper(blur, _gains_of(settings), self._transform.scale[0])
+        self._shaper = shaper_of(settings, self._transform.scale[0])
         self._denoises = settings.has(Filter.DENOISE) and settings.denoise_threshold > 0
         self._threshold = np.array(settings.denoise_threshold, np.float32)
         self._normalises = settings.has(Filter.NORMALISE)
@@ -172,6 +171,12 @@ class LevelFrontEnd:
         """Measure raw frames, shape (n, 2048)."""
         unseen = np.zeros((len(frames), 0), np.float32)
         return FrameBlock(frames, unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis]))
+
+
+def shaper_of(settings: AnalysisSettings, scale: Float32Array) -> FrequencyShaper:
+    """Return what brings magnitudes to scale, shape (n_bins,), blurs them and applies the pass filters."""
+    blur = settings.frequency_smooth if settings.has(Filter.FREQUENCY_SMOOTH) else 0.0
+    return FrequencyShaper(blur, _gains_of(settings), scale)
 
 
 def _gains_of(settings: AnalysisSettings) -> Float32Array:

@@ -74,7 +74,7 @@ class BandFeatures:
     """
 
     def __init__(self, names: tuple[str, ...], variables: Iterable[Variable], centres: Float64Array) -> None:
-        reaches = {v: reach for v in variables if (reach := _reach(v, centres)).stop > reach.start}
+        reaches = {v: reach for v in variables if (reach := reach_of(v, centres)).stop > reach.start}
         maxima = [v for v in reaches if v.kind is Kind.MAX]
         self._n_bins, self._n_wide = len(centres), len(centres) + len(maxima)
         self._edges = np.array([(reaches[v].start, reaches[v].stop) for v in maxima], np.intp).ravel()
@@ -109,7 +109,8 @@ class BandFeatures:
         return self._weights[source]
 
 
-def _reach(variable: Variable, centres: Float64Array) -> slice:
+def reach_of(variable: Variable, centres: Float64Array) -> slice:
+    """Return the bins, or the mel bands, that a variable looks at; their centres are in Hz."""
     if variable.source is not Spectrum.MEL:
         reach = variable.bins(len(centres))
         return slice(reach.start, max(reach.start, reach.stop))

@@ -36,6 +36,11 @@ UNREPLACED: Mapping[Phoneme, Phoneme] = MappingProxyType(dict.fromkeys(Phoneme, 
 """The table that leaves unidentified frames alone, for recognisers who know what is another sound."""
 
 
+def frames_held(minimum_hold: float) -> int:
+    """Return for how many frames a phoneme stays at least."""
+    return max(1, round(minimum_hold / FRAME_PERIOD))
+
+
 class PhonemeSmoother:
     """Calms a stream of phonemes; looks only back.
 
@@ -50,7 +55,7 @@ class PhonemeSmoother:
         self, minimum_hold: float, successors: Mapping[Phoneme, Phoneme] = SUCCESSORS, hysteresis: float = 0.0
     ) -> None:
         self.hysteresis = hysteresis
-        self._least = max(1, round(minimum_hold / FRAME_PERIOD))
+        self._least = frames_held(minimum_hold)
         self._successors = [int(successors.get(p, p)) for p in Phoneme]
         self._current = self._identified = int(Phoneme.SILENCE)
         self._steady = int(Phoneme.SILENCE)

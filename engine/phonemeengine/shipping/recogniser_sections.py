@@ -1,0 +1,190 @@
+"""What a preset recognises with, as sections of an ``.ear`` file."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from phonemeengine.dsp.cepstra import cepstral_cosines
+from phonemeengine.dsp.log_mel import FLOOR, short_window, warped_mel_bank
+from phonemeengine.dsp.mel import mel_bank, mel_edges
+from phonemeengine.dsp.spectrum import SpectrumAnalyser
+from phonemeengine.dsp.windows import window_of
+from phonemeengine.errors import PresetError
+from phonemeengine.features.front_end import shaper_of
+from phonemeengine.features.measure import reach_of
+from phonemeengine.features.variables import (
+    BAND_VARIABLES,
+    ENERGY_VARIABLES,
+    WHOLE_FRAME_VARIABLES,
+    Kind,
+    Spectrum,
+    Variable,
+)
+from phonemeengine.live.microphone_analyser import for_live_use
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.confidence import UNFITTED
+from phonemeengine.recognition.intensity import line_of
+from phonemeengine.recognition.model import Model, OutputHead
+from phonemeengine.recognition.rules import Rule, RuleRecogniser
+from phonemeengine.recognition.smoothing import frames_held
+from phonemeengine.recognition.spec import RecogniserSpec, Tuning, spec_of
+from phonemeengine.recognition.templates import Templates
+from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.shipping.binary import SectionWriter
+
+BY_RULES, BY_NETWORK, BY_TEMPLATES = range(3)
+ZERO_CROSSINGS, VOLUME, NOTHING, BAND = range(4)
+SOURCES = (Spectrum.RAW, Spectrum.FILTERED, Spectrum.NORMALISED, Spectrum.MEL)
+KINDS = (Kind.SUM, Kind.MAX, Kind.MEAN)
+WHOLE_FRAME = {"zero_crossings": ZERO_CROSSINGS, "volume": VOLUME, "f0": NOTHING}
+"""What is no band; the fundamental frequency is measured by no ear, so it reads 0, as live."""
+
+Section = tuple[str, SectionWriter]
+
+
+def recogniser_sections(preset: Preset) -> Iterator[Section]:
+    """Give the sections of all that a preset hears with live.
+
+    Raises
+    ------
+    PresetError : its recogniser is another package's, or hears files alone.
+    """
+    live, spec = for_live_use(preset), spec_of(preset.recogniser)
+    config = live.config
+    if Tuning.MODEL in spec.tuned_by and config.model is not None:
+        model = _live_model(config.model)
+        yield _preset(live, spec, BY_NETWORK, model.frames_ahead(config.look_ahead))
+        yield _log_mels(model.warps)
+        yield _network(model, model.frames_ahead(config.look_ahead))
+    elif Tuning.TEMPLATES in spec.tuned_by and config.templates is not None:
+        yield _preset(live, spec, BY_TEMPLATES, 0)
+        yield _log_mels((1.0,))
+        yield _templates(config.templates)
+    elif spec.rules is not None:
+        asked = RuleRecogniser(spec.rules(config), config.thresholds)
+        yield _preset(live, spec, BY_RULES, 0)
+        variables = _variables_of(live, asked.rules)
+        yield _front_end(live.settings, variables)
+        yield _rules(asked, [v.name if isinstance(v, Variable) else v for v in variables])
+    else:
+        raise PresetError(
+            f"the recogniser {preset.recogniser!r:.60} is another package's, and only those of the program can be "
+            "shipped; choose another preset"
+        )
+
+
+def _live_model(model: Model) -> Model:
+    if model.centred:
+        raise PresetError("the preset's model hears files alone, and an ear listens live; choose another preset")
+    return model.rounded()
+
+
+def _preset(preset: Preset, spec: RecogniserSpec, kind: int, look_ahead: int) -> Section:
+    section, settings = SectionWriter(), preset.settings
+    weighs = Tuning.SENSITIVITIES in spec.tuned_by
+    curve = preset.curve if weighs or preset.curve != UNFITTED else None
+    section.text(preset.name)
+    section.whole(kind, look_ahead, settings.statistics, frames_held(settings.minimum_hold))
+    section.floats(settings.hysteresis if spec.has_deficits else 0.0)
+    section.floats([float(part) for part in line_of(settings.intensity_low, settings.intensity_high)])
+    section.whole(*(preset.successors.get(phoneme, phoneme) for phoneme in Phoneme))
+    sensitivities = [preset.sensitivities.get(phoneme, 0.0) if weighs else 0.0 for phoneme in Phoneme]
+    section.whole(any(sensitivities))
+    section.floats(np.exp(sensitivities))
+    section.whole(len(curve.scores) if curve else 0)
+    section.floats([*curve.scores, *curve.shares] if curve else [])
+    return "PRST", section
+
+
+def _log_mels(warps: tuple[float, ...]) -> Section:
+    section = SectionWriter()
+    section.whole(len(warps))
+    section.floats(FLOOR)
+    section.whole(len(warped_mel_bank()))
+    section.floats(short_window())
+    for warp in warps:
+        section.filters(warped_mel_bank(warp))
+    return "MELS", section
+
+
+def _network(model: Model, look_ahead: int) -> Section:
+    section = SectionWriter()
+    section.whole(len(model.layers))
+    for layer in model.layers:
+        section.whole(len(layer.bias), layer.dilation)
+        section.halves(layer.weights)
+        section.floats(layer.bias)
+    section.whole(bool(model.viseme_heads))
+    for heads in filter(None, (model.heads, model.viseme_heads)):
+        _head(section, heads[look_ahead])
+    return "NETW", section
+
+
+def _head(section: SectionWriter, head: OutputHead) -> None:
+    section.halves(head.weights)
+    section.floats(head.bias)
+
+
+def _variables_of(preset: Preset, rules: tuple[Rule, ...]) -> list[Variable | str]:
+    """Return what the rules ask for and what that is divided by, the names alone of what is no band."""
+    known = {v.name: v for v in (*ENERGY_VARIABLES, *BAND_VARIABLES, *preset.variables)}
+    asked = dict.fromkeys(condition.variable for rule in rules for condition in rule.conditions)
+    asked |= dict.fromkeys(known[name].per for name in asked if name in known and known[name].per)
+    return [known.get(name, name) for name in asked or WHOLE_FRAME_VARIABLES[:1]]
+
+
+def _front_end(settings: AnalysisSettings, variables: list[Variable | str]) -> Section:
+    section = SectionWriter()
+    analyser = SpectrumAnalyser(settings)
+    shaper, n_bins = shaper_of(settings, analyser.scale[0]), settings.n_bins
+    kept = settings.time_smooth if settings.has(Filter.TIME_SMOOTH) else 0.0
+    n_mel = settings.mel_bands if settings.has(Filter.MEL) else 0
+    windows = settings.window_in_force is not WindowFunction.RECTANGLE
+    section.whole(settings.step, settings.decimation is Decimation.ANTI_ALIASED)
+    section.floats([settings.pre_emphasis if settings.has(Filter.PRE_EMPHASIS) else 0.0, kept, 1 - kept])
+    section.floats(settings.denoise_threshold if settings.has(Filter.DENOISE) else 0.0)
+    section.whole(settings.has(Filter.NORMALISE), windows, shaper.blurs, n_mel)
+    section.floats(window_of(settings.window_in_force, settings.n_samples) if windows else [])
+    section.floats(analyser.scale)
+    section.floats(shaper.centre)
+    section.floats([*shaper.below, *shaper.above] if shaper.blurs else [])
+    section.filters(mel_bank(n_mel, n_bins, BIN_WIDTH) if n_mel else np.zeros((n_bins, 0)))
+    section.whole(len(variables))
+    names = [v.name if isinstance(v, Variable) else v for v in variables]
+    centres = {source: np.arange(n_bins, dtype=float) * BIN_WIDTH for source in SOURCES}
+    centres[Spectrum.MEL] = mel_edges(n_mel, n_bins * BIN_WIDTH)[1:-1] if n_mel else np.zeros(0)
+    for v in variables:
+        if isinstance(v, str):
+            section.whole(WHOLE_FRAME[v], 0, 0, 0, 0, 0)
+            continue
+        reach = reach_of(v, centres[v.source])
+        per = names.index(v.per) + 1 if v.per else 0
+        section.whole(BAND, SOURCES.index(v.source), KINDS.index(v.kind), max(reach.stop, reach.start))
+        section.whole(reach.start, per)
+    return "FRNT", section
+
+
+def _rules(asked: RuleRecogniser, names: list[str]) -> Section:
+    section = SectionWriter()
+    conditions = list(dict.fromkeys(c for rule in asked.rules for c in rule.conditions))
+    section.whole(len(conditions))
+    for condition in conditions:
+        rises, limit = condition.sign == ">", asked.limit_of(condition)
+        section.whole(names.index(condition.variable), rises)
+        section.floats(limit if rises else -limit)
+    section.whole(len(asked.rules))
+    for rule in asked.rules:
+        section.whole(rule.phoneme, len(rule.conditions), *(conditions.index(c) for c in rule.conditions))
+    return "RULE", section
+
+
+def _templates(templates: Templates) -> Section:
+    section = SectionWriter()
+    scale = (1 / np.array(templates.spread)).astype(np.float32)
+    section.floats(templates.silence_below)
+    section.whole(len(templates.means), *templates.means)
+    section.floats(np.array(list(templates.means.values()), np.float32) * scale)
+    section.floats(scale)
+    section.floats(cepstral_cosines().T)
+    return "TMPL", section

@@ -1,0 +1,174 @@
+"""The shipped ear as a library that Python calls, compiled once for all tests of a version."""
+
+import ctypes
+import getpass
+import hashlib
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+import filelock
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.shipping import folder
+from tests.sounds import Sound
+
+SOURCES = Path(folder.__file__).parent / "c"
+STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
+SANITIZED = (
+    "-O1",
+    "-g",
+    "-fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow",
+    "-fno-sanitize-recover=all",
+)
+N_PHONEMES = 11
+LAST_FRAMES = 32
+OK, NO_EAR_FILE, NEWER_FILE, DAMAGED_FILE, OUT_OF_MEMORY, TOO_LITTLE_MEMORY, BAD_RATE, TOO_FEW_FRAMES = range(8)
+FRAME = np.dtype(
+    [
+        ("number", np.uint32),
+        ("phoneme", np.int32),
+        ("viseme", np.int32),
+        ("intensity", np.float32),
+        ("confidence", np.float32),
+        ("scores", np.float32, N_PHONEMES),
+    ]
+)
+"""`ear_frame`."""
+
+Frames = NDArray[np.void]
+
+
+def compiler() -> str:
+    """Give the C compiler; where a machine that should have one has none, that is a failure."""
+    found = next((path for name in ("gcc", "clang", "cc") if (path := shutil.which(name))), None)
+    if found is None and "CI" in os.environ and os.name == "posix":
+        pytest.fail("there is no C compiler; install gcc")
+    if found is None:
+        pytest.skip("there is no C compiler")
+    return found
+
+
+def compiled(name: str, sources: Sequence[Path], *flags: str) -> Path:
+    """Compile C sources, unless that has been done; one process at a time, all others wait for it."""
+    command = [compiler(), *STRICT, *flags, "-I", str(SOURCES), *map(str, sources)]
+    digest = hashlib.sha256(repr(command).encode())
+    for path in (*sources, SOURCES / "ear.h"):
+        digest.update(path.read_bytes())
+    place = Path(tempfile.gettempdir()) / f"phonemeanalyser-ears-{getpass.getuser()}" / digest.hexdigest()[:16]
+    place.mkdir(parents=True, exist_ok=True)
+    target = place / name
+    with filelock.FileLock(place / "lock"):
+        if not target.exists():
+            part = place / "part"
+            done = subprocess.run([*command, "-lm", "-o", str(part)], capture_output=True, text=True, check=False)
+            assert done.returncode == 0, done.stderr
+            part.replace(target)
+    return target
+
+
+class EarLibrary:
+    """The functions of `ear.h`."""
+
+    def __init__(self, path: Path) -> None:
+        self.c = ctypes.CDLL(str(path))
+        self.c.ear_error_text.restype = ctypes.c_char_p
+        self.c.ear_latency.restype = ctypes.c_double
+        for name in ("ear_table_shape_name", "ear_table_movestate", "ear_table_name", "ear_model_name"):
+            getattr(self.c, name).restype = ctypes.c_char_p
+
+    def text(self, code: int) -> str:
+        """Give what an error says."""
+        return bytes(self.c.ear_error_text(code)).decode()
+
+    def model_size(self, content: bytes) -> tuple[int, int]:
+        """Give the result of checking a file, and how much memory its model needs."""
+        size = ctypes.c_size_t()
+        return self.c.ear_model_size(content, ctypes.c_size_t(len(content)), ctypes.byref(size)), size.value
+
+
+class CModel:
+    """An open model; all memory that it is given is Python's."""
+
+    def __init__(self, library: EarLibrary, content: bytes) -> None:
+        self.library, self.handle = library, ctypes.c_void_p()
+        result, size = library.model_size(content)
+        assert result == OK, library.text(result)
+        self._memory = ctypes.create_string_buffer(size)
+        self.size = size
+        result = library.c.ear_model_open(
+            content, ctypes.c_size_t(len(content)), self._memory, ctypes.c_size_t(size), ctypes.byref(self.handle)
+        )
+        assert result == OK, library.text(result)
+
+
+class CEar:
+    """An ear that listens with a model."""
+
+    def __init__(self, model: CModel, rate: int = SAMPLE_RATE) -> None:
+        self.model, self.rate, self._c = model, rate, model.library.c
+        size, self.handle = ctypes.c_size_t(), ctypes.c_void_p()
+        self._ask(self._c.ear_size(model.handle, rate, ctypes.byref(size)))
+        self.size, self._memory = size.value, ctypes.create_string_buffer(size.value)
+        self._ask(self._c.ear_open(model.handle, rate, self._memory, size, ctypes.byref(self.handle)))
+        self.latency = self._c.ear_latency(self.handle)
+
+    def push(self, samples: Sound) -> Frames:
+        """Take samples, and give the frames that became known."""
+        samples = np.ascontiguousarray(samples, np.float32)
+        frames = np.zeros(len(samples) * 100 // self.rate + 2, FRAME)
+        n = ctypes.c_size_t()
+        words = samples.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(samples))
+        self._ask(self._c.ear_push(self.handle, *words, *_room(frames), ctypes.byref(n)))
+        return frames[: n.value]
+
+    def finish(self) -> Frames:
+        """Give the last frames."""
+        frames, n = np.zeros(LAST_FRAMES, FRAME), ctypes.c_size_t()
+        self._ask(self._c.ear_finish(self.handle, *_room(frames), ctypes.byref(n)))
+        return frames[: n.value]
+
+    def hear(self, sound: Sound, cuts: Sequence[int] = ()) -> Frames:
+        """Give the frames of a whole sound, which comes in pieces."""
+        return np.concatenate([*map(self.push, np.split(sound, list(cuts))), self.finish()])
+
+    def _ask(self, result: int) -> None:
+        assert result == OK, self.model.library.text(result)
+
+
+class CMouth:
+    """A mouth that moves by a table of a model."""
+
+    def __init__(self, model: CModel, table: str, seed: int) -> None:
+        self._c, self._model, self.handle = model.library.c, model, ctypes.c_void_p()
+        number = self._c.ear_table_find(model.handle, table.encode())
+        self._weights = np.zeros(self._c.ear_table_movestates(model.handle, number), np.float32)
+        size = ctypes.c_size_t()
+        assert self._c.ear_mouth_size(model.handle, number, ctypes.byref(size)) == OK
+        self._memory = ctypes.create_string_buffer(size.value)
+        opened = self._c.ear_mouth_open(model.handle, number, seed, self._memory, size, ctypes.byref(self.handle))
+        assert opened == OK
+
+    def hear(self, time: float, phoneme: int, viseme: int, intensity: float) -> None:
+        """Take what is heard from a time on."""
+        self._c.ear_mouth_hear(self.handle, ctypes.c_double(time), phoneme, viseme, ctypes.c_float(intensity))
+
+    def weights(self, time: float) -> NDArray[np.float32]:
+        """Give the weights of the movestates at a time."""
+        self._c.ear_mouth_weights(self.handle, ctypes.c_double(time), self._weights.ctypes.data_as(ctypes.c_void_p))
+        return self._weights.copy()
+
+
+def _room(frames: Frames) -> tuple[ctypes.c_void_p, ctypes.c_size_t]:
+    return frames.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(frames))
+
+
+def ear_library() -> EarLibrary:
+    """Compile the ear as a library, and load it."""
+    return EarLibrary(compiled("libear.so", [SOURCES / "ear.c"], "-O3", "-shared", "-fPIC"))

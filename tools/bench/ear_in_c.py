@@ -1,0 +1,89 @@
+"""The ear in C: one frame by network and by rules, memory, and a hundred ears on one core."""
+
+import ctypes
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import scipy.fft
+
+from phonemeengine import Analyser, format_ear, load_preset
+from phonemeengine.live.microphone_analyser import for_live_use
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import FRAME_PERIOD, HOP
+from tests.compiled_ears import SOURCES, CEar, CModel, EarLibrary, compiled
+from tests.sounds import Sound
+from tools.bench.figures import Absolute, Figure, interleaved, ratio_of, shown, speech
+
+LOOP = Path(__file__).with_name("ear_loop.c")
+N_FRAMES, N_ROUNDS = 500, 9
+PYTHON_S_TIME, TRANSFORMS = 0.25, 1.2
+"""Of Python's time, and bare transforms of 512 values, that a frame may take."""
+MOST_BYTES = 200_000
+N_EARS, EARS_FRAMES, SHARE = 100, 100, 0.30
+"""Ears on one core, frames that each hears, and the share of real time that they may take."""
+
+
+def figures() -> list[Figure]:
+    """Measure all of them."""
+    library = EarLibrary(compiled("libear_loop.so", [LOOP, SOURCES / "ear.c"], "-O3", "-shared", "-fPIC"))
+    learned, thesis = load_preset("learned"), load_preset("thesis")
+    model = CModel(library, format_ear(learned))
+    sound = speech(N_FRAMES * FRAME_PERIOD)
+    return [
+        _beside_python(library, model, learned, sound),
+        _beside_transform(library, CModel(library, format_ear(thesis)), sound),
+        _memory(model, 44_100),
+        _memory(model, 48_000),
+        _many(library, model, sound),
+    ]
+
+
+def _listening(library: EarLibrary, ears: Sequence[CEar], sound: Sound, n: int = N_FRAMES) -> Callable[[], None]:
+    handles = (ctypes.c_void_p * len(ears))(*(ear.handle for ear in ears))
+    samples = sound.ctypes.data_as(ctypes.c_void_p)
+
+    def listen() -> None:
+        library.c.listen(handles, ctypes.c_size_t(len(ears)), samples, ctypes.c_size_t(n))
+
+    return listen
+
+
+def _beside_python(library: EarLibrary, model: CModel, preset: Preset, sound: Sound) -> Figure:
+    analyser, hops = Analyser(for_live_use(preset), phonemes_only=True), sound.reshape(-1, HOP)
+
+    def push_all() -> None:
+        for hop in hops:
+            analyser.push(hop)
+
+    c, python = interleaved(N_ROUNDS, _listening(library, [CEar(model)], sound), push_all)
+    name, reference = "C ear, learned, one frame", f"Python {shown(python, N_FRAMES)}"
+    return Figure(name, shown(c, N_FRAMES), reference, ratio_of(c, python), PYTHON_S_TIME)
+
+
+def _beside_transform(library: EarLibrary, model: CModel, sound: Sound) -> Figure:
+    wave = sound[:512].copy()
+
+    def transform_all() -> None:
+        for _ in range(N_FRAMES):
+            scipy.fft.rfft(wave)
+
+    c, bare = interleaved(N_ROUNDS, _listening(library, [CEar(model)], sound), transform_all)
+    name, reference = "C ear, thesis rules, one frame", f"scipy.fft.rfft(512) {shown(bare, N_FRAMES)}"
+    return Figure(name, shown(c, N_FRAMES), reference, ratio_of(c, bare), TRANSFORMS)
+
+
+def _memory(model: CModel, rate: int) -> Figure:
+    size = CEar(model, rate).size
+    name = f"memory of a C ear at {rate / 1000:g} kHz, besides its model of {model.size / 1e6:.2f} MB"
+    return Figure(name, f"{size / 1000:.0f} KB", f"{MOST_BYTES / 1000:.0f} KB", size / MOST_BYTES, 1.0)
+
+
+def _many(library: EarLibrary, model: CModel, sound: Sound) -> Figure:
+    listen = _listening(library, [CEar(model) for _ in range(N_EARS)], sound, EARS_FRAMES)
+    listen()
+    began = time.process_time()
+    listen()
+    share = (time.process_time() - began) / (EARS_FRAMES * FRAME_PERIOD)
+    name = f"{N_EARS} C ears of one model on one core"
+    return Figure(name, f"{share:.1%} of real time", f"{SHARE:.0%}", share / SHARE, 1.0, absolute=Absolute.WORK)
