@@ -421,6 +421,8 @@ def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
     painter = QPainter()
     begun = painter.begin(generator)
     if begun:
-        plot.render(painter, QPoint())
-        painter.end()
+        try:
+            QWidget.render(plot, painter, QPoint())  # a view of a scene has one of its own, of the scene alone
+        finally:
+            painter.end()
     return begun

@@ -28,6 +28,7 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, check_order
 from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, sounds_in
+from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.conversion import targets_of
 from phonemeengine.errors import EngineError
@@ -147,6 +148,7 @@ class ExportDialog(QDialog):
         self.files.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.files.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.files.setAccessibleName("sounds that are exported")
+        let_copy(self.files)
         header = self.files.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, set_size
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.analyser import latest_reading
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.trace import RuleComparison, Trace
@@ -40,6 +41,7 @@ class PhonemeView(QWidget):
         self.changes: float | None = None
         self.input_silent = False
         self.meters: dict[str, str] = {}
+        self.menu = PlotMenu(self, "phoneme", lambda _at: self._values())
         self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.setToolTip(
@@ -49,6 +51,15 @@ class PhonemeView(QWidget):
             "the amplitudes before denoise and normalise), f(g) (fundamental frequency of a voice, 60 to 500 Hz; a "
             "higher tone has none), and what each rule said, down to the one that fired"
         )
+
+    def _values(self) -> str:
+        """Return what is shown as a table, with every comparison of the rules."""
+        named: list[tuple[str, object]] = [("phoneme", self.phoneme.label), ("recognised", self.recognised.label)]
+        named += [("intensity (0..1)", self.intensity), *self.meters.items()]
+        compared = () if self.trace is None else self.trace.comparisons
+        rows: list[tuple[object, ...]] = [(*pair, "", "", "") for pair in named]
+        rows += [(f"{c.rule}: {c.variable}", c.value, c.sign, c.limit, c.margin) for c in compared]
+        return table_of(dict(zip(("what", "value", "sign", "limit", "margin"), zip(*rows, strict=True), strict=True)))
 
     @property
     def is_outdated(self) -> bool:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
+from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.calibration.takes.take import Take
 
 HEADINGS = ("sound", "speaker", "s", "dB", "check")
@@ -39,6 +40,7 @@ class TakeListView(QTableWidget):
         self._filling = False
         self._style()
         self.installEventFilter(LetterPassthrough(self))
+        let_copy(self)
         self.currentCellChanged.connect(self._choose)
         self.cellDoubleClicked.connect(lambda row, _column: self.play_asked.emit(self._number_at(row)))
         takes.changed.connect(self._fill)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
+from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.calibration.fits.suggestions import Suggestion
 from phonemeengine.features.variables import Variable
 from phonemeengine.phonemes import Phoneme
@@ -56,6 +57,7 @@ class VariablesPanel(QWidget):
     def _lay_out(self) -> None:
         self.setFixedWidth(216)
         self.table.setHorizontalHeaderLabels(["variable", "separates"])
+        let_copy(self.table)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Fixed)
