@@ -37,6 +37,7 @@ class ComparePanel(QWidget):
         self.own = SegmentList("only the preset in use is right", "said, not")
         self.others = SegmentList("only the second preset is right", "said, not")
         self.tabs = QTabWidget()
+        self.tabs.tabBar().setAccessibleName("pages of the comparison")
         self._lay_out()
         self._connect()
         self._show()
