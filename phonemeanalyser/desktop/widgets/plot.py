@@ -202,7 +202,8 @@ class Plot(QWidget):
 
     def showEvent(self, event: Any) -> None:
         """Have Tab come to the plot after what stands above it."""
-        above = (self.header.itemAt(k).widget() for k in range(self.header.count()))
+        items = [self.header.itemAt(k) for k in range(self.header.count())]
+        above = [item.widget() for item in items if item is not None]
         reached = [w for w in above if w is not None and w.focusPolicy() & Qt.FocusPolicy.TabFocus]
         for one, other in pairwise([*reached, self.graphics]):
             QWidget.setTabOrder(one, other)
