@@ -12,11 +12,16 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.conversion import CONVERSIONS
 from phonemeengine.errors import EngineError
+from phonemeengine.measurement import save_stretch
 from phonemeengine.progress import Progress
+from phonemeengine.settings import Channel
 
 MOST_PREVIEWED = 4000
 """Characters of a file that are shown before it is written."""
+SECONDS_PREVIEWED = 30.0
+"""Of a longer sound, what its beginning becomes is shown."""
 
 
 class ExportState(StrEnum):
@@ -116,6 +121,7 @@ class ExportQueue(QObject):
         try:
             with SoundReader(job.source) as reader:
                 job = replace(job, duration=reader.duration)
+            self._put(k, job)
             EXPORT_KINDS[order.kind].make(job.source, job.target, order, progress)
         except EngineError as error:
             self._put(k, replace(job, state=ExportState.FAILED, words=str(error)))
@@ -131,6 +137,12 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     if not EXPORT_KINDS[order.kind].is_text:
         return "A clip is seen once it is made; the page Talk shows the same head at once."
     with TemporaryDirectory() as folder:
+        with SoundReader(source) as reader:
+            is_long = reader.duration > SECONDS_PREVIEWED
+        if is_long and order.kind in CONVERSIONS:
+            beginning = Path(folder) / f"{source.stem}.wav"
+            save_stretch(source, 0.0, SECONDS_PREVIEWED, beginning, channel=order.channel)
+            source, order = beginning, replace(order, channel=Channel.MIX)
         target = Path(folder) / f"{source.stem}{EXPORT_KINDS[order.kind].ending}"
         EXPORT_KINDS[order.kind].make(source, target, order, progress)
         content = target.read_bytes()
@@ -138,7 +150,7 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
         text = content.decode()
     except UnicodeDecodeError:
         return f"{target.name}: {len(content):,} bytes that are no text".replace(",", " ")
-    return text[:MOST_PREVIEWED] + ("\n…" if len(text) > MOST_PREVIEWED else "")
+    return text[:MOST_PREVIEWED] + ("\n…" if is_long or len(text) > MOST_PREVIEWED else "")
 
 
 def sounds_in(paths: Sequence[Path], suffixes: Collection[str]) -> list[Path]:
