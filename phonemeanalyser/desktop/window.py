@@ -195,6 +195,7 @@ class MainWindow(QMainWindow):
             self.calibration.workbench.compare.offer(path)
 
     def _lay_out(self) -> None:
+        self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
         bar = QToolBar("Transport")
         bar.setObjectName("Transport")
         bar.setMovable(False)
@@ -202,8 +203,8 @@ class MainWindow(QMainWindow):
         for view in (self.transport, self.status.chips, self.preset_box):
             bar.addWidget(view)
         self.addToolBar(bar)
-        self.setCentralWidget(self.pages)
-        self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
+        self._filters = self._docks.add("Filters", Qt.DockWidgetArea.LeftDockWidgetArea, self.filters)
+        self.setCentralWidget(self.pages)  # after what stands left of it, as Tab goes
         self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         analysis = self.analysis
         self.state = WindowState(self, analysis.splitters, analysis.switches, analysis.choices, self._settings)
@@ -216,7 +217,6 @@ class MainWindow(QMainWindow):
 
     def _add_docks(self) -> None:
         docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-        self._filters = docks.add("Filters", left, self.filters)
         phoneme = docks.add("Phoneme", right, self.recogniser, self.analysis.phoneme)
         self._thresholds = docks.add("Thresholds", right, self.analysis.thresholds)
         docks.add("Head", left, self.head).hide()
