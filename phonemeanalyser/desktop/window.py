@@ -316,6 +316,8 @@ class MainWindow(QMainWindow):
         dialogs.info.connect(self.banner.show_info)
         preset.rejected.connect(self.banner.show_error)
         dialogs.variable_added.connect(self.analysis.scroll_view.variable.setCurrentText)
+        dialogs.sound_changed.connect(self.status.chips.show_changed)
+        self.status.chips.open_again_asked.connect(dialogs.open_again)
         self.status.chips.go_on_asked.connect(lambda: self.set_frozen(False))
         self.switch.chosen.connect(self.show_page)
         self.selection.info.connect(self.banner.show_info)
