@@ -10,7 +10,7 @@ from pathlib import Path
 from PySide6.QtCore import QFileSystemWatcher, QIODevice, QObject, QPoint, QSaveFile, QSettings, Signal
 from PySide6.QtGui import QPainter
 from PySide6.QtSvg import QSvgGenerator
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QFileDialog, QGraphicsItem, QGraphicsView, QInputDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
@@ -29,6 +29,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY_PRESETS, load_pr
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
 PICTURE_FILTER = "Pixels (*.png);;Lines (*.svg)"
+NO_CACHE = QGraphicsItem.CacheMode.NoCache
 CURVE_FILTER = "Curves (*.csv)"
 LABEL_FILTERS = {
     "Praat TextGrid (*.TextGrid)": ".TextGrid",
@@ -452,8 +453,16 @@ def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
     painter = QPainter()
     begun = painter.begin(generator)
     if begun:
+        kept = (
+            [item for item in plot.items() if item.cacheMode() != NO_CACHE] if isinstance(plot, QGraphicsView) else []
+        )
+        modes = [item.cacheMode() for item in kept]
         try:
+            for item in kept:  # what is kept as pixels would be pixels here
+                item.setCacheMode(NO_CACHE)
             QWidget.render(plot, painter, QPoint())  # a view of a scene has one of its own, of the scene alone
         finally:
             painter.end()
+            for item, mode in zip(kept, modes, strict=True):
+                item.setCacheMode(mode)
     return begun

@@ -6,7 +6,18 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QImage, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF, QWheelEvent
+from PySide6.QtGui import (
+    QBrush,
+    QColor,
+    QImage,
+    QKeyEvent,
+    QMouseEvent,
+    QPaintEngine,
+    QPainter,
+    QPen,
+    QPolygonF,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.analyse.file_rows import course_of, lane_pixels, wave_pixels, wide_runs
@@ -241,6 +252,8 @@ class FileView(QWidget):
         for tile in drawn:
             image = self._image_of(tile)
             left, right = self._x_of(tile.span.start), self._x_of(tile.span.end)
+            if painter.paintEngine().type() is QPaintEngine.Type.SVG:  # which does not clip
+                image, left, right = _cut(image, left, right, row)
             painter.drawImage(QRectF(left, row.top(), right - left, row.height()), image)
         painter.restore()
         frequencies = self._session.sonagram.settings.frequencies
@@ -617,6 +630,14 @@ def _lane_colours(colours: list[QColor], base: QColor) -> UInt32Array:
         pale = QColor(*(round(OUTDATED * a + (1 - OUTDATED) * b) for a, b in shares))
         table[FrameState.OUTDATED, k] = pale.rgb()
     return table
+
+
+def _cut(image: QImage, left: float, right: float, row: QRectF) -> tuple[QImage, float, float]:
+    """Return the columns of an image between two places that lie within a row, and between which places these lie."""
+    column = (right - left) / image.width()
+    first = max(0, math.ceil((row.left() - left) / column))
+    last = min(image.width(), math.floor((row.right() - left) / column))
+    return image.copy(first, 0, max(1, last - first), image.height()), left + first * column, left + last * column
 
 
 def _rgb_of(colour: QColor) -> tuple[int, int, int]:

@@ -12,6 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
 from phonemeanalyser.desktop import dialogs
+from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
 from phonemeengine.averaged_spectrum import load_averaged_spectrum
 from phonemeengine.settings import BIN_WIDTH, Filter
@@ -260,13 +261,18 @@ def test_a_picture_that_cannot_be_saved_is_said(window, monkeypatch, tmp_path):
 def test_pictures_are_lines_where_the_name_says_so(desktop, qtbot, tmp_path, monkeypatch):
     window = followed(desktop, qtbot)
     page = window.analysis
-    for k, plot in enumerate((page.spectrum, page.file.view)):
+    desktop.session.view.show(TimeSpan(1.3, 2.1))
+    qtbot.waitUntil(lambda: not desktop.session.busy)
+    for k, plot in enumerate((page.spectrum.graphics, page.file.view)):
         path = tmp_path / f"{k}.svg"
         monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, path=path, **_k: (str(path), ""))
         window.dialogs.ask_save_picture(plot, "plot")
         drawn = ElementTree.parse(path).getroot()
         assert drawn.tag.endswith("svg")
         assert sum(1 for _ in drawn.iter()) > 20
+        images = [e for e in drawn.iter() if e.tag.endswith("image")]
+        assert all(float(e.get("x")) + float(e.get("width")) <= plot.width() + 1 for e in images)
+        assert all(float(e.get("x")) >= 0 for e in images)
 
 
 def test_the_mean_says_of_how_much_it_is_since_when(desktop, window):
