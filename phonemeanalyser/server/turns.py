@@ -1,6 +1,8 @@
 """Whose turn it is: the sounds of all streams are heard in one thread, a little of each at a time."""
 
 import asyncio
+import logging
+from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from phonemeengine import EngineError
@@ -9,6 +11,9 @@ from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech, hear_
 
 GATHER = 0.004
 """Seconds from the first piece that waits to the turn, so that what comes meanwhile is heard in the same one."""
+
+
+_log = logging.getLogger(__name__)
 
 
 class Hearing(Protocol):
@@ -56,9 +61,16 @@ class Turns:
         if not pieces:
             return
         self.wake()
-        heard = hear_together([(stream.speech, piece) for stream, piece in pieces.items()])
-        for stream, known in zip(pieces, heard, strict=True):
+        for stream, known in zip(pieces, _heard(pieces), strict=True):
             if isinstance(known, EngineError):
                 stream.fail(known)
             else:
                 stream.tell(known)
+
+
+def _heard(pieces: Mapping[Hearing, Float32Array]) -> Sequence[HeardPiece | EngineError]:
+    try:
+        return hear_together([(stream.speech, piece) for stream, piece in pieces.items()])
+    except Exception:  # noqa: BLE001 - a bug ends these streams with a word, and no other one
+        _log.exception("sounds could not be heard")
+        return [EngineError("the server has failed at this sound; its log (--log) says where")] * len(pieces)

@@ -7,13 +7,14 @@ import numpy as np
 
 from phonemeengine.alignment.evidence import evidence_of
 from phonemeengine.alignment.growing import GrowingAligner, GrownWords
-from phonemeengine.analyser import Analyser, Analysis
+from phonemeengine.analyser import Analyser, Analysis, push_together
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.spec import spec_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
 from phonemeengine.text.pronunciation import ScriptWord
 from phonemeengine.visemes import viseme_phones
@@ -58,13 +59,19 @@ class IncomingSpeech:
     Raises
     ------
     EngineError : the preset's recogniser cannot be made, or the format cannot be read here.
+
+    Attributes
+    ----------
+    analyser : what analyses it.
+    is_foreign : whether a recogniser of another package does.
     """
 
     def __init__(
         self, preset: Preset, form: StreamFormat, table: MouthTable | None = None, *, with_text: bool = False
     ) -> None:
         self._sound = IncomingSound(form)
-        self._analyser = Analyser(in_time(preset, self._sound.delay), phonemes_only=True)
+        self.analyser = Analyser(in_time(preset, self._sound.delay), phonemes_only=True)
+        self.is_foreign = spec_of(preset.recogniser).entry is not None
         self._morpher = Morpher(table) if table is not None else None
         self._aligner = GrowingAligner() if with_text else None
         self._unlooked = 0
@@ -77,7 +84,7 @@ class IncomingSpeech:
     @property
     def latency(self) -> float:
         """From the last sample of a frame to its phoneme, without the work, seconds."""
-        return BEYOND + self._sound.delay + self._analyser.recogniser.look_ahead * FRAME_PERIOD
+        return BEYOND + self._sound.delay + self.analyser.recogniser.look_ahead * FRAME_PERIOD
 
     @property
     def is_other_text(self) -> bool:
@@ -100,7 +107,7 @@ class IncomingSpeech:
 
     def hear(self, piece: Float32Array) -> HeardPiece:
         """Return what is known since the next piece came."""
-        return self._known_of(self._analyser.push(piece))
+        return self.known_of(self.analyser.push(piece))
 
     def finish(self) -> Iterator[HeardPiece]:
         """Return what is known of the rest, since the sound has ended.
@@ -110,10 +117,11 @@ class IncomingSpeech:
         AudioError : it ends in the midst of a sample or a page.
         """
         yield self.hear(self._sound.finish())
-        rest = self._known_of(self._analyser.finish())
+        rest = self.known_of(self.analyser.finish())
         yield rest if self._aligner is None else replace(rest, words=self._aligner.finish(self.seconds))
 
-    def _known_of(self, analysis: Analysis) -> HeardPiece:
+    def known_of(self, analysis: Analysis) -> HeardPiece:
+        """Return what is known since the next frames were analysed."""
         weights = None if self._morpher is None else _weights(self._morpher, analysis)
         return HeardPiece(analysis, weights, self._words_in(analysis))
 
@@ -129,11 +137,20 @@ class IncomingSpeech:
 
 
 def hear_together(pieces: Sequence[tuple[IncomingSpeech, Float32Array]]) -> list[HeardPiece | EngineError]:
-    """Return what is known of several sounds since the next piece of each came, or why one cannot be heard."""
-    return [_heard(speech, piece) for speech, piece in pieces]
+    """Return what is known of several sounds since the next piece of each came, or why one cannot be heard.
+
+    Many at once cost far less than one after the other, see `push_together`.
+    """
+    together = [(speech, piece) for speech, piece in pieces if not speech.is_foreign]
+    analyses = iter(push_together([(speech.analyser, piece) for speech, piece in together]))
+    return [
+        _heard_alone(speech, piece) if speech.is_foreign else speech.known_of(next(analyses))
+        for speech, piece in pieces
+    ]
 
 
-def _heard(speech: IncomingSpeech, piece: Float32Array) -> HeardPiece | EngineError:
+def _heard_alone(speech: IncomingSpeech, piece: Float32Array) -> HeardPiece | EngineError:
+    """Return what is known by a recogniser of another package, which may fail."""
     try:
         return speech.hear(piece)
     except EngineError as error:
