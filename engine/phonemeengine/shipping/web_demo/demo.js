@@ -19,9 +19,9 @@ class Listening {
   static async begin(open) {
     const context = new AudioContext();
     try {
-      const { source, audible, stop } = await open(context);
-      const analyser = new AnalyserNode(context, { fftSize: 1024, smoothingTimeConstant: 0 });
       const node = await earNode(context, model, (frame) => fresh.push(frame));
+      const { source, audible, stop } = await open(context); // now, since what comes earlier is not heard
+      const analyser = new AnalyserNode(context, { fftSize: 1024, smoothingTimeConstant: 0 });
       source.connect(analyser).connect(node);
       if (audible) source.connect(context.destination);
       await context.resume();

@@ -1,6 +1,7 @@
 /* The spectrum of the last seconds, a column for each frame of 10 ms, with a band of phonemes beneath. */
 
 const BAND = 26; // pixels of the phonemes
+const NAMED = 10; // columns of a phoneme that is long enough for its name
 const HIGHEST = 8000; // Hz, at the upper edge
 const QUIETEST = -100; // dB that are drawn as nothing
 const LOUDEST = -25;
@@ -10,6 +11,7 @@ export class Spectrum {
   #levels;
   #bins;
   #heard = -1;
+  #lasts = 0; // columns of the phoneme that is heard
 
   constructor(canvas, analyser) {
     this.canvas = canvas;
@@ -26,8 +28,9 @@ export class Spectrum {
     const { width, height } = this.canvas;
     const n = Math.min(frames.length, width);
     const edge = width - n;
+    this.#context.globalCompositeOperation = "copy"; // what was there gives way, and is not shone through
     this.#context.drawImage(this.canvas, n, 0, edge, height, 0, 0, edge, height);
-    this.#context.clearRect(edge, 0, n, height);
+    this.#context.globalCompositeOperation = "source-over";
     this.#drawSound(edge, n, height - BAND);
     frames.slice(-n).forEach((frame, k) => this.#drawPhoneme(edge + k, frame, names));
   }
@@ -44,15 +47,16 @@ export class Spectrum {
 
   #drawPhoneme(x, { phoneme }, names) {
     const { height } = this.canvas;
-    if (phoneme === 0) this.#context.fillStyle = "transparent";
-    else this.#context.fillStyle = `hsl(${(phoneme * 360) / names.length} 55% 55%)`;
-    this.#context.fillRect(x, height - BAND, 1, BAND);
-    if (phoneme !== this.#heard && phoneme > 1) {
-      this.#context.fillStyle = "white";
-      this.#context.font = "13px system-ui, sans-serif";
-      this.#context.textAlign = "right";
-      this.#context.fillText(names[phoneme], x, height - 8);
-    }
+    this.#lasts = phoneme === this.#heard ? this.#lasts + 1 : 1;
     this.#heard = phoneme;
+    if (phoneme === 0) return; // silence is left empty
+    this.#context.fillStyle = `hsl(${(phoneme * 360) / names.length} 55% 45%)`;
+    this.#context.fillRect(x, height - BAND, 1, BAND);
+    if (this.#lasts === NAMED && phoneme > 1) {
+      this.#context.fillStyle = "white";
+      this.#context.font = "12px system-ui, sans-serif";
+      this.#context.textAlign = "right";
+      this.#context.fillText(names[phoneme], x, height - 8, NAMED);
+    }
   }
 }
