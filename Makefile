@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test bench fuzz soak screenshots fit docs hooks
+.PHONY: setup run test test-web bench fuzz soak screenshots fit docs hooks
 
 setup: .venv/ready
 
@@ -23,6 +23,11 @@ test: setup
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/python -m pytest -q -n auto --maxprocesses 8 --dist worksteal
+
+# The demo page in Chromium, which hears a recording as its microphone. Needs chromium and npm, and the network once.
+test-web: setup
+	@$(BIN)/python -c 'import playwright' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[test-web]'
+	$(BIN)/python -m pytest -q -m browser
 
 bench: setup
 	@$(BIN)/python -c 'import librosa' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[bench]'

@@ -25,6 +25,7 @@ from tools.bench import (
     start,
     talking,
     voice,
+    wasm,
     whole_file,
 )
 from tools.bench.figures import Figure, table_of
@@ -44,6 +45,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "talking": talking.figures,
     "learned": learned.figures,
     "ear-in-c": ear_in_c.figures,
+    "wasm": wasm.figures,
     "mouth": mouth.figures,
     "movestates": movestates.figures,
     "voice": voice.figures,

@@ -1,0 +1,97 @@
+"""What a preset can be shipped for: files of this package, and what is made of them."""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import phonemeengine
+from phonemeengine.mouth.exports.glb import shipped_glb
+from phonemeengine.shipping.npm import three_files
+from phonemeengine.shipping.zig import compile_ear
+
+_HERE = Path(__file__).resolve().parent
+_EAR = _HERE / "c" / "ear.c"
+_WASM = (
+    "--target=wasm32-wasi",
+    "-mexec-model=reactor",
+    "-msimd128",
+    "-fvisibility=hidden",
+    '-DEAR_API=__attribute__((visibility("default")))',
+    "-Wl,--export-dynamic,--export=malloc,--export=free,--strip-all",
+)
+"""For a module that asks its page for nothing, and gives all functions of `ear.h`."""
+
+Files = dict[str, bytes]
+
+
+@dataclass(frozen=True)
+class ShipTarget:
+    """A kind of folder.
+
+    Attributes
+    ----------
+    words : what it is for, for people.
+    sources : folders of this package, each with the folder that its files go to.
+    makes : what gives the files that are made when it is shipped.
+    """
+
+    words: str
+    sources: Mapping[str, str]
+    makes: tuple[Callable[[], Files], ...] = ()
+
+    def files(self) -> Files:
+        """Return the files that it gets beside the preset, by their path in the folder.
+
+        Raises
+        ------
+        ExportError : something that makes them is missing.
+        """
+        found: Files = {}
+        for source, place in self.sources.items():
+            for path in sorted(path for path in (_HERE / source).rglob("*") if path.is_file()):
+                found[(Path(place) / path.relative_to(_HERE / source)).as_posix()] = path.read_bytes()
+        for make in self.makes:
+            found |= make()
+        return found
+
+
+def _web_module() -> Files:
+    """Return the ear as WebAssembly, and what makes a package of the folder."""
+    package = {
+        "name": "phoneme-ear",
+        "version": phonemeengine.__version__,
+        "description": "Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them.",
+        "license": "MIT",
+        "type": "module",
+        "exports": {
+            ".": {"types": "./ear.d.ts", "default": "./ear.js"},
+            "./ear-worklet.js": "./ear-worklet.js",
+            "./ear.wasm": "./ear.wasm",
+            "./preset.ear": "./preset.ear",
+        },
+        "types": "ear.d.ts",
+        "files": ["ear.js", "ear.d.ts", "ear-worklet.js", "ear.wasm", "preset.ear"],
+    }
+    return {
+        "ear.wasm": compile_ear(_EAR, _WASM),
+        "package.json": json.dumps(package, indent=2).encode() + b"\n",
+    }
+
+
+def _demo_page() -> Files:
+    """Return what the page draws: a head, and the library that draws it."""
+    three = {f"demo/three/{name}": content for name, content in three_files().items()}
+    return {"demo/head.glb": shipped_glb().content(), **three}
+
+
+TARGETS: Mapping[str, ShipTarget] = {
+    "c": ShipTarget("C99, for programs of all kinds", {"c": ""}),
+    "web": ShipTarget(
+        "WebAssembly and an AudioWorklet, and a page with a talking head",
+        {"web": "", "web_demo": "demo"},
+        (_web_module, _demo_page),
+    ),
+    "web-module": ShipTarget("the same without the page, as an npm package", {"web": ""}, (_web_module,)),
+}
+"""What can be shipped for, by name."""
