@@ -50,7 +50,7 @@ class ScrollView(QWidget):
         self.sonagram = SonagramItem(history, theme)
         self._lane = PhonemeLane(history, self.sonagram, theme)
         self._course = LiveCurve(pen=pg.mkPen(theme.signal))
-        self._limits: list[pg.InfiniteLine] = []
+        self._limits: dict[str, pg.InfiniteLine] = {}
         self._course_range = (0.0, 0.0)
         self._n_bins = 0
         self.decibels = toggle_button("dB", "Brightness in dB, or linear")
@@ -230,22 +230,23 @@ class ScrollView(QWidget):
     def _choose_variable(self) -> None:
         course = self._plots[2]
         course.setLabel("left", self.variable.currentText().replace("_", " "))
-        for line in self._limits:
-            course.removeItem(line)
-        preset = self._preset.preset
-        mine = [c for c in self._preset.controls.values() if c.variable == self.variable.currentText()]
-        pen = pg.mkPen(self._theme.bad, style=Qt.PenStyle.DashLine)
-        self._limits = [
-            pg.InfiniteLine(
-                control.read(preset), angle=0, pen=pen, label=control.name,
-                labelOpts={"position": 0.02, "anchors": [(0, 1), (0, 1)], "color": self._theme.bad},
-            )
-            for control in mine
-        ]  # fmt: skip
-        for line in self._limits:
-            course.addItem(line, ignoreBounds=True)
+        mine = {c.name: c for c in self._preset.controls.values() if c.variable == self.variable.currentText()}
+        if mine.keys() != self._limits.keys():
+            for line in self._limits.values():
+                course.removeItem(line)
+            self._limits = {name: self._line_called(name) for name in mine}
+            for line in self._limits.values():
+                course.addItem(line, ignoreBounds=True)
+        for name, line in self._limits.items():
+            line.setValue(mine[name].read(self._preset.preset))
         self._draw_course()
         self.refresh_numbers()
+
+    def _line_called(self, name: str) -> pg.InfiniteLine:
+        """Return a level line with a name, which is dear to make."""
+        pen, colour = pg.mkPen(self._theme.bad, style=Qt.PenStyle.DashLine), self._theme.bad
+        how = {"position": 0.02, "anchors": [(0, 1), (0, 1)], "color": colour}
+        return pg.InfiniteLine(angle=0, pen=pen, label=name, labelOpts=how)
 
     def _draw_course(self) -> None:
         n_shown = min(CAPACITY, int(-self._plots[0].vb.viewRange()[0][0] / FRAME_PERIOD) + 1)
