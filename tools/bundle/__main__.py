@@ -34,7 +34,7 @@ def main() -> None:
     python = _environment(out)
     version = _answer(python, "-c", "import phonemeengine; print(phonemeengine.__version__)")
     folder = _program(python, out, version)
-    archive = _archive(folder, out / f"PhonemeAnalyser-{version}-{_system()}")
+    archive = pack(folder, out / f"PhonemeAnalyser-{version}-{_system()}", int(_commit_time()))
     print(f"{folder}: {_megabytes(folder):.0f} MB")
     print(f"{archive}: {_megabytes(archive):.0f} MB")
 
@@ -67,7 +67,7 @@ def _program(python: Path, out: Path, version: str) -> Path:
         "BUNDLE_VERSION": version,
         "PYTHONPATH": "",  # nothing but what is installed there
         "PYTHONHASHSEED": "1",  # so that two builds have the same bytes
-        "SOURCE_DATE_EPOCH": _answer("git", "-C", ROOT, "log", "-1", "--format=%ct"),
+        "SOURCE_DATE_EPOCH": _commit_time(),
     }
     subprocess.run(
         [
@@ -86,10 +86,9 @@ def _program(python: Path, out: Path, version: str) -> Path:
     return folder
 
 
-def _archive(folder: Path, name: Path) -> Path:
+def pack(folder: Path, name: Path, epoch: int) -> Path:
     """Pack the folder, its files in order and all with the same time; returns the archive."""
     files = sorted(folder.rglob("*"))
-    epoch = int(_answer("git", "-C", ROOT, "log", "-1", "--format=%ct"))
     if sys.platform == "linux":
         archive = name.with_name(f"{name.name}.tar.xz")
         with tarfile.open(archive, "w:xz") as packed:
@@ -110,6 +109,11 @@ def _archive(folder: Path, name: Path) -> Path:
         for file in files:
             packed.write(file, file.relative_to(folder.parent))
     return archive
+
+
+def _commit_time() -> str:
+    """Return when the last commit was made, in seconds since 1970."""
+    return _answer("git", "-C", ROOT, "log", "-1", "--format=%ct")
 
 
 def _answer(*command: str | Path) -> str:
