@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test test-web bench fuzz soak screenshots fit docs hooks
+.PHONY: setup run test test-web bench fuzz soak screenshots fit docs bundle hooks
 
 setup: .venv/ready
 
@@ -57,6 +57,10 @@ fit: setup
 docs: setup
 	@$(BIN)/python -c 'import material, mkdocstrings' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[docs]'
 	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict
+
+# Builds a program that needs no Python into build/bundle: a folder, and an archive of it.
+bundle: setup
+	$(BIN)/python -m tools.bundle
 
 # Has git check each commit, and its message.
 hooks: setup

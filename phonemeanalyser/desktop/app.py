@@ -22,7 +22,7 @@ from PySide6.QtCore import (
     Signal,
     qInstallMessageHandler,
 )
-from PySide6.QtGui import QSurfaceFormat
+from PySide6.QtGui import QFileOpenEvent, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from phonemeanalyser.desktop import calibrate
@@ -44,6 +44,7 @@ AFTER_PAINTING_MS = 20
 """The window is to be seen before the sound card is awake."""
 PATIENCE_MS = 50
 """Milliseconds for which a picture waits at a time for what is measured for it."""
+ICON = Path(__file__).parent / "icon" / "phonemeanalyser.svg"
 _log = logging.getLogger(__name__)
 THEMES = {"light": LIGHT, "dark": DARK}
 
@@ -163,6 +164,28 @@ class FirstPaint(QObject):
         return False
 
 
+class FileRequests(QObject):
+    """Takes the files that macOS asks a running program to open, which come as events and not as arguments.
+
+    Signals
+    -------
+    asked : the file to open.
+    """
+
+    asked = Signal(Path)
+
+    def __init__(self, app: QApplication) -> None:
+        super().__init__(app)
+        app.installEventFilter(self)
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        """Look for files, and take them."""
+        if isinstance(event, QFileOpenEvent) and event.file():
+            self.asked.emit(Path(event.file()))
+            return True
+        return False
+
+
 def make_application() -> QApplication:
     """Make Qt's application, or give the one that is there."""
     app = QApplication.instance()
@@ -175,6 +198,8 @@ def make_application() -> QApplication:
     app = QApplication(sys.argv[:1])
     app.setApplicationName("PhonemeAnalyser")
     app.setOrganizationName("PhonemeAnalyser")
+    app.setDesktopFileName("phonemeanalyser")  # by which Wayland finds the icon
+    app.setWindowIcon(QIcon(str(ICON)))
     return app
 
 
@@ -196,8 +221,9 @@ def _run(app: QApplication, file: Path | None, demo: Path, preset: Path | None, 
     if preset is not None:
         dialogs.load_preset(preset)
     desktop.demo = demo
-    begin = partial(_begin, desktop, file or dialogs.last_sound() or demo, channel)
+    begin = partial(_begin, desktop, file, dialogs.last_sound() or demo, channel)
     FirstPaint(desktop.window).painted.connect(begin)
+    FileRequests(app).asked.connect(lambda path: desktop.window.open_files([path]))
     desktop.window.show()  # which lays the docks out, before a page without them is shown
     desktop.window.show_last_page()
     code = app.exec()
@@ -216,10 +242,13 @@ def _data_folder() -> Path:
     return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
 
 
-def _begin(desktop: Desktop, file: Path, channel: Channel | None) -> None:
+def _begin(desktop: Desktop, file: Path | None, last_sound: Path, channel: Channel | None) -> None:
     """Go on with what the window need not wait for."""
     _ = desktop.calibration  # which takes up the takes of the last start
-    desktop.window.dialogs.open_sound(file)
+    if file is None or not desktop.window.opens_as_sound(file):
+        desktop.window.dialogs.open_sound(last_sound)
+    if file is not None:
+        desktop.window.open_files([file])
     if channel is not None:
         desktop.session.set_channel(channel)
     desktop.window.dialogs.offer_unfinished()

@@ -17,6 +17,7 @@ from phonemeanalyser.desktop.export_dialog import ExportDialog
 from phonemeanalyser.desktop.session.preset import PRESET_FILTER, PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeengine import __version__
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
 from phonemeengine.files import free_path
@@ -27,6 +28,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY_PRESETS, load_pr
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
+CURVE_SUFFIX = ".csv"
 PICTURE_FILTER = "Pixels (*.png);;Lines (*.svg)"
 CURVE_FILTER = "Curves (*.csv)"
 LABEL_FILTERS = {
@@ -61,12 +63,17 @@ class Dialogs(QObject):
         self._preset = preset
         self._settings = settings
 
+    @staticmethod
+    def opens_as_sound(path: Path) -> bool:
+        """Return whether a file is taken for a sound, which is what all are that are no preset and no curve."""
+        return path.suffix.lower() not in {*PRESET_SUFFIXES, CURVE_SUFFIX}
+
     def open_any(self, path: Path) -> None:
         """Load a preset, a curve or a sound, by the suffix of its name."""
         kind = path.suffix.lower()
         if kind in PRESET_SUFFIXES:
             self.load_preset(path)
-        elif kind == ".csv":
+        elif kind == CURVE_SUFFIX:
             self.load_curve(path)
         else:
             self.open_sound(path)
@@ -313,7 +320,8 @@ class Dialogs(QObject):
         QMessageBox.about(
             self._window, "PhonemeAnalyser",
             "<b>PhonemeAnalyser</b><p>Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme "
-            "was recognised.<p>MIT licence. The demo is a synthetic voice of the Festival project (CMU slt). "
+            f"was recognised.<p>Version {__version__}, MIT licence; <i>Help &gt; Licences</i> lists all parts. "
+            "The demo is a synthetic voice of the Festival project (CMU slt). "
             f"The head is in the public domain (CC0).<p><b>The preset Learned.</b> {notes}",
         )  # fmt: skip
 

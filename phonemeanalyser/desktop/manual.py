@@ -18,6 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.licences import licences_text
+
 PAGES = (
     "index", "manual", "calibrating", "recognisers", "presets", "script", "speaking", "pinyin", "performance",
     "expression", "formats", "command-line", "engine", "glossary",
@@ -113,6 +115,23 @@ class ManualDialog(QDialog):
                 self.text.verticalScrollBar().setValue(round(top))
                 return
             block = block.next()
+
+
+class LicencesDialog(QDialog):
+    """Shows the parts of the program with their licences, whole."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Licences")
+        self.resize(*SIZE)
+        text = QTextBrowser()
+        text.setAccessibleName("licences of all parts")
+        text.setMarkdown(licences_text())
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addWidget(text)
+        layout.addWidget(buttons)
 
 
 @cache

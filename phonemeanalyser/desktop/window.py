@@ -19,7 +19,7 @@ from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport import Transport
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.docks import Docks
-from phonemeanalyser.desktop.manual import ManualDialog
+from phonemeanalyser.desktop.manual import LicencesDialog, ManualDialog
 from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.redraw import RedrawLoop
 from phonemeanalyser.desktop.session.preset import PresetModel
@@ -244,6 +244,7 @@ class MainWindow(QMainWindow):
             Command("What Is This?", "Shift+F1", self.what_is_this.begin),
             Command("Manual", "Ctrl+F1", self.show_manual),
             Command("First Steps…", "", self.welcome.show_cards),
+            Command("Licences", "", self.show_licences),
             Command("About PhonemeAnalyser", "", self.dialogs.show_about),
         )
 
@@ -421,6 +422,12 @@ class MainWindow(QMainWindow):
         dialog.show_page(page)
         dialog.show()
 
+    def show_licences(self) -> None:
+        """Show the licences of all parts of the program."""
+        dialog = LicencesDialog(self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.open()
+
     def greet(self) -> None:
         """Show what one could begin with, at the first start only."""
         if self._settings.value("greeted") is None:
@@ -438,6 +445,25 @@ class MainWindow(QMainWindow):
         self.show_page(ANALYSE)
         self._session.set_source(SoundSource.MICROPHONE)
 
+    # -- files --------------------------------------------------------------------------------------------
+
+    def opens_as_sound(self, path: Path) -> bool:
+        """Return whether a file is taken for a sound."""
+        return not self.talking_dialogs.opens(path) and self.dialogs.opens_as_sound(path)
+
+    def open_files(self, paths: list[Path]) -> None:
+        """Open a sound, a preset, a curve, a mesh with its movestates; several sounds are offered for export."""
+        talking = self.talking_dialogs
+        if faces := [path for path in paths if talking.opens(path)]:
+            talking.open(faces)  # meshes and movestates as one face
+            self.show_page(TALK)
+        if any(path.is_dir() for path in paths) or sum(path.suffix.lower() in SUFFIXES for path in paths) > 1:
+            self.dialogs.show_export(paths)
+            return
+        for path in paths:
+            if not talking.opens(path):
+                self.dialogs.open_any(path)
+
     # -- Qt's events --------------------------------------------------------------------------------------
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
@@ -448,15 +474,8 @@ class MainWindow(QMainWindow):
     def dropEvent(self, event: QDropEvent) -> None:
         """Load what was dropped."""
         event.acceptProposedAction()
-        talking, urls = self.talking_dialogs, event.mimeData().urls()
-        paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
-        talking.open([path for path in paths if talking.opens(path)])  # meshes and movestates as one face
-        if any(path.is_dir() for path in paths) or sum(path.suffix.lower() in SUFFIXES for path in paths) > 1:
-            self.dialogs.show_export(paths)
-            return
-        for path in paths:
-            if not talking.opens(path):
-                self.dialogs.open_any(path)
+        urls = event.mimeData().urls()
+        self.open_files([Path(url.toLocalFile()) for url in urls if url.isLocalFile()])
         for url in urls:
             if not url.isLocalFile():
                 sentence = f"{url.toString()}: only files on this computer can be opened; save it here first"
