@@ -18,6 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.language import tr
+
 PAGES = (
     "index", "manual", "calibrating", "recognisers", "presets", "script", "speaking", "pinyin", "performance",
     "expression", "formats", "command-line", "engine", "glossary",
@@ -42,16 +44,16 @@ class ManualDialog(QDialog):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Manual")
+        self.setWindowTitle(tr("Manual"))
         self.resize(*SIZE)
         self.pages, self.text, self.field = QListWidget(), QTextBrowser(), QLineEdit()
         self.pages.addItems([title_of(page) for page in PAGES])
         self.pages.setFixedWidth(LIST_WIDTH)
-        self.pages.setAccessibleName("pages of the manual")
-        self.text.setAccessibleName("the page")
+        self.pages.setAccessibleName(tr("pages of the manual"))
+        self.text.setAccessibleName(tr("the page"))
         self.text.setOpenLinks(False)
-        self.field.setPlaceholderText("search")
-        self.field.setAccessibleName("search the manual")
+        self.field.setPlaceholderText(tr("search"))
+        self.field.setAccessibleName(tr("search the manual"))
         self.field.setClearButtonEnabled(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
