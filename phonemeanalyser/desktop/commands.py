@@ -21,7 +21,7 @@ PRESET_COMMANDS = (
     tr_noop("Save Preset As…"),
     tr_noop("Preset Notes…"),
 )
-PAGES = ("Analyse", "Calibrate", "Talk")
+PAGES = (tr_noop("Analyse"), tr_noop("Calibrate"), tr_noop("Talk"))
 
 
 def file_commands(dialogs: Dialogs) -> Commands:

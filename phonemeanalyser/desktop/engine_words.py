@@ -13,6 +13,8 @@ WORDS = (
     tr_noop("raw"), tr_noop("filtered"), tr_noop("normalised"),
     tr_noop("automatic"), tr_noop("letters of pinyin"), tr_noop("recorded faces"),
     tr_noop("sounds, by the mouth table"),
+    tr_noop("Rectangle"), tr_noop("Eleven mouth shapes"), tr_noop("Five mouth shapes"),
+    tr_noop("anger"), tr_noop("disgust"), tr_noop("fear"), tr_noop("smile"), tr_noop("sorrow"), tr_noop("surprise"),
     tr_noop("english"), tr_noop("german"), tr_noop("french"), tr_noop("italian"), tr_noop("spanish"),
     # what a sound can become
     tr_noop("phonemes as a table"), tr_noop("phonemes as JSON"), tr_noop("phonemes as a TextGrid of Praat"),
@@ -63,9 +65,39 @@ WORDS = (
     # how it is heard, and listened
     tr_noop('pip install "phonemeanalyser[whisper]" has files heard by one that knows very many voices'),
     tr_noop("Whisper base and network"),
-    tr_noop("not listening"),
+    tr_noop("not listening"), tr_noop("no sound card: silent, on the clock"),
 )  # fmt: skip
 """Those that stand alone."""
+SPOKEN = (
+    tr_noop("Albanian"), tr_noop("Amharic"), tr_noop("Arabic"), tr_noop("Aragonese"),
+    tr_noop("Armenian (East Armenia)"), tr_noop("Armenian (West Armenia)"), tr_noop("Assamese"),
+    tr_noop("Azerbaijani"), tr_noop("Bashkir"), tr_noop("Basque"), tr_noop("Belarusian"), tr_noop("Bengali"),
+    tr_noop("Bosnian"), tr_noop("Bulgarian"), tr_noop("Catalan"), tr_noop("Catalan (Balearic)"),
+    tr_noop("Catalan (North-western)"), tr_noop("Catalan (Valencian)"), tr_noop("Chinese (Cantonese)"),
+    tr_noop("Chinese (Mandarin)"), tr_noop("Chinese (Mandarin, Pinyin)"), tr_noop("Chuvash"), tr_noop("Croatian"),
+    tr_noop("Czech"), tr_noop("Danish"), tr_noop("Dutch"), tr_noop("English (America)"),
+    tr_noop("English (America, New York City)"), tr_noop("English (Caribbean)"), tr_noop("English (Great Britain)"),
+    tr_noop("English (Lancaster)"), tr_noop("English (Received Pronunciation)"), tr_noop("English (Scotland)"),
+    tr_noop("English (Shavian alphabet)"), tr_noop("English (West Midlands)"), tr_noop("Estonian"),
+    tr_noop("Finnish"), tr_noop("French (Belgium)"), tr_noop("French (France)"), tr_noop("French (Switzerland)"),
+    tr_noop("Gaelic (Irish)"), tr_noop("Gaelic (Scottish)"), tr_noop("Georgian"), tr_noop("German"),
+    tr_noop("Greek"), tr_noop("Greek (Ancient)"), tr_noop("Greenlandic"), tr_noop("Guarani"),
+    tr_noop("Haitian Creole"), tr_noop("Hakka Chinese"), tr_noop("Hawaiian"), tr_noop("Hebrew"),
+    tr_noop("Hungarian"), tr_noop("Icelandic"), tr_noop("Indonesian"), tr_noop("Italian"), tr_noop("Japanese"),
+    tr_noop("Kazakh"), tr_noop("Klingon"), tr_noop("Korean"), tr_noop("Kurdish"), tr_noop("Kyrgyz"),
+    tr_noop("Latin"), tr_noop("Latvian"), tr_noop("Lithuanian"), tr_noop("Lule Saami"), tr_noop("Luxembourgish"),
+    tr_noop("Macedonian"), tr_noop("Malay"), tr_noop("Maltese"), tr_noop("Myanmar (Burmese)"),
+    tr_noop("Nahuatl (Classical)"), tr_noop("Nepali"), tr_noop("Nogai"), tr_noop("Norwegian Bokmål"),
+    tr_noop("Persian"), tr_noop("Persian (Pinglish)"), tr_noop("Polish"), tr_noop("Portuguese (Brazil)"),
+    tr_noop("Portuguese (Portugal)"), tr_noop("Punjabi"), tr_noop("Romanian"), tr_noop("Russian"),
+    tr_noop("Russian (Classic)"), tr_noop("Russian (Latvia)"), tr_noop("Serbian"), tr_noop("Shan (Tai Yai)"),
+    tr_noop("Sinhala"), tr_noop("Slovak"), tr_noop("Slovenian"), tr_noop("Spanish (Latin America)"),
+    tr_noop("Spanish (Spain)"), tr_noop("Swahili"), tr_noop("Swedish"), tr_noop("Tatar"), tr_noop("Thai"),
+    tr_noop("Totontepec Mixe"), tr_noop("Turkish"), tr_noop("Turkmen"), tr_noop("Ukrainian"), tr_noop("Uyghur"),
+    tr_noop("Uzbek"), tr_noop("Vietnamese (Central)"), tr_noop("Vietnamese (Northern)"),
+    tr_noop("Vietnamese (Southern)"), tr_noop("Welsh"),
+)  # fmt: skip
+"""Languages of espeak-ng, but for those that are called the same in all languages."""
 SENTENCES = (
     tr_noop("twin, {seconds} s each way"),
     tr_noop("{recogniser}, {ms} ms ahead"),

@@ -98,7 +98,7 @@ class ScrollView(QWidget):
         """Write maximum, mean and minimum of the chosen variable, and over how long they are taken."""
         name = self.variable.currentText()
         extremes = self._history.extremes(name)
-        names = ("max", "mid", "min")
+        names = (tr("max"), tr("mid"), tr("min"))
         shown = ("–",) * 3 if extremes is None else tuple(f"{value:.4g}" for value in extremes)
         text = "".join(
             f"<span style='color:{self._theme.faint}'>&nbsp; {name}</span> {value}"

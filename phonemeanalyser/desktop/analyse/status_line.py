@@ -58,7 +58,7 @@ class StatusLine:
         microphone = session.microphone
         self.chips.show_lost(microphone.listener.lost_seconds if listens and microphone.active else 0.0)
         self._show_latency(microphone.latency if listens else None)
-        output = "" if listens else f"♪ {session.output_name}" if session.has_card else session.output_name
+        output = "" if listens else f"♪ {session.output_name}" if session.has_card else tr(session.output_name)
         _write(self.right, f"{output} ")
 
     def _show_latency(self, latency: Latency | None) -> None:

@@ -163,7 +163,7 @@ class ChoicesPanel(QWidget):
         """List the tables of the program that move this face, the user's own, and the way to another one."""
         talking = self._talking
         listed = talking.face.tables | {talking.table_name: talking.table.name}
-        wanted = [*((words, name) for name, words in listed.items()), (tr(OWN), None)]
+        wanted = [*((tr(words), name) for name, words in listed.items()), (tr(OWN), None)]
         if [(self.table.itemText(k), self.table.itemData(k)) for k in range(self.table.count())] != wanted:
             self.table.clear()
             for words, name in wanted:

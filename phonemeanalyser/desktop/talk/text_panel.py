@@ -159,8 +159,8 @@ class TextPanel(QWidget):
         if self.language.count() != 1 + len(languages):  # which are learnt once
             self.language.clear()
             self.language.addItem(tr(NO_LANGUAGE), "")
-            for language in sorted(languages, key=lambda language: language.name):
-                self.language.addItem(_short(language.name), language.tag)
+            for language in sorted(languages, key=lambda language: tr(_short(language.name))):
+                self.language.addItem(tr(_short(language.name)), language.tag)
         self.language.setCurrentIndex(max(0, self.language.findData(self._texts.language)))
 
     def _show_lexicon(self) -> None:
