@@ -27,6 +27,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from phonemeanalyser.desktop import calibrate
 from phonemeanalyser.desktop.garbage import WindowThreadCollector
+from phonemeanalyser.desktop.language import SYSTEM, language_of, tr, use_language
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
@@ -50,7 +51,7 @@ THEMES = {"light": LIGHT, "dark": DARK}
 
 
 class Desktop:
-    """The window with its models; makes the window anew when the theme changes.
+    """The window with its models; makes the window anew when theme or language change.
 
     Parameters
     ----------
@@ -72,6 +73,7 @@ class Desktop:
         QLocale.setDefault(QLocale.c())  # one decimal sign everywhere, the point, as in all our files
         self._app = app
         self._settings = settings
+        self._use_language()
         self.preset = preset or PresetModel()
         self.session = Session(self.preset, open_device, microphone)
         self.demo: Path | None = None
@@ -115,6 +117,18 @@ class Desktop:
     def set_theme(self, name: str) -> None:
         """Choose ``light``, ``dark`` or ``system``."""
         self._settings.setValue("theme", name)
+        self._remake_window()
+
+    def set_language(self, name: str) -> None:
+        """Choose ``en``, ``de`` or ``system``."""
+        self._settings.setValue("language", name)
+        self._use_language()
+        self._remake_window()
+
+    def _use_language(self) -> None:
+        use_language(self._app, language_of(str(self._settings.value("language", SYSTEM))))
+
+    def _remake_window(self) -> None:
         old = self.window
         old.save_state()
         self.window = self._make_window()
@@ -127,6 +141,7 @@ class Desktop:
         session, preset = self.session, self.preset
         window = MainWindow(session, preset, self.theme, self._settings, lambda: self.calibration, self.talking)
         window.theme_asked.connect(self.set_theme)
+        window.language_asked.connect(self.set_language)
         window.demo_asked.connect(self._show_demo)
         if self._calibration is not None:
             window.join_calibration(self._calibration)
@@ -256,8 +271,8 @@ def _begin(desktop: Desktop, file: Path | None, last_sound: Path, channel: Chann
 
 
 def screenshot(
-    file: Path, out: Path, *, at: float | None, size: tuple[int, int], theme: str, preset: Path | None,
-    channel: Channel,
+    file: Path, out: Path, *, at: float | None, size: tuple[int, int], theme: str, language: str,
+    preset: Path | None, channel: Channel,
 ) -> None:  # fmt: skip
     """Save a picture of the window, with a file analysed up to a time (seconds; None means its end).
 
@@ -270,6 +285,7 @@ def screenshot(
     with tempfile.TemporaryDirectory() as folder:
         settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings.setValue("theme", theme)
+        settings.setValue("language", language)
         desktop = Desktop(app, settings, lambda _n: ClockOutput())
         try:
             if preset is not None:
@@ -286,7 +302,7 @@ def screenshot(
         finally:
             desktop.close()
     if not saved:
-        raise EngineError(f"{out}: the picture cannot be written; choose another place with -o")
+        raise EngineError(tr("{out}: the picture cannot be written; choose another place with -o").format(out=out))
 
 
 def _follow(session: Session, file: Path, at: float | None, channel: Channel) -> None:
@@ -310,5 +326,7 @@ def _report_bug(log: Path, kind: type[BaseException], error: BaseException, trac
     _log.error("the program crashed", exc_info=(kind, error, trace))
     if QApplication.activeModalWidget() is None:
         QMessageBox.critical(
-            None, "PhonemeAnalyser", f"Something went wrong in the program itself; the details are in {log}."
+            None,
+            "PhonemeAnalyser",
+            tr("Something went wrong in the program itself; the details are in {log}.").format(log=log),
         )

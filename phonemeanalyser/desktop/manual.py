@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.licences import licences_text
 
 PAGES = (
@@ -44,16 +45,16 @@ class ManualDialog(QDialog):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Manual")
+        self.setWindowTitle(tr("Manual"))
         self.resize(*SIZE)
         self.pages, self.text, self.field = QListWidget(), QTextBrowser(), QLineEdit()
         self.pages.addItems([title_of(page) for page in PAGES])
         self.pages.setFixedWidth(LIST_WIDTH)
-        self.pages.setAccessibleName("pages of the manual")
-        self.text.setAccessibleName("the page")
+        self.pages.setAccessibleName(tr("pages of the manual"))
+        self.text.setAccessibleName(tr("the page"))
         self.text.setOpenLinks(False)
-        self.field.setPlaceholderText("search")
-        self.field.setAccessibleName("search the manual")
+        self.field.setPlaceholderText(tr("search"))
+        self.field.setAccessibleName(tr("search the manual"))
         self.field.setClearButtonEnabled(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
@@ -122,10 +123,10 @@ class LicencesDialog(QDialog):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Licences")
+        self.setWindowTitle(tr("Licences"))
         self.resize(*SIZE)
         text = QTextBrowser()
-        text.setAccessibleName("licences of all parts")
+        text.setAccessibleName(tr("licences of all parts"))
         text.setMarkdown(licences_text())
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
