@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tools.bundle.__main__ import pack
 from tools.bundle.icon import SIZE, write_icon
+from tools.bundle.making import pack
 
 START = Path(__file__).resolve().parents[2] / "tools" / "bundle" / "start.py"
 

@@ -113,7 +113,9 @@ MOST_TOGETHER = ROOM
 """Frames of a sound that `recognise_together` takes at once."""
 
 
-def recognise_together(recognisers: Sequence[LearnedRecogniser], windows: Sequence[Float32Array]) -> list[Recognition]:
+def recognise_together(
+    recognisers: Sequence[LearnedRecogniser], windows: Sequence[Float32Array]
+) -> list[Recognition]:
     """Recognise the next frames of several sounds; what one recogniser says of its own is as if it were alone.
 
     Parameters
