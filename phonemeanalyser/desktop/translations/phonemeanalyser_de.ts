@@ -739,6 +739,11 @@
             <translation>Stimme kalibrieren</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <source>calibration</source>
+            <translation>Kalibrierung</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Calm</source>
             <translation>Ruhe</translation>
@@ -891,7 +896,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/take_waveform.py" />
             <source>choose a take to hear and trim it</source>
-            <translation>einen Take wählen, um ihn zu hören und zuzuschneiden</translation>
+            <translation>einen Take wählen und zuschneiden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
@@ -1340,7 +1345,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>english</source>
+            <source>English</source>
             <translation>Englisch</translation>
         </message>
         <message>
@@ -1514,9 +1519,15 @@
             <translation>Lücken mit Stille füllen und markieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>filtered</source>
             <translation>gefiltert</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <source>filtered</source>
+            <comment>a button</comment>
+            <translation>Filter</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -1557,6 +1568,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
             <source>Fit</source>
             <translation>Anpassen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_model.py" />
+            <source>fit</source>
+            <translation>Anpassung</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
@@ -1635,7 +1651,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>french</source>
+            <source>French</source>
             <translation>Französisch</translation>
         </message>
         <message>
@@ -1746,11 +1762,6 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>German</source>
-            <translation>Deutsch</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>german</source>
             <translation>Deutsch</translation>
         </message>
         <message>
@@ -1926,17 +1937,17 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>high-pass start</source>
-            <translation>Hochpass Anf.</translation>
+            <translation>Hochpass Anfang</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>hold</source>
-            <translation>Halten</translation>
+            <translation>Halt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>hold &gt;</source>
-            <translation>Halten &gt;</translation>
+            <translation>Halt &gt;</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
@@ -1946,7 +1957,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
             <source>Hold a key, or a button, and say the sound</source>
-            <translation>Taste oder Schaltfläche halten und den Laut sprechen</translation>
+            <translation>Taste halten und den Laut sprechen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -2241,11 +2252,6 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Italian</source>
-            <translation>Italienisch</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>italian</source>
             <translation>Italienisch</translation>
         </message>
         <message>
@@ -3196,7 +3202,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>none yet: the first take makes one</source>
-            <translation>noch keiner: Der erste Take legt einen an</translation>
+            <translation>entsteht mit dem ersten Take</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
@@ -3404,6 +3410,11 @@
             <translation>nur dieses richtig: {seconds:.1f} s</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>only {n} of {n_played} clicks were heard; turn the loudspeaker up, or move the microphone</source>
+            <translation>nur {n} von {n_played} Klicks waren zu hören; den Lautsprecher lauter stellen oder das Mikrofon bewegen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Open a sound file</source>
             <translation>Klangdatei öffnen</translation>
@@ -3452,6 +3463,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/performance_model.py" />
             <source>opening a table …</source>
             <translation>Tabelle wird geöffnet …</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>opening the microphone</source>
+            <translation>das Mikrofon wird geöffnet</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
@@ -3901,7 +3917,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/distribution.py" />
             <source>Record takes, or load labelled recordings, to see how they are spread</source>
-            <translation>Takes aufnehmen oder beschriftete Aufnahmen laden, um zu sehen, wie sie verteilt sind</translation>
+            <translation>Verteilungen erscheinen mit Takes oder Aufnahmen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
@@ -4669,6 +4685,16 @@
             <translation>Laut</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2</source>
+            <translation>Klang kann weder abgespielt noch aufgenommen werden, da PortAudio fehlt oder defekt ist; libportaudio2 installieren</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>sound cannot be played or recorded, since the package sounddevice is missing; pip install sounddevice</source>
+            <translation>Klang kann weder abgespielt noch aufgenommen werden, da das Paket sounddevice fehlt; pip install sounddevice</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>sound of the take</source>
             <translation>Laut des Takes</translation>
@@ -4725,7 +4751,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>spanish</source>
+            <source>Spanish</source>
             <translation>Spanisch</translation>
         </message>
         <message>
@@ -5129,6 +5155,11 @@
             <translation>Das Mikrofon ist da: {status}; {lost}.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the microphone {name} is not there; choose one of: {names}</source>
+            <translation>das Mikrofon {name} ist nicht da; eines davon wählen: {names}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
             <source>The microphone, by name and sound system: {name}</source>
             <translation>Das Mikrofon, nach Name und Tonsystem: {name}</translation>
@@ -5254,9 +5285,19 @@
             <translation>Das Sonagramm nach allen eingeschalteten Filtern, so wie Erkenner es sehen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the sound card cannot be opened ({reason})</source>
+            <translation>die Soundkarte kann nicht geöffnet werden ({reason})</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/original_model.py" />
             <source>The sound of {recording} is not beside its table any more, so only its face is shown; put the recordings where they were: {folder}.</source>
             <translation>Der Klang von {recording} liegt nicht mehr neben seiner Tabelle, daher ist nur das Gesicht zu sehen; die Aufzeichnungen dorthin legen, wo sie waren: {folder}.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the sound system does not answer ({reason}); check that it runs</source>
+            <translation>das Tonsystem antwortet nicht ({reason}); prüfen, ob es läuft</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
@@ -5362,6 +5403,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
             <source>There is no file in hand; open one to mark a stretch of it.</source>
             <translation>Es ist keine Datei geöffnet; eine öffnen, um eine Strecke darin zu markieren.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>there is no microphone; plug one in, or check that the sound system runs</source>
+            <translation>es gibt kein Mikrofon; eines anschließen oder prüfen, ob das Tonsystem läuft</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
@@ -6104,6 +6150,11 @@
             <translation>{mesh}: Dieses Netz hat keine Movestates; seine .3dm-Datei mit ihm zusammen wählen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{microphone} has gone</source>
+            <translation>{microphone} ist weg</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
             <source>{minutes:.1f} min in {n} recordings</source>
             <translation>{minutes:.1f} min in {n} Aufnahmen</translation>
@@ -6397,6 +6448,11 @@
             <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
             <source>{target}: {n} bytes that are no text</source>
             <translation>{target}: {n} Bytes, die kein Text sind</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{trouble}; trying again every 2 s</source>
+            <translation>{trouble}; alle 2 s ein neuer Versuch</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
