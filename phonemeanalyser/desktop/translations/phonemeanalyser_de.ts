@@ -241,7 +241,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>A step; with Shift a tenth</source>
-            <translation>Ein Schritt; mit Umschalt ein Zehntel</translation>
+            <translation>Schritt; mit Umschalt ein Zehntel</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
@@ -561,7 +561,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>automatic: recorded faces, pinyin, sounds</source>
-            <translation>automatisch: aufgezeichnete Gesichter, Pinyin, Laute</translation>
+            <translation>automatisch: Gesichter, Pinyin, Laute</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -1071,7 +1071,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Copy Its Frames as a Table</source>
-            <translation>Ihre Frames als Tabelle kopieren</translation>
+            <translation>Frames als Tabelle kopieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
@@ -1281,7 +1281,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Drop the range that is marked</source>
-            <translation>Den markierten Bereich fallen lassen</translation>
+            <translation>Den Bereich verwerfen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -1782,7 +1782,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Go round; with Shift move it</source>
-            <translation>Herumgehen; mit Umschalt verschieben</translation>
+            <translation>Drehen; mit Umschalt bewegen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
@@ -1952,7 +1952,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
             <source>Hold a key while its sound is heard</source>
-            <translation>Eine Taste halten, solange ihr Laut zu hören ist</translation>
+            <translation>Taste halten, solange der Laut klingt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
@@ -2722,7 +2722,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Loop Selection</source>
-            <translation>Auswahl in Schleife abspielen</translation>
+            <translation>Auswahl als Schleife</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/level_meter.py" />
@@ -2822,7 +2822,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Mark where a stretch begins, ends</source>
-            <translation>Anfang und Ende einer Strecke markieren</translation>
+            <translation>Strecke: Anfang, Ende markieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
@@ -2972,7 +2972,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>Mouth moves by</source>
-            <translation>Mund bewegt sich nach</translation>
+            <translation>Mund bewegt durch</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
@@ -3652,7 +3652,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Play or Pause</source>
-            <translation>Abspielen oder anhalten</translation>
+            <translation>Abspielen, anhalten</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
@@ -3826,6 +3826,12 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <source>Rate</source>
+            <comment>of speech</comment>
+            <translation>Tempo</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>rate</source>
             <translation>Tempo</translation>
         </message>
@@ -3907,7 +3913,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Record a take while held</source>
-            <translation>Einen Take aufnehmen, solange gehalten</translation>
+            <translation>Take aufnehmen, solange gehalten</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/fit_model.py" />
@@ -3927,7 +3933,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>Recorded faces</source>
-            <translation>Aufgezeichnete Gesichter</translation>
+            <translation>Aufgezeichnetes</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -4337,7 +4343,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Say the sound before once more</source>
-            <translation>Den vorigen Laut noch einmal sprechen</translation>
+            <translation>Vorigen Laut noch einmal</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -4357,7 +4363,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Say this sound once more</source>
-            <translation>Diesen Laut noch einmal sprechen</translation>
+            <translation>Diesen Laut noch einmal</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
@@ -4617,7 +4623,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
             <source>skip ▶</source>
-            <translation>weiter ▶</translation>
+            <translation>überspringen ▶</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -5087,7 +5093,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>The head, when it has the focus</source>
-            <translation>Der Kopf, wenn er den Fokus hat</translation>
+            <translation>Der Kopf, wenn er im Fokus ist</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
