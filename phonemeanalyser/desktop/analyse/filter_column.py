@@ -274,7 +274,7 @@ class FilterColumn(QScrollArea):
             widget.setRange(low, high)
             widget.setDecimals(field.decimals)
             widget.setSingleStep(field.step)
-            widget.setSuffix(f" {unit}" if unit else "")
+            widget.setSuffix(f" {tr(unit)}" if unit else "")
             widget.setKeyboardTracking(False)
             widget.installEventFilter(NumberFieldKeys(widget))
             widget.valueChanged.connect(lambda value: self._edit(name, value))
