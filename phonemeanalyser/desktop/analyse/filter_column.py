@@ -209,6 +209,7 @@ class FilterColumn(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setAccessibleName("filters")
         self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
     def _add_step(
@@ -222,7 +223,7 @@ class FilterColumn(QScrollArea):
         self._grid.addWidget(line, row, 0, 1, 3)
         heading = self._heading(key, title[0], switch)
         self._grid.addWidget(heading, row + 1, 0)
-        self._grid.addWidget(self._reset(key, title[0]), row + 1, 2)
+        reset = self._reset(key, title[0])
         for k, name in enumerate(parameters):
             label = tr(FIELDS[name].label)
             field = self._field(name)
@@ -230,7 +231,15 @@ class FilterColumn(QScrollArea):
             field.setAccessibleName(f"{tr(title[0])} {label}")
             self._grid.addWidget(field, row + 1 + k, 1)
             if k:
+<<<<<<< HEAD
                 self._grid.addWidget(self._label(f"{tr(FIELDS[parameters[0]].label)} / {label}"), row + 1 + k, 0)
+=======
+                self._grid.addWidget(self._label(f"{FIELDS[parameters[0]].label} / {label}"), row + 1 + k, 0)
+            else:
+                self._grid.addWidget(reset, row + 1, 2)  # here, since Tab goes as the grid was filled
+        if not parameters:
+            self._grid.addWidget(reset, row + 1, 2)
+>>>>>>> view15
         self._headings[key] = heading
 
     def _heading(self, key: str, text: str, switch: Callable[[bool], None] | None) -> QWidget:
