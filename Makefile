@@ -2,14 +2,14 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test test-web test-csharp bench fuzz soak screenshots fit docs hooks
+.PHONY: setup run test test-web test-csharp bench fuzz soak screenshots fit docs bundle hooks
 
 setup: .venv/ready
 
 .venv/ready: pyproject.toml constraints.txt .ci/system-packages
 	.ci/system-packages
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[desktop,preview,speech,test]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[desktop,preview,server,speech,test]'
 	touch $@
 
 run: setup
@@ -61,6 +61,10 @@ fit: setup
 docs: setup
 	@$(BIN)/python -c 'import material, mkdocstrings' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[docs]'
 	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict
+
+# Builds a program that needs no Python into build/bundle: a folder, and an archive of it.
+bundle: setup
+	$(BIN)/python -m tools.bundle
 
 # Has git check each commit, and its message.
 hooks: setup

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -104,13 +105,12 @@ class Camera:
     def _far(self) -> float:
         return self.distance + 3 * self.radius
 
-    @property
+    @cached_property
     def axes(self) -> tuple[Float64Array, Float64Array, Float64Array]:
         """Return the directions to the right, upwards, and towards the viewer."""
         s, c, u, v = (f(a) for a in (self.azimuth, self.elevation) for f in (math.sin, math.cos))
         back = np.array([s * v, u, c * v])
-        right = np.array([c, 0.0, -s])
-        return right, np.cross(back, right), back
+        return np.array([c, 0.0, -s]), np.array([-s * u, v, -c * u]), back
 
 
 def _perspective(aspect: float, near: float, far: float) -> Float64Array:

@@ -11,7 +11,7 @@ class Canvas:
     Parameters
     ----------
     context : of OpenGL.
-    samples : of each pixel; as many as the driver has, where it has fewer.
+    samples : of each pixel; as many as the driver has, where it has fewer. With 0, what was drawn is a texture.
     """
 
     def __init__(self, context: moderngl.Context, samples: int) -> None:
@@ -30,7 +30,7 @@ class Canvas:
             return self._made
         self.release()
         try:
-            colours = self._context.renderbuffer(size, 4, samples=self._samples)
+            colours = self._colours_of(size)
             depths = self._context.depth_renderbuffer(size, samples=self._samples)
             self._made = self._context.framebuffer(colours, depths)
         except moderngl.Error as error:
@@ -38,6 +38,13 @@ class Canvas:
                 f"the graphics driver has no room for a picture of {size[0]}x{size[1]} pixels; make it smaller"
             ) from error
         return self._made
+
+    def _colours_of(self, size: tuple[int, int]) -> moderngl.Texture | moderngl.Renderbuffer:
+        if self._samples:
+            return self._context.renderbuffer(size, 4, samples=self._samples)
+        texture = self._context.texture(size, 4)
+        texture.repeat_x = texture.repeat_y = False
+        return texture
 
     def release(self) -> None:
         """Return it back to the graphics driver."""

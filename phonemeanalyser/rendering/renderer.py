@@ -1,6 +1,8 @@
 """Draws a head with OpenGL 3.3, in a window or into a picture."""
 
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
 
 import moderngl
 import numpy as np
@@ -9,6 +11,7 @@ from phonemeanalyser.rendering.ambient_occlusion import ambient_occlusion
 from phonemeanalyser.rendering.backdrop import Backdrop
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.canvas import Canvas
+from phonemeanalyser.rendering.edge_smoothing import EdgeSmoothing
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.head_rotation import NeckPivot, rotation_of
 from phonemeanalyser.rendering.light import LIGHT, BoundingSphere, Light, direction_of
@@ -46,7 +49,7 @@ class RenderQuality:
     Attributes
     ----------
     name : of its program.
-    samples : of each pixel, against jagged edges.
+    samples : of each pixel, against jagged edges; 0 for one, whose edges are smoothed afterwards.
     shadow : pixels along the edge of the key light's shadow.
     taps : how often each point looks whether it lies in the shadow, as few as can be.
     penumbra : radius of the places where it looks, as a share of the shadow's edge.
@@ -95,7 +98,7 @@ class HeadRenderer:
         self._programs = {name: program_of(context, *shaders) for name, shaders in PROGRAMS.items()}
         for finish in (QUICK, FINE):
             self._programs[finish.name] = program_of(context, "head", "head", taps_of(finish.taps, finish.penumbra))
-        self._backdrop = Backdrop(context)
+        self._backdrop, self._smoothing = Backdrop(context), EdgeSmoothing(context)
         self._arrays = {name: self._array_of(program) for name, program in self._programs.items()}
         self._look_at_mesh()
 
@@ -124,7 +127,7 @@ class HeadRenderer:
         background : behind the head.
         wireframe : the edges of the triangles alone, those that nothing hides.
         light : the light that it stands in.
-        fine : without jagged edges and with soft shadows, which takes longer where there is no graphics card.
+        fine : with several samples a pixel and soft shadows, which takes longer where there is no graphics card.
         glow : whether a soft light stands behind the head, which ends before the picture does.
         target : what the picture goes to; the framebuffer that is bound, where it is None (right for a
             QOpenGLWidget).
@@ -147,10 +150,14 @@ class HeadRenderer:
         if wireframe:
             self._draw_wires(background)
         else:
+            self._draw_skin(finish)
             if glow:
                 self._backdrop.draw(background)
-            self._draw_skin(finish)
-        self._context.copy_framebuffer(target, canvas)
+        drawn = canvas.color_attachments[0]
+        if isinstance(drawn, moderngl.Texture):
+            self._smoothing.paint(drawn, target)
+        else:
+            self._context.copy_framebuffer(target, canvas)
         target.use()
 
     def release(self) -> None:
@@ -161,6 +168,7 @@ class HeadRenderer:
         for buffer in (self._corners, self._moving, self._looks):
             buffer.release()
         self._backdrop.release()
+        self._smoothing.release()
         for shadow in self._shadows.values():
             shadow.release()
         for canvas in self._canvases.values():
@@ -222,16 +230,20 @@ class HeadRenderer:
         background: Colour,
         finish: RenderQuality,
     ) -> None:
-        key = direction_of(camera, light.azimuth, light.elevation)
-        key_view, view = self._room.seen_from(key), camera.matrix(size[0] / size[1])
+        view, lights = camera.matrix(size[0] / size[1]), _lights_of(camera, light, self._room)
         turning = {"turn": rotation_of(pose).T, "pivot": self._neck.pivot, "stem": self._neck.stem}
-        lights = {
-            "key": key, "key_view": key_view.T, "fill": direction_of(camera, *FILL), "strength": light.strength,
-            "rims": [direction_of(camera, *rim) for rim in RIMS], "eye": camera.eye,
-            "lift": LIFT * self._room.radius,
-        }  # fmt: skip
         seen = turning | {"camera": view.T}
-        set_uniforms(self._programs[finish.name], seen | lights)
+        set_uniforms(self._programs[finish.name], seen | lights | {"lift": LIFT * self._room.radius})
         set_uniforms(self._programs["plain"], seen | {"paint": INSIDE})
         set_uniforms(self._programs["wire"], seen | {"paint": LINES[sum(background) < 1.5]})
-        set_uniforms(self._programs["shadow"], turning | {"camera": key_view.T})
+        set_uniforms(self._programs["shadow"], turning | {"camera": lights["key_view"]})
+
+
+@lru_cache(maxsize=4)
+def _lights_of(camera: Camera, light: Light, room: BoundingSphere) -> dict[str, Any]:
+    """Return the uniforms of the light, which stay while nobody moves the camera."""
+    key = direction_of(camera, light.azimuth, light.elevation)
+    return {
+        "key": key, "key_view": room.seen_from(key).T, "fill": direction_of(camera, *FILL), "eye": camera.eye,
+        "rims": [direction_of(camera, *rim) for rim in RIMS], "strength": light.strength,
+    }  # fmt: skip

@@ -257,6 +257,18 @@ def test_what_stands_in_the_light_casts_a_shadow(offscreen: Hire, fine: bool):
     assert columns.mean() == pytest.approx(middle - radius * math.sin(0.9), abs=0.15 * radius)
 
 
+@pytest.mark.parametrize("fine", [False, True])
+def test_between_the_head_and_what_is_behind_it_lie_colours_of_both(head: MorphMesh, offscreen: Hire, fine: bool):
+    black = Light(strength=0.0)
+    picture = offscreen(head).picture(
+        Camera.facing(head.mesh), head.mesh.positions, background=LIGHT, light=black, fine=fine
+    )
+    red = picture[:60, :, 0].astype(int)  # the crown, an arc
+    inside = red < 20
+    edge = np.diff(inside, axis=0).sum() + np.diff(inside, axis=1).sum()
+    assert ((red > 20) & (red < 225)).sum() > 0.3 * edge
+
+
 def test_what_is_seen_from_its_back_is_dark(offscreen: Hire):
     """A box without its front: its inside is seen, and it is neither the background nor in the light."""
     whole = cube()

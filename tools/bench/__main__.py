@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from tools.bench import (
     alignment,
+    bundle,
     card,
     dragging,
     ear_in_c,
@@ -38,6 +39,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "recording": recording.figures,
     "card": card.figures,
     "start": start.figures,
+    "bundle": bundle.figures,
     "memory": memory.figures,
     "dragging": dragging.figures,
     "opened-file": opened_file.figures,

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import moderngl
 import numpy as np
 
+from phonemeanalyser.desktop.talk.head_surface import MOST_QUICK_PIXELS
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
@@ -20,17 +21,19 @@ from tools.bench.figures import Absolute, Figure
 
 GREY = (0.5, 0.5, 0.5)
 SPOKEN = (Phoneme.A, Phoneme.M, Phoneme.I, Phoneme.SCH, Phoneme.U)
+LARGEST = round(MOST_QUICK_PIXELS**0.5)
+"""Pixels along the edge of the largest picture of something that moves."""
 N_ROUNDS, N_FRAMES = 7, 10
 FRAME = 1 / 60
 """What one frame of 60 fps may take where a core has nothing else to do, seconds."""
 
 
 def figures() -> list[Figure]:
-    """Measure a frame as a window of 320 and of 640 pixels draws it, and one of a preview."""
+    """Measure a frame as small and large windows draw it while it moves, and one of a preview."""
     context = offscreen_context()
     with context:
         renderer = context.info["GL_RENDERER"].split(" (")[0]
-        found = [_window(context, size, renderer) for size in (320, 640)]
+        found = [_window(context, size, renderer) for size in (320, LARGEST)]
     context.release()
     return [*found, _preview(renderer)]
 

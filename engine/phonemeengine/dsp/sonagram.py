@@ -121,8 +121,8 @@ def sonagram_of(
     at_once = max(1, MOST_SAMPLES // (n * per_column))
     for k in range(0, n_columns, at_once):
         windows = _windows_at(samples, starts[k * per_column : (k + at_once) * per_column], n)
-        rows = _power_of(windows) @ weights
-        power[k : k + at_once] = rows.reshape(-1, per_column, settings.n_rows).mean(axis=1)
+        bins = _power_of(windows).reshape(-1, per_column, len(weights)).mean(axis=1)
+        power[k : k + at_once] = bins @ weights
     return np.asarray(np.maximum(10 * np.log10(np.maximum(power, 1e-30)), FLOOR), np.float32)
 
 

@@ -1,7 +1,7 @@
 """The preset: everything that a recognition was tuned with, as one value."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from types import MappingProxyType
 
 from phonemeengine.encoder.head import EncoderHead
@@ -101,7 +101,7 @@ class Preset:
         numbers = {name: getattr(self.settings, name) for name in FILTER_FIELDS}
         for name in _IN_BINS:
             numbers[name] /= BIN_WIDTH
-        return PhonemeData(**asdict(self.thresholds), **numbers)
+        return PhonemeData(**vars(self.thresholds), **numbers)
 
     def with_phoneme_data(self, data: PhonemeData) -> "Preset":
         """Return the preset with these 21 numbers; a blur or denoise that changes is on while it is above 0."""

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.rendering.clip import animation_by_rules, check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.clip_options import ClipOptions
 from phonemeanalyser.rendering.subdivision import subdivided
@@ -116,22 +117,29 @@ def _write_report(source: Path, target: Path, order: ExportOrder, progress: Prog
             file.write(page.encode())
     except OSError as error:
         fault = reason_of(error)
-        raise ExportError(f"{printable_name(target)}: cannot be written ({fault}); name another folder") from error
+        raise ExportError(
+            tr("{target}: cannot be written ({fault}); name another folder").format(
+                target=printable_name(target), fault=fault
+            )
+        ) from error
 
 
 def _refuse_another(target: Path, order: ExportOrder) -> None:
     """Leave alone a file that may be somebody else's."""
     if target.is_file() and not order.overwrite:
         raise ExportError(
-            f"{printable_name(target)}: the file that is there may be somebody else's; name another folder, or have "
-            "it replaced"
+            tr(
+                "{target}: the file that is there may be somebody else's; name another folder, or have it replaced"
+            ).format(target=printable_name(target))
         )
 
 
 EXPORT_KINDS: dict[str, ExportKind] = {
     **{name: ExportKind(c.words, c.ending, c.moves_mouth, _convert) for name, c in CONVERSIONS.items()},
-    "clip-mp4": ExportKind("a clip of the head with its sound", ".mp4", True, _make_clip, is_text=False),
-    "clip-gif": ExportKind("a clip of the head", ".gif", True, _make_clip, is_text=False),
-    "report-html": ExportKind("how right it is, by the labels beside it", ".report.html", False, _write_report),
+    "clip-mp4": ExportKind(tr_noop("a clip of the head with its sound"), ".mp4", True, _make_clip, is_text=False),
+    "clip-gif": ExportKind(tr_noop("a clip of the head"), ".gif", True, _make_clip, is_text=False),
+    "report-html": ExportKind(
+        tr_noop("how right it is, by the labels beside it"), ".report.html", False, _write_report
+    ),
 }
 """All kinds, by name."""

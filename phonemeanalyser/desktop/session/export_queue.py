@@ -9,6 +9,7 @@ from tempfile import TemporaryDirectory
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
@@ -22,11 +23,11 @@ MOST_PREVIEWED = 4000
 class ExportState(StrEnum):
     """What became of a file."""
 
-    WAITING = "waiting"
-    WORKING = "at work"
-    DONE = "done"
-    FAILED = "failed"
-    CANCELLED = "cancelled"
+    WAITING = tr_noop("waiting")
+    WORKING = tr_noop("at work")
+    DONE = tr_noop("done")
+    FAILED = tr_noop("failed")
+    CANCELLED = tr_noop("cancelled")
 
 
 @dataclass(frozen=True)
@@ -129,7 +130,7 @@ class ExportQueue(QObject):
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     if not EXPORT_KINDS[order.kind].is_text:
-        return "A clip is seen once it is made; the page Talk shows the same head at once."
+        return tr("A clip is seen once it is made; the page Talk shows the same head at once.")
     with TemporaryDirectory() as folder:
         target = Path(folder) / f"{source.stem}{EXPORT_KINDS[order.kind].ending}"
         EXPORT_KINDS[order.kind].make(source, target, order, progress)
@@ -137,7 +138,9 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     try:
         text = content.decode()
     except UnicodeDecodeError:
-        return f"{target.name}: {len(content):,} bytes that are no text".replace(",", " ")
+        return tr("{target}: {n} bytes that are no text").format(
+            target=target.name, n=f"{len(content):,}".replace(",", " ")
+        )
     return text[:MOST_PREVIEWED] + ("\n…" if len(text) > MOST_PREVIEWED else "")
 
 

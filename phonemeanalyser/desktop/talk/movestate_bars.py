@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
@@ -30,12 +31,15 @@ class MovestateBars(QWidget):
         super().__init__()
         self._talking = talking
         self._theme = theme
-        self._shown: tuple[float, ...] = ()
+        self._shown: list[tuple[int, ...]] = []
         self._listed: tuple[str, ...] = ()
         self.rows: list[tuple[str, tuple[str, ...]]] = []
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setToolTip(
-            "How far each movestate of the face is on now: of two sides, the left one above and the right one below"
+            tr(
+                "How far each movestate of the face is on now: of two sides, the left one above and the right one "
+                "below"
+            )
         )
         talking.changed.connect(self._list_states)
         self._list_states()
@@ -46,10 +50,11 @@ class MovestateBars(QWidget):
         others = [name for name, percent in percentages.items() if abs(percent) >= LEAST and name not in self._listed]
         if others:
             self._list(*self._listed, *others)
-        shown = tuple(round(percentages.get(name, 0.0)) for _, names in self.rows for name in names)
-        if shown != self._shown:
-            self._shown = shown
-            self.update()
+        shown = [tuple(round(percentages.get(name, 0.0)) for name in names) for _, names in self.rows]
+        for k, row in enumerate(shown):
+            if k >= len(self._shown) or row != self._shown[k]:
+                self.update(self._box_of(k).toAlignedRect())
+        self._shown = shown
 
     def sizeHint(self) -> QSize:
         """Ask for the height of all rows."""
@@ -59,16 +64,21 @@ class MovestateBars(QWidget):
         """Ask for the height of all rows."""
         return QSize(200, self.sizeHint().height())
 
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        """Paint name, bar and number of each."""
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint name, bar and number of each that is different."""
         painter = QPainter(self)
         set_size(painter, 11)
-        width = (self.width() - GAP * (COLUMNS - 1)) / COLUMNS
         percentages = self._talking.percentages
         for k, (name, states) in enumerate(self.rows):
-            column, row = divmod(k, max(1, self._n_rows))
-            box = QRectF(column * (width + GAP), row * ROW, width, ROW)
-            self._paint_row(painter, box, name, [percentages.get(state, 0.0) for state in states])
+            box = self._box_of(k)
+            if event.region().intersects(box.toAlignedRect()):
+                self._paint_row(painter, box, name, [percentages.get(state, 0.0) for state in states])
+
+    def _box_of(self, k: int) -> QRectF:
+        """Return where a row lies."""
+        width = (self.width() - GAP * (COLUMNS - 1)) / COLUMNS
+        column, row = divmod(k, max(1, self._n_rows))
+        return QRectF(column * (width + GAP), row * ROW, width, ROW)
 
     @property
     def _n_rows(self) -> int:
@@ -102,7 +112,7 @@ class MovestateBars(QWidget):
 
     def _list(self, *names: str) -> None:
         self._listed, self.rows = names, _paired(list(names))
-        self._shown = ()
+        self._shown = []
         self.updateGeometry()
         self.update()
 

@@ -204,7 +204,7 @@ def test_the_course_shows_no_limit_that_the_recogniser_does_not_use(shelf, deskt
     window = followed(desktop, qtbot)
     assert len(window.analysis.scroll_view._limits) == 1
     choose(window, "own")
-    assert window.analysis.scroll_view._limits == []
+    assert window.analysis.scroll_view._limits == {}
 
 
 def test_analyse_uses_an_installed_recogniser(loudness: Path, tmp_path: Path):

@@ -22,6 +22,7 @@ from phonemeengine.mouth.table import TABLES, MouthTable, load_table, shipped_ta
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.visemes import VISEME_PHONES, Viseme
 from tests.engine.mouth.speaking import phones_said, speech
 
 ARKIT = load_table("arkit")
@@ -219,6 +220,28 @@ def test_each_of_f_th_l_and_w_moves_what_the_others_do_not() -> None:
     assert most("f", "mouthRollLower") > 0.5 > most("θ", "mouthRollLower")
     assert most("θ", "tongueOut") > most("l", "tongueOut") > 0.1 > most("f", "tongueOut")
     assert most("w", "mouthPucker") > 0.9 > most("l", "mouthPucker")
+
+
+@pytest.mark.parametrize("phone", ["t", "d", "k", "n"])
+def test_t_d_k_and_n_leave_the_lips_open_in_a_file(phone: str) -> None:
+    def least_gap(phone: str) -> float:
+        said = phones_said(("a", 0.3), (phone, 0.15), ("a", 0.3))
+        return float((shown(said, STILL, "mouthUpperUpLeft") + shown(said, STILL, "mouthLowerDownLeft"))[50:85].min())
+
+    assert least_gap(phone) > 0.2
+    assert least_gap("m") == least_gap("p") == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("viseme", ["DD", "KK", "NN"])
+def test_t_d_k_and_n_leave_the_lips_open_when_they_are_heard_live(viseme: str) -> None:
+    """As of a recogniser that sees them apart, and of one that only knows that they are none of ten sounds."""
+    lips = [STILL.movestates.index(f"mouth{lip}Left") for lip in ("UpperUp", "LowerDown")]
+    for phone in (VISEME_PHONES[Viseme[viseme]], ""):
+        mouth = Morpher(STILL)
+        mouth.hear(0.0, Phoneme.A, 0.5)
+        mouth.hear(0.3, Phoneme.UNIDENTIFIED, 0.5, phone)
+        mouth.hear(0.45, Phoneme.A, 0.5)
+        assert min(mouth.weights(0.25 + k / 200)[lips].sum() for k in range(60)) > 0.2
 
 
 @pytest.mark.parametrize("detail", [Detail.LOUDNESS, Detail.TWO_STATES])

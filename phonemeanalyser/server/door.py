@@ -1,0 +1,54 @@
+"""The door of a server: how many connections may be open, and how long one may stand there without a word."""
+
+import asyncio
+
+from aiohttp import web
+
+from phonemeanalyser.server.limits import ServerLimits
+
+FULL = "there are as many connections as this server takes; try later"
+
+
+class Door:
+    """Makes what speaks on each new connection.
+
+    Parameters
+    ----------
+    server : makes it.
+    limits : how many there may be, and how long they may wait.
+    """
+
+    def __init__(self, server: web.Server, limits: ServerLimits) -> None:
+        self._server, self._limits = server, limits
+        self._silent: dict[asyncio.BaseProtocol, asyncio.TimerHandle] = {}
+
+    def __call__(self) -> asyncio.Protocol:
+        """Return the protocol of a new connection."""
+        if len(self._server.connections) >= self._limits.most_connections:
+            return _Full()
+        handler = self._server()
+        later = asyncio.get_running_loop().call_later
+        self._silent[handler] = later(self._limits.idle, self._let_go, handler)
+        return handler
+
+    def enter(self, request: web.BaseRequest) -> None:
+        """Let a connection stay, since it has asked for something."""
+        timer = self._silent.pop(request.protocol, None)
+        if timer is not None:
+            timer.cancel()
+
+    def _let_go(self, handler: web.RequestHandler) -> None:
+        del self._silent[handler]
+        if handler.transport is not None:
+            handler.transport.abort()
+
+
+class _Full(asyncio.Protocol):
+    """Says that there is no room, and closes."""
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        body = f'{{"error": "{FULL}"}}'
+        head = f"HTTP/1.1 503 Service Unavailable\r\nContent-Type: application/json\r\nContent-Length: {len(body)}"
+        assert isinstance(transport, asyncio.Transport)
+        transport.write(f"{head}\r\nConnection: close\r\n\r\n{body}".encode())
+        transport.close()

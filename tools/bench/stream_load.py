@@ -1,0 +1,170 @@
+"""Many live streams at once against a server of their own, and how late each frame of each is.
+
+The server is a process on one core. A client plays a recording into every stream as a microphone would, a block every
+20 ms, each stream at its own time, and stamps what goes out and what comes back. A frame is late by what passes from
+the sending of its last sample to the arrival of its phoneme.
+"""
+
+import argparse
+import asyncio
+import json
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import aiohttp
+import numpy as np
+
+from phonemeengine.audio.resampling import resample_whole
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
+from tools.bench.figures import ROOT, child_environment, speech
+
+BLOCK = 0.02
+"""Seconds of sound that are sent at once."""
+SETTLED = 2.0
+"""Seconds at the beginning of which nothing is counted: everybody connects at once."""
+
+
+@dataclass(frozen=True)
+class Load:
+    """What was seen.
+
+    Attributes
+    ----------
+    late : how late frames were, seconds, sorted.
+    n_missing : frames that were not answered at all.
+    share : of a core, which the server took.
+    megabytes : of memory that the server held, each second.
+    """
+
+    late: np.ndarray
+    n_missing: int
+    share: float
+    megabytes: Sequence[float]
+
+    @property
+    def words(self) -> str:
+        """All of it in a line."""
+        middle, high, most = (1000 * float(np.quantile(self.late, q)) for q in (0.5, 0.99, 1.0))
+        return (
+            f"{len(self.late)} frames: median {middle:.0f} ms, p99 {high:.0f} ms, most {most:.0f} ms, {self.n_missing} "
+            f"missing; {self.share:.1%} of a core, {self.megabytes[0]:.0f} to {self.megabytes[-1]:.0f} MB"
+        )
+
+
+class StreamServer:
+    """A server in a process of its own, on one core."""
+
+    def __init__(self, process: "subprocess.Popen[str]") -> None:
+        self._process = process
+        assert process.stdout is not None
+        self.address = process.stdout.readline().split()[1].strip(",")
+
+    @property
+    def processor(self) -> float:
+        """Time of all its threads, seconds."""
+        fields = Path(f"/proc/{self._process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    @property
+    def megabytes(self) -> float:
+        """Memory that it holds now."""
+        lines = Path(f"/proc/{self._process.pid}/status").read_text().splitlines()
+        return next(int(line.split()[1]) for line in lines if line.startswith("VmRSS")) / 1024
+
+
+@contextmanager
+def stream_server(preset: str) -> Iterator[StreamServer]:
+    """Serve meanwhile."""
+    core = max(os.sched_getaffinity(0))
+    words = [sys.executable, "-m", "phonemeanalyser", "serve", "--port", "0", "--preset", preset]
+    process = subprocess.Popen(
+        ["taskset", "-c", str(core), *words], env=child_environment() | {"OPENBLAS_NUM_THREADS": "1"}, cwd=ROOT,
+        stdout=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    try:
+        yield StreamServer(process)
+    finally:
+        process.terminate()
+        process.wait(10)
+
+
+def loaded(n_streams: int, seconds: float, preset: str = "learned", rate: int = 24_000) -> Load:
+    """Have so many streams run for so long."""
+    sound = resample_whole(speech(30.0), SAMPLE_RATE, rate)
+    data = np.rint(np.clip(sound, -1, 1) * 32_767).astype("<i2").tobytes()
+    with stream_server(preset) as server:
+        return asyncio.run(_load(server, data, n_streams, seconds, rate))
+
+
+async def _load(server: StreamServer, data: bytes, n_streams: int, seconds: float, rate: int) -> Load:
+    megabytes: list[float] = []
+    async with aiohttp.ClientSession() as session:
+        streams = [
+            asyncio.create_task(_stream(session, server.address, data, k / n_streams, seconds, rate))
+            for k in range(n_streams)
+        ]
+        await asyncio.sleep(SETTLED)
+        began, spent = time.monotonic(), server.processor
+        while not all(stream.done() for stream in streams):
+            megabytes.append(server.megabytes)
+            await asyncio.sleep(1)
+            if time.monotonic() - began < seconds - SETTLED - 1:
+                share = (server.processor - spent) / (time.monotonic() - began)
+        found = [stream.result() for stream in streams]
+    late = np.sort(np.concatenate([late for late, _ in found]))
+    return Load(late, sum(n for _, n in found), share, megabytes)
+
+
+async def _stream(
+    session: aiohttp.ClientSession, address: str, data: bytes, phase: float, seconds: float, rate: int
+) -> tuple[np.ndarray, int]:
+    """Play into one stream; give how late its frames were, and how many were not answered."""
+    n_blocks, size = round(seconds / BLOCK), round(rate * BLOCK) * 2
+    sent, late = np.zeros(n_blocks), []
+    async with session.ws_connect(f"{address}/stream", compress=0) as socket:
+        await socket.send_json({"rate": rate})
+
+        async def play() -> None:
+            await asyncio.sleep(phase)
+            began = time.monotonic()
+            for k in range(n_blocks):
+                await asyncio.sleep(max(0.0, began + k * BLOCK - time.monotonic()))
+                at = (round(phase * 1000) * size + k * size) % (len(data) - size)
+                sent[k] = time.monotonic()
+                await socket.send_bytes(data[at - at % 2 : at - at % 2 + size])
+            await socket.send_json({"end": True})
+
+        playing = asyncio.create_task(play())
+        n = 0
+        async for message in socket:
+            now, told = time.monotonic(), json.loads(message.data)
+            if "error" in told:
+                raise RuntimeError(told["error"])
+            for _ in told.get("phonemes", ()):
+                n += 1
+                block = min(n_blocks - 1, int(np.ceil(n * FRAME_PERIOD / BLOCK - 1e-9)) - 1)
+                late.append(now - sent[block])
+        await playing
+    first = round(SETTLED / FRAME_PERIOD)
+    return np.array(late[first:]), round(seconds / FRAME_PERIOD) - n
+
+
+def main() -> None:
+    """Print what was seen."""
+    parser = argparse.ArgumentParser(prog="python -m tools.bench.stream_load", description=__doc__)
+    parser.add_argument("--streams", type=int, default=50)
+    parser.add_argument("--seconds", type=float, default=20.0)
+    parser.add_argument("--preset", default="learned")
+    parser.add_argument("--rate", type=int, default=24_000)
+    options = parser.parse_args()
+    print(loaded(options.streams, options.seconds, options.preset, options.rate).words)
+
+
+if __name__ == "__main__":
+    main()
