@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test test-web bench fuzz soak screenshots fit docs bundle translations hooks
+.PHONY: setup run test test-web bench fuzz soak screenshots fit docs bundle translations test-csharp hooks
 
 setup: .venv/ready
 
@@ -28,6 +28,10 @@ test: setup
 test-web: setup
 	@$(BIN)/python -c 'import playwright' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[test-web]'
 	$(BIN)/python -m pytest -q -m browser
+
+# The C# for Unity and Godot, compiled and run by Mono (mono-mcs, mono-runtime).
+test-csharp: setup
+	$(BIN)/python -m pytest -q -m csharp
 
 bench: setup
 	@$(BIN)/python -c 'import librosa' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[bench]'

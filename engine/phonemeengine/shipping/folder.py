@@ -13,7 +13,6 @@ from phonemeengine.shipping.mouth_section import mouth_section
 from phonemeengine.shipping.recogniser_sections import recogniser_sections
 from phonemeengine.shipping.targets import TARGETS
 
-EAR_FILE = "preset.ear"
 USUAL_TABLES = ("arkit", "rhubarb")
 MOST_TABLES = 16
 
@@ -71,7 +70,7 @@ def ship(
     if target not in TARGETS:
         raise ExportError(f"there is no target {target!r:.40}; choose one of {', '.join(TARGETS)}")
     folder = Path(folder)
-    files = {EAR_FILE: format_ear(preset, tables), **TARGETS[target].files()}
+    files = {TARGETS[target].preset: format_ear(preset, tables), **TARGETS[target].files()}
     for name, content in files.items():
         if not overwrite:
             _check_free(folder / name, content)
@@ -86,7 +85,7 @@ def _check_free(path: Path, content: bytes) -> None:
         there = path.read_bytes() if path.exists() else content
     except OSError as error:
         raise ExportError(f"{path}: cannot be read ({reason_of(error)}); choose another folder") from error
-    if there != content and not (path.suffix == ".ear" and is_ear_file(there)):
+    if there != content and not (is_ear_file(content) and is_ear_file(there)):
         raise ExportError(
             f"{path}: another file is there, or it was changed; choose another folder, or have it replaced "
             "(--overwrite)"

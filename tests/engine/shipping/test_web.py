@@ -105,7 +105,7 @@ def test_a_module_with_its_model_is_small_and_makes_a_package(folder: Path) -> N
 def test_a_compiler_that_is_not_there_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setattr(zig, "find_spec", lambda name: None)
-    with pytest.raises(ExportError, match=r"compiled by zig, which is not installed; install it with pip install"):
+    with pytest.raises(ExportError, match=r"compiled by zig, which is not installed; install zig, or pip install"):
         ship(load_preset("thesis"), tmp_path / "new", "web-module")
     assert not (tmp_path / "new").exists()
 
