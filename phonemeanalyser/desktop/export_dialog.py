@@ -29,11 +29,8 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, check_order
 from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, sounds_in
-<<<<<<< HEAD
 from phonemeanalyser.desktop.talk.choices_panel import DETAILS
-=======
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
->>>>>>> view15
 from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.conversion import targets_of
 from phonemeengine.errors import EngineError
@@ -157,12 +154,8 @@ class ExportDialog(QDialog):
         self.files.verticalHeader().hide()
         self.files.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.files.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-<<<<<<< HEAD
         self.files.setAccessibleName(tr("sounds that are exported"))
-=======
-        self.files.setAccessibleName("sounds that are exported")
         let_copy(self.files)
->>>>>>> view15
         header = self.files.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)

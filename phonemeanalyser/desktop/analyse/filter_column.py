@@ -231,15 +231,11 @@ class FilterColumn(QScrollArea):
             field.setAccessibleName(f"{tr(title[0])} {label}")
             self._grid.addWidget(field, row + 1 + k, 1)
             if k:
-<<<<<<< HEAD
                 self._grid.addWidget(self._label(f"{tr(FIELDS[parameters[0]].label)} / {label}"), row + 1 + k, 0)
-=======
-                self._grid.addWidget(self._label(f"{FIELDS[parameters[0]].label} / {label}"), row + 1 + k, 0)
             else:
                 self._grid.addWidget(reset, row + 1, 2)  # here, since Tab goes as the grid was filled
         if not parameters:
             self._grid.addWidget(reset, row + 1, 2)
->>>>>>> view15
         self._headings[key] = heading
 
     def _heading(self, key: str, text: str, switch: Callable[[bool], None] | None) -> QWidget:

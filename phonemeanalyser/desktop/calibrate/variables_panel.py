@@ -57,12 +57,8 @@ class VariablesPanel(QWidget):
 
     def _lay_out(self) -> None:
         self.setFixedWidth(216)
-<<<<<<< HEAD
         self.table.setHorizontalHeaderLabels([tr("variable"), tr("separates")])
-=======
-        self.table.setHorizontalHeaderLabels(["variable", "separates"])
         let_copy(self.table)
->>>>>>> view15
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Fixed)

@@ -9,12 +9,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-<<<<<<< HEAD
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder
-=======
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, ExportOrderWork
->>>>>>> studio
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.reports.batch_report import write_batch_report
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
@@ -28,20 +24,12 @@ MOST_PREVIEWED = 4000
 class ExportState(StrEnum):
     """What became of a file."""
 
-<<<<<<< HEAD
     WAITING = tr_noop("waiting")
     WORKING = tr_noop("at work")
     DONE = tr_noop("done")
+    SKIPPED = tr_noop("done before")
     FAILED = tr_noop("failed")
     CANCELLED = tr_noop("cancelled")
-=======
-    WAITING = "waiting"
-    WORKING = "at work"
-    DONE = "done"
-    SKIPPED = "done before"
-    FAILED = "failed"
-    CANCELLED = "cancelled"
->>>>>>> studio
 
 
 @dataclass(frozen=True)

@@ -71,12 +71,8 @@ class HeadView(QWidget):
         self._morph_mesh: MorphMesh | None = None
         self._shown = -1
         self._from: QPointF | None = None
-<<<<<<< HEAD
-        self._message = QLabel(tr("loading the head …"))
-=======
         self._pressed = QPointF()
-        self._message = QLabel("loading the head …")
->>>>>>> view15
+        self._message = QLabel(tr("loading the head …"))
         self._work = TaskQueue(self._give_up)
         self._lay_out(theme)
         self.menu = PlotMenu(self, "head", lambda _at: self._values())

@@ -1254,6 +1254,11 @@
             <translation>fertig</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <source>done before</source>
+            <translation>schon fertig</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/take_waveform.py" />
             <source>Drag the ends of what counts; arrow keys move the beginning by 10 ms, with Shift the end</source>
             <translation>Die Enden dessen ziehen, was zählt; Pfeiltasten bewegen den Anfang um 10 ms, mit Umschalt das Ende</translation>
