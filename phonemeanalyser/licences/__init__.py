@@ -36,7 +36,7 @@ _APPROVED = "License :: OSI Approved :: "
 
 
 @dataclass(frozen=True)
-class Part:
+class LicencedPart:
     """A package that the program runs with.
 
     Attributes
@@ -54,7 +54,7 @@ class Part:
     texts: tuple[str, ...]
 
 
-def parts() -> list[Part]:
+def parts() -> list[LicencedPart]:
     """Return the program and all packages that are installed for its users, by name."""
     found: dict[str, Distribution] = {}
     _add(PROGRAM, FOR_USERS, found)
@@ -99,7 +99,7 @@ def _key(name: str) -> str:
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
-def _part(there: Distribution) -> Part:
+def _part(there: Distribution) -> LicencedPart:
     about = there.metadata
     classifiers = [words.removeprefix(_APPROVED) for words in about.get_all("Classifier") or [] if _APPROVED in words]
     said = (about.get("License") or "").strip().split("\n")[0]
@@ -108,7 +108,7 @@ def _part(there: Distribution) -> Part:
     )
     known = {_key(name): words for name, words in LIBRARIES.items()}
     licence = about.get("License-Expression") or ", ".join(classifiers) or said or "?"
-    return Part(there.name, there.version, licence, known.get(_key(there.name), ""), texts)
+    return LicencedPart(there.name, there.version, licence, known.get(_key(there.name), ""), texts)
 
 
 def _whole(name: str, texts: tuple[str, ...]) -> str:
