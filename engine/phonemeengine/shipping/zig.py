@@ -80,6 +80,6 @@ def _zig() -> list[str]:
     if find_spec("ziglang"):
         return [sys.executable, "-m", "ziglang"]
     raise ExportError(
-        "this target is compiled by zig, which is not installed; install zig, or pip install 'phonemeanalyser[ship]', "
-        "or ship the target c"
+        "this target is compiled by zig, which is not installed; install zig, or pip install "
+        "'phonemeanalyser[ship]', or ship the target c"
     )
