@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test test-web test-csharp bench fuzz soak screenshots fit docs bundle hooks
+.PHONY: setup run test test-web bench fuzz soak screenshots fit docs bundle translations test-csharp hooks
 
 setup: .venv/ready
 
@@ -46,6 +46,10 @@ soak: setup
 
 screenshots: setup
 	$(BIN)/python -m tools.screenshots
+
+# Takes new texts of the window up into the translations, and compiles these; fails while a text is untranslated.
+translations: setup
+	$(BIN)/python -m tools.translations
 
 # Fits presets like the factory's to CORPUS, a folder in the corpus format, into FITTED; MORE is another corpus for the
 # extended rules. The factory presets were fitted to more speakers than may be handed on: see tests/data/corpus/README.md.

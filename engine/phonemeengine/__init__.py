@@ -30,6 +30,10 @@ Files become mouth cues, or whatever another program reads::
     cues("line.wav", preset)                 # which shape from when to when
     export("line.wav", "line.json", "rhubarb-json", preset)
 
+A thousand hours of them, on all cores or a cluster, none twice::
+
+    convert_all(sounds, "out", "rhubarb-json", preset)
+
 A Chinese text moves a mouth by pinyin, with a voice's times or by a rate::
 
     performer = Performer(load_table("arkit"))
@@ -99,6 +103,7 @@ _PAGE = {
     "labels.utterance_files": "format_utterance read_utterance",
     "preset_difference": "PresetDifference DifferentStretch difference",
     "conversion": "CONVERSIONS Conversion convert",
+    "batch.conversion_work": "convert_all",
     "measurement": "StretchMeasurement Statistics average_spectrum measure save_stretch",
     "averaged_spectrum": "AveragedSpectrum",
     "mouth.transcript": "Transcript transcript_of_utterance",
@@ -202,7 +207,7 @@ _PAGE = {
     "progress": "Cancelled Progress",
     # What is refused
     "errors": (
-        "AudioError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
+        "AudioError BatchError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
         "MouthError PerformanceError PresetError RecogniserError RecordingError SettingsError TakeError TextError "
         "UnknownPhonemeError VoiceError"
     ),

@@ -8,6 +8,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
 from phonemeengine.averaged_spectrum import AveragedSpectrum
+from phonemeengine.batch.conversion_work import convert_all
 from phonemeengine.calibration.alignment import aligned, read_sentence
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
@@ -29,6 +30,7 @@ from phonemeengine.encoder.model_folder import (
 from phonemeengine.encoder.whisper import WHISPER_LICENCE
 from phonemeengine.errors import (
     AudioError,
+    BatchError,
     CorpusError,
     CurveError,
     DeviceError,
@@ -173,6 +175,7 @@ __all__ = [
     "Animation",
     "AudioError",
     "AveragedSpectrum",
+    "BatchError",
     "Blinker",
     "BuiltTable",
     "CalibrationResult",
@@ -343,6 +346,7 @@ __all__ = [
     "calibrate",
     "choose_whisper",
     "convert",
+    "convert_all",
     "cues",
     "cues_of",
     "denoise",

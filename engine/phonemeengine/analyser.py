@@ -295,15 +295,16 @@ def push_together(pushes: Sequence[tuple[Analyser, Float32Array]]) -> list[Analy
     """
     frames = [analyser._framer.cut_frames(samples) for analyser, samples in pushes]
     found: dict[int, Analysis] = {}
-    groups: defaultdict[object, list[int]] = defaultdict(list)
+    groups: defaultdict[object, dict[int, LearnedRecogniser]] = defaultdict(dict)
     for k, ((analyser, _), cut) in enumerate(zip(pushes, frames, strict=True)):
         recogniser = analyser._recogniser
-        if isinstance(recogniser, LearnedRecogniser) and 0 < len(cut) <= MOST_TOGETHER and not analyser._unasked:
-            groups[recogniser.kin].append(k)
+        joins = 0 < len(cut) <= MOST_TOGETHER and not analyser._unasked
+        if joins and isinstance(recogniser, LearnedRecogniser) and recogniser.kin is not None:
+            groups[recogniser.kin][k] = recogniser
         else:
             found[k] = analyser._analyse(cut)
     for group in groups.values():
-        recognised = recognise_together([pushes[k][0]._recogniser for k in group], [frames[k] for k in group])
+        recognised = recognise_together([*group.values()], [frames[k] for k in group])
         for k, recognition in zip(group, recognised, strict=True):
             analyser = pushes[k][0]
             found[k] = analyser._answered(analyser._path.measure(frames[k]), recognition)

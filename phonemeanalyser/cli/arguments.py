@@ -13,6 +13,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import MOST_CHANNELS
 
 PRESET = "preset (.toml) or PhonemeData file"
+MOST_JOBS = 1024
 SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
 """Pixels along an edge of its pictures."""
 
@@ -37,6 +38,14 @@ def add_sounds(parser: argparse.ArgumentParser) -> None:
     """Have the user name sound files, and where to write what comes of them."""
     parser.add_argument("inputs", type=Path, nargs="+", metavar="INPUT", help="sound files, or folders of them")
     parser.add_argument("-o", "--out", type=Path, help="folder, or a file for one sound (default: print)")
+
+
+def add_batch(parser: argparse.ArgumentParser) -> None:
+    """Let the user say who works through many files."""
+    words = "files at a time (default: as many as there are cores, where that is worth it)"
+    parser.add_argument("--jobs", type=whole_in(1, MOST_JOBS), metavar="N", help=words)
+    dask = "have an existing Dask cluster work, such as tcp://host:8786"
+    parser.add_argument("--dask", metavar="ADDRESS", help=dask)
 
 
 def add_map(parser: argparse.ArgumentParser) -> None:

@@ -23,6 +23,9 @@ from phonemeengine import (
     words_of,
 )
 from phonemeengine.alignment.align import is_other_text
+from phonemeengine.alignment.best_takes import scored_take
+from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.work import Made, Say
 from phonemeengine.calibration.scores.evaluation import WordsOf
 from phonemeengine.files import printable, printable_name
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
@@ -51,7 +54,13 @@ class SpokenTexts:
     language: str | None
     lexicon: Lexicon | None
 
-    def script_of(self, sound: Path, duration: float) -> Script | None:
+    def known_of(self, sound: Path) -> str:
+        """Return what tells whether something else is said in a sound than before."""
+        if self.labels is not None:
+            return fingerprint_of(self.labels, self.language)
+        return fingerprint_of(self.texts.get(sound), self.language, self.lexicon)
+
+    def script_of(self, sound: Path, duration: float, say: Say) -> Script | None:
         """Return what is said in a sound of `duration` seconds, and say what of it is not; None where nobody knows.
 
         Raises
@@ -65,13 +74,13 @@ class SpokenTexts:
             return None
         words = words_of(text, self.language, self.lexicon)
         for note in notes_on(text, self.language):
-            say_note(printable_name(sound), note)
+            say(printable_name(sound), note)
         return words
 
     def aligned(
-        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]
+        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis], say: Say
     ) -> tuple[Utterance, Transcript] | None:
-        """Return what is said in an open sound, and say on standard error what does not fit its text.
+        """Return what is said in an open sound, and say what does not fit its text.
 
         Where nothing is known of it, the answer is None, and no analysis is taken.
 
@@ -79,11 +88,11 @@ class SpokenTexts:
         ------
         EngineError : its text cannot be spoken, or its labels cannot be read.
         """
-        script = self.script_of(sound, reader.duration)
+        script = self.script_of(sound, reader.duration, say)
         if script is None:
             return None
         found = scripted_transcript_of(analyses, script, printable_name(sound), reader.duration, sound)
-        say_misfits(printable_name(sound), found[0])
+        say_misfits(printable_name(sound), found[0], say)
         return found
 
 
@@ -146,16 +155,21 @@ def _tag_of(language: str, known: Collection[str]) -> str:
     return next((tag for tag in (whole, whole.partition("-")[0]) if tag in known), whole)
 
 
-def say_misfits(name: str, utterance: Utterance) -> None:
-    """Say on standard error what of a text nobody says, or that another one is said."""
+def say_misfits(name: str, utterance: Utterance, say: Say) -> None:
+    """Say what of a text nobody says, or that another one is said."""
     if is_other_text(utterance):
-        say_note(
-            name, "another text is said in it, so it is recognised without the text; check the text and its language"
-        )
+        say(name, "another text is said in it, so it is recognised without the text; check the text and its language")
     elif utterance.skipped:
         words = " ".join(printable(word) for word in utterance.skipped[:SHOWN_WORDS])
         more = len(utterance.skipped) - SHOWN_WORDS
-        say_note(name, f"nobody says: {words}" + (f" and {more} more words" if more > 0 else ""))
+        say(name, f"nobody says: {words}" + (f" and {more} more words" if more > 0 else ""))
+
+
+def made_of(reader: SoundReader, utterance: Utterance | None, language: str | None = None) -> Made:
+    """Return what a batch tells of a sound, and of the words that are said in it."""
+    if utterance is None:
+        return Made(reader.duration)
+    return Made(reader.duration, language or utterance.language, scored_take(reader.path, "", utterance).score)
 
 
 def _texts_of(options: argparse.Namespace, sounds: Sequence[Path]) -> Mapping[Path, str]:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from html import escape
 from pathlib import Path
 
-from PySide6.QtCore import QIODevice, QObject, QPoint, QSaveFile, QSettings, QUrl, Signal
+from PySide6.QtCore import QFileSystemWatcher, QIODevice, QObject, QPoint, QSaveFile, QSettings, QUrl, Signal
 from PySide6.QtGui import QDesktopServices, QPainter
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
@@ -66,6 +66,9 @@ class Dialogs(QObject):
         self._preset = preset
         self._settings = settings
         self._shipping = TaskQueue(self.rejected.emit)
+        self._watcher = QFileSystemWatcher(self)
+        self._watcher.fileChanged.connect(self._tell_change)
+        session.opened.connect(self._watch)
 
     def close(self) -> None:
         """Tell no more of a preset that is being shipped."""
@@ -90,9 +93,9 @@ class Dialogs(QObject):
 
     def open_sound(self, path: Path) -> bool:
         """Open a sound file; says whether it is in hand."""
+        self.rejected.emit("")  # before: labels beside the sound may be refused
         if not self._session.open(path):
             return False
-        self.rejected.emit("")
         if self._session.cut_off:
             self.info.emit(self._session.cut_off)
         here = str(path.resolve())
@@ -100,6 +103,22 @@ class Dialogs(QObject):
         self._settings.setValue("recent", recent[:N_RECENT])
         self.sound_opened.emit()
         return True
+
+    def _watch(self) -> None:
+        """Watch the file in hand, as other programs may write it."""
+        if self._watcher.files():
+            self._watcher.removePaths(self._watcher.files())
+        if self._session.path is not None:
+            self._watcher.addPath(str(self._session.path))
+
+    def _tell_change(self, name: str) -> None:
+        """Say that the file in hand is another one, or none, by now."""
+        path = Path(name)
+        if path.is_file():
+            sentence = f"{path.name} has changed on the disk since it was opened; what is seen is what it was."
+            self.action_offered.emit(sentence, "Open It Again", lambda: self.open_sound(path))
+        else:
+            self.rejected.emit(f"{path.name} is no longer where it was; what is seen of it stays.")
 
     def ask_sound(self) -> bool:
         """Let the user choose a sound file; says whether one was opened."""
@@ -491,6 +510,8 @@ def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
     painter = QPainter()
     begun = painter.begin(generator)
     if begun:
-        plot.render(painter, QPoint())
-        painter.end()
+        try:
+            QWidget.render(plot, painter, QPoint())  # a view of a scene has one of its own, of the scene alone
+        finally:
+            painter.end()
     return begun

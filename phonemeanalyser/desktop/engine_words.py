@@ -15,7 +15,7 @@ WORDS = (
     tr_noop("sounds, by the mouth table"),
     tr_noop("Rectangle"), tr_noop("Eleven mouth shapes"), tr_noop("Five mouth shapes"),
     tr_noop("anger"), tr_noop("disgust"), tr_noop("fear"), tr_noop("smile"), tr_noop("sorrow"), tr_noop("surprise"),
-    tr_noop("english"), tr_noop("german"), tr_noop("french"), tr_noop("italian"), tr_noop("spanish"),
+    tr_noop("English"), tr_noop("French"), tr_noop("Spanish"),
     # what a sound can become
     tr_noop("phonemes as a table"), tr_noop("phonemes as JSON"), tr_noop("phonemes as a TextGrid of Praat"),
     tr_noop("phonemes as labels of Audacity"), tr_noop("every frame of 10 ms with all variables, CSV"),
@@ -70,7 +70,15 @@ WORDS = (
     # how it is heard, and listened
     tr_noop('pip install "phonemeanalyser[whisper]" has files heard by one that knows very many voices'),
     tr_noop("Whisper base and network"),
-    tr_noop("not listening"), tr_noop("no sound card: silent, on the clock"),
+    tr_noop("not listening"), tr_noop("opening the microphone"),
+    tr_noop("there is no microphone; plug one in, or check that the sound system runs"),
+    tr_noop(
+        "sound cannot be played or recorded, since the package sounddevice is missing; pip install sounddevice"
+    ),
+    tr_noop(
+        "sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"
+    ),
+    tr_noop("no sound card: silent, on the clock"),
 )  # fmt: skip
 """Those that stand alone."""
 SPOKEN = (
@@ -109,6 +117,12 @@ SENTENCES = (
     tr_noop("waiting for the first sound from {microphone}"),
     tr_noop("nothing comes from {microphone} since {seconds} s; trying again every 2 s"),
     tr_noop("nothing comes from {microphone}"),
+    tr_noop("{microphone} has gone"),
+    tr_noop("the microphone {name} is not there; choose one of: {names}"),
+    tr_noop("{trouble}; trying again every 2 s"),
+    tr_noop("the sound card cannot be opened ({reason})"),
+    tr_noop("the sound system does not answer ({reason}); check that it runs"),
+    tr_noop("only {n} of {n_played} clicks were heard; turn the loudspeaker up, or move the microphone"),
     tr_noop("{rest}, {n} channels are mixed to one"),
     tr_noop("{rest}, only channel {k} of {n} is used"),
     tr_noop("{rest}, shorter than one window ({ms} ms), so silence surrounds it"),
@@ -165,7 +179,7 @@ def tr_engine(text: str) -> str:
     for sentence in SENTENCES:
         filled = _pattern(sentence).fullmatch(text)
         if filled is not None:
-            return tr(sentence).format(**{place: tr(words) for place, words in filled.groupdict().items()})
+            return tr(sentence).format(**{place: tr_engine(words) for place, words in filled.groupdict().items()})
     return text
 
 

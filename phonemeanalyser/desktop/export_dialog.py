@@ -30,6 +30,7 @@ from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, check_order
 from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, sounds_in
 from phonemeanalyser.desktop.talk.choices_panel import DETAILS
+from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.conversion import targets_of
 from phonemeengine.errors import EngineError
@@ -77,6 +78,7 @@ class ExportDialog(QDialog):
         self._preset, self._channel, self._settings = preset, channel, settings
         self._sounds: list[Path] = []
         self._folder: Path | None = None
+        self._shown: dict[int, tuple[str, ...]] = {}
         self.queue = ExportQueue()
         self.setWindowTitle(tr("Export"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -153,6 +155,7 @@ class ExportDialog(QDialog):
         self.files.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.files.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.files.setAccessibleName(tr("sounds that are exported"))
+        let_copy(self.files)
         header = self.files.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)
@@ -247,6 +250,7 @@ class ExportDialog(QDialog):
     def _show_files(self) -> None:
         self.queue.jobs = []
         targets = targets_of(self._sounds, self._folder, EXPORT_KINDS[self.kind.currentData()].ending)
+        self._shown.clear()
         self.files.setRowCount(len(self._sounds))
         for row, sound in enumerate(self._sounds):
             self._show_row(row, (sound.name, "", "", str(targets[sound])))
@@ -265,6 +269,9 @@ class ExportDialog(QDialog):
             widget.setEnabled(not busy)
 
     def _show_row(self, row: int, cells: tuple[str, ...]) -> None:
+        if self._shown.get(row) == cells:
+            return
+        self._shown[row] = cells
         for column, words in enumerate(cells):
             item = QTableWidgetItem(words)
             item.setToolTip(words)
@@ -313,7 +320,8 @@ class ExportDialog(QDialog):
         if order is not None:
             self._settings.setValue("export/kind", order.kind)
             self.told.clear()
-            self.queue.start(targets_of(self._sounds, self._folder, EXPORT_KINDS[order.kind].ending), order)
+            targets = targets_of(self._sounds, self._folder, EXPORT_KINDS[order.kind].ending)
+            self.queue.start(targets, order, self._folder)
 
     def _checked_order(self) -> ExportOrder | None:
         """Return what the sounds are turned into; None, after saying why, where that cannot be done."""

@@ -119,6 +119,7 @@ class MainWindow(QMainWindow):
         self.status = StatusLine(session, self._preset, theme)
         self.heads = Heads(self._talking)
         self.head = self.heads.add("dock", HeadView(self._talking.head, theme))
+        self.head.menu.save_asked.connect(self.dialogs.ask_save_picture)
         self.head.setMinimumHeight(HEAD_HEIGHT)
         self.switch = PageSwitch(tuple(map(tr, commands.PAGES)))
         self.pages = PageStack()
@@ -154,6 +155,7 @@ class MainWindow(QMainWindow):
 
     def _make_calibration_page(self) -> "calibrate.CalibrationPage":
         head = self.heads.add("guide", HeadView(self._talking.head, self.theme))
+        head.menu.save_asked.connect(self.dialogs.ask_save_picture)
         page = calibrate.CalibrationPage(self._ask_calibration(), head, self.theme)
         dialogs = self._calibration_dialogs
         assert dialogs is not None
@@ -180,6 +182,7 @@ class MainWindow(QMainWindow):
         page.text.voice.panel.table_asked.connect(dialogs.ask_performance)
         page.words_asked.connect(dialogs.ask_save_words)
         page.speech_asked.connect(dialogs.ask_save_speech)
+        page.picture_asked.connect(self.dialogs.ask_save_picture)
         page.text.lanes.menu.save_asked.connect(self.dialogs.ask_save_picture)
         self.installEventFilter(page.keys)
         return page

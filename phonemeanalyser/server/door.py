@@ -20,15 +20,17 @@ class Door:
 
     def __init__(self, server: web.Server, limits: ServerLimits) -> None:
         self._server, self._limits = server, limits
+        self._arriving: set[asyncio.BaseProtocol] = set()
         self._silent: dict[asyncio.BaseProtocol, asyncio.TimerHandle] = {}
 
     def __call__(self) -> asyncio.Protocol:
         """Return the protocol of a new connection."""
-        if len(self._server.connections) >= self._limits.most_connections:
+        if len(self._server.connections) + len(self._arriving) >= self._limits.most_connections:
             return _Full()
-        handler = self._server()
-        later = asyncio.get_running_loop().call_later
-        self._silent[handler] = later(self._limits.idle, self._let_go, handler)
+        handler, loop = self._server(), asyncio.get_running_loop()
+        self._arriving.add(handler)
+        loop.call_soon(self._arriving.discard, handler)  # by then the server counts it
+        self._silent[handler] = loop.call_later(self._limits.idle, self._let_go, handler)
         return handler
 
     def enter(self, request: web.BaseRequest) -> None:

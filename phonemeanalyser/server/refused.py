@@ -2,6 +2,9 @@
 
 from phonemeengine import EngineError
 
+FAILED = "the server has failed at this; its log (--log) says where"
+"""What is answered where it is the server's fault."""
+
 
 class RefusedError(EngineError):
     """A request that is not granted; its text is one sentence for whoever wrote the client.

@@ -16,7 +16,7 @@ from phonemeanalyser.server.access import PROTOCOL, Access
 from phonemeanalyser.server.door import Door
 from phonemeanalyser.server.files import FileExporter
 from phonemeanalyser.server.limits import MEGABYTE, USUAL_HOST, USUAL_PORT, ServerLimits
-from phonemeanalyser.server.refused import RefusedError
+from phonemeanalyser.server.refused import FAILED, RefusedError
 from phonemeanalyser.server.session import StreamSession
 from phonemeanalyser.server.turns import Turns
 from phonemeengine import FORMATS, WINDOW, EngineError, ScriptWord, __version__, load_preset, words_of
@@ -70,7 +70,9 @@ async def serving(settings: ServerSettings) -> AsyncIterator[int]:
     application.router.add_get("/", service.tell)
     application.router.add_get(STREAM, service.stream)
     application.router.add_post(EXPORT, service.export)
-    runner = web.AppRunner(application, access_log=None, handler_cancellation=True, shutdown_timeout=CLOSING)
+    runner = web.AppRunner(
+        application, access_log=None, handler_cancellation=True, shutdown_timeout=CLOSING, lingering_time=CLOSING
+    )
     async with AsyncExitStack() as stack:
         stack.callback(service.close)
         await runner.setup()
@@ -129,7 +131,7 @@ class Service:
             )
         except Exception:  # noqa: BLE001 - a bug in one request ends no stream
             _log.exception("a request has failed")
-            answer = _refusal("the server has failed at this; its log (--log) says where", 500)
+            answer = _refusal(FAILED, 500)
         if not answer.prepared:
             answer.force_close()
         return answer
@@ -163,6 +165,8 @@ class Service:
             await StreamSession(socket, self._preset, self._limits, self._turns, self._words_of_text).run()
         finally:
             self._n_streams -= 1
+            if not socket.closed and request.transport is not None:
+                request.transport.abort()  # nobody would take a farewell
         return socket
 
     async def _words_of_text(self, text: str, language: str) -> Sequence[ScriptWord]:

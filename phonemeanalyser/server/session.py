@@ -1,6 +1,7 @@
 """One stream: a client's sound comes in, and what is said in it goes out."""
 
 import asyncio
+import logging
 from collections import deque
 from collections.abc import Awaitable, Callable, Sequence
 from contextlib import suppress
@@ -11,7 +12,7 @@ from aiohttp import WSMsgType, web
 from phonemeanalyser.server import messages
 from phonemeanalyser.server.limits import AHEAD, PER_MESSAGE, ServerLimits
 from phonemeanalyser.server.pace import Pace
-from phonemeanalyser.server.refused import RefusedError
+from phonemeanalyser.server.refused import FAILED, RefusedError
 from phonemeanalyser.server.turns import Turns
 from phonemeengine import EngineError, Preset, ScriptWord
 from phonemeengine.arrays import Float32Array
@@ -19,6 +20,7 @@ from phonemeengine.audio.incoming import PIECE
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
 from phonemeengine.settings import SAMPLE_RATE
 
+_log = logging.getLogger(__name__)
 MOST_AT_ONCE = round(PIECE * SAMPLE_RATE)
 """Samples that are heard in one turn."""
 MOST_WAITING = SAMPLE_RATE
@@ -77,6 +79,9 @@ class StreamSession:
             await self._refuse(error)
         except GoneError:
             pass
+        except Exception:  # noqa: BLE001 - a bug in one stream ends no other one
+            _log.exception("a stream has failed")
+            await self._refuse(EngineError(FAILED))
         finally:
             self._turns.leave(self)
 

@@ -5,6 +5,7 @@ import logging
 from collections.abc import Mapping, Sequence
 from typing import Protocol
 
+from phonemeanalyser.server.refused import FAILED
 from phonemeengine import EngineError
 from phonemeengine.arrays import Float32Array
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech, hear_together
@@ -73,4 +74,4 @@ def _heard(pieces: Mapping[Hearing, Float32Array]) -> Sequence[HeardPiece | Engi
         return hear_together([(stream.speech, piece) for stream, piece in pieces.items()])
     except Exception:  # noqa: BLE001 - a bug ends these streams with a word, and no other one
         _log.exception("sounds could not be heard")
-        return [EngineError("the server has failed at this sound; its log (--log) says where")] * len(pieces)
+        return [EngineError(FAILED)] * len(pieces)

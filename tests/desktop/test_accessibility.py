@@ -1,15 +1,18 @@
 """For who does not see well, or not at all, or has no mouse: names, the way of Tab, and contrast."""
 
+from itertools import pairwise
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
+from phonemeanalyser.desktop.analyse.label_dialogs import TiersDialog
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import DARK, LIGHT, PHONEME_COLOURS, Theme
 from tests.desktop.accessible import controls_of, spoken_name
-from tests.desktop.hands import shown
+from tests.desktop.hands import CARDS, shown
 
 TEXT, LARGE = 4.5, 3.0
 """The least contrast by WCAG 2.2, level AA: of text, and of large text and of what marks a control."""
@@ -42,6 +45,37 @@ def test_tab_reaches_every_control_from_the_top_down(desktop, qtbot, page):
         reached.append(now)
     missed = [f"{type(w).__name__}: {spoken_name(w)}" for w in wanted - {*reached}]
     assert missed == []
+    assert [type(w).__name__ for w in reached if not spoken_name(w)] == []
+    backwards = [
+        f"{spoken_name(one)} before {spoken_name(other)}"
+        for one, other in pairwise(reached)
+        if one.parentWidget() is other.parentWidget() and lies_before(other, one)
+    ]
+    assert backwards == []
+
+
+def lies_before(one: QWidget, other: QWidget) -> bool:
+    """Say whether somebody who reads a column from the top down, and then the next one, comes to one first."""
+    first, second = one.geometry(), other.geometry()
+    if first.bottom() < second.top():
+        return first.left() < second.right()
+    return first.top() < second.bottom() and second.top() < first.bottom() and first.right() <= second.left()
+
+
+@pytest.mark.parametrize("name", ["export", "tiers", "manual", "shortcuts", "cards"])
+def test_every_control_of_a_dialog_has_a_name(desktop, qtbot, name):
+    window = shown(desktop, qtbot)
+    {
+        "export": lambda: window.dialogs.show_export([CARDS]),
+        "tiers": lambda: TiersDialog(desktop.session.labels, window).show(),
+        "manual": window.show_manual,
+        "shortcuts": window.show_shortcuts,
+        "cards": window.welcome.show_cards,
+    }[name]()
+    shows = [d for d in window.findChildren(QDialog) if d.isVisible()] or [window]
+    controls = [control for dialog in shows for control in controls_of(dialog)]
+    assert controls
+    assert [c for c in controls if not any(letter.isalnum() for letter in spoken_name(c))] == []
 
 
 def grouped(widget: QWidget) -> bool:

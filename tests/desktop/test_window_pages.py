@@ -2,13 +2,17 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
 
+from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.app import FirstPaint
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.talk.page import TalkPage
-from tests.desktop.hands import click, press, shown
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
+from tests.desktop.hands import choose, click, copied, press, shown
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -31,6 +35,36 @@ def test_a_page_is_made_when_it_is_first_looked_at_and_stays(desktop, qtbot):
     click(window.switch.buttons[2])
     assert window.findChildren(TalkPage) == [page]
     assert page.isVisible()
+
+
+def test_every_view_copies_its_values_and_becomes_a_picture(desktop, qtbot, monkeypatch, tmp_path):
+    window = shown(desktop, qtbot)
+    for key in (Qt.Key.Key_2, Qt.Key.Key_3):
+        press(window, key, CONTROL)
+    menus = window.findChildren(PlotMenu)
+    named = {type(menu.parent()).__name__ for menu in menus}
+    assert named >= {"HeadView", "MovestateBars", "PhonemeView", "TakeWaveform", "ConfusionView", "DistributionView"}
+    saved: list[Path] = []
+    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: (str(saved[-1]), ""))
+    for k, menu in enumerate(menus):
+        assert "\t" in copied(menu, QPoint(9, 9))[0] or copied(menu, QPoint(9, 9))[0]
+        for kind in ("png", "svg"):
+            saved.append(tmp_path / f"{k}.{kind}")
+            choose(menu, "Save Picture…")
+    assert [path.name for path in saved if not path.is_file() or not path.stat().st_size] == []
+
+
+def test_a_right_click_on_the_head_opens_its_menu_and_a_right_drag_does_not(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    press(window, Qt.Key.Key_3, CONTROL)
+    head, right = window.talk.head, Qt.MouseButton.RightButton
+    QTest.mousePress(head, right, pos=QPoint(50, 50))
+    QTest.mouseMove(head, QPoint(80, 50))
+    QTest.mouseRelease(head, right, pos=QPoint(80, 50))
+    assert not head.menu.isVisible()
+    QTest.mouseClick(head, right, pos=QPoint(50, 50))
+    assert head.menu.isVisible()
+    head.menu.close()
 
 
 def test_the_sound_is_opened_after_the_window_has_been_painted(desktop, qtbot):

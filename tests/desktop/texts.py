@@ -1,7 +1,8 @@
 """All texts that a widget shows or tells: labels, menus, tool tips, tables, axes, names for screen readers."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import QObject, Qt
@@ -11,7 +12,6 @@ from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QComboBox,
     QDoubleSpinBox,
-    QGroupBox,
     QLabel,
     QLineEdit,
     QListWidget,
@@ -27,58 +27,66 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.manual import ManualDialog
 
 _MARKUP = re.compile(r"<[^>]*>|&nbsp;")
-_PARTS = re.compile(r"\s*(?:<(?:br|p|/p|tr|/tr|td|/td)[^>]*>|\n)\s*")
+_BREAKS = re.compile(r"\s*(?:<(?:br|p|/p|tr|/tr|td|/td)[^>]*>|\n)\s*")
+Texts = Iterator[str]
 
 
 def texts_of(widget: QWidget) -> set[str]:
-    """Return the texts of a widget and all that is in it, but for the manual's pages, which are English."""
+    """Return the texts of a widget and all that is in it, each without markup, but for the manual's pages."""
     found = {text for part in (widget, *widget.findChildren(QObject)) for text in _texts_of(part)}
-    return {plain for text in found for part in _PARTS.split(text) if (plain := _MARKUP.sub("", part).strip())}
+    return {plain for text in found for part in _BREAKS.split(text) if (plain := _MARKUP.sub("", part).strip())}
 
 
-def _texts_of(part: QObject) -> Iterator[str]:
-    if isinstance(part, QAction):
-        yield from (part.text(), part.toolTip())
-    if not isinstance(part, QWidget) or isinstance(part, QTextBrowser):
+def _texts_of(part: QObject) -> Texts:
+    if isinstance(part, QTextBrowser) or (isinstance(part.parent(), ManualDialog) and isinstance(part, QListWidget)):
         return
-    yield from (part.windowTitle(), part.toolTip(), part.statusTip(), part.whatsThis())
-    yield from (part.accessibleName(), part.accessibleDescription())
-    if isinstance(part, (QLabel, QAbstractButton)):
-        yield part.text()
-    if isinstance(part, (QMenu, QGroupBox)):
-        yield part.title()
-    if isinstance(part, (QLineEdit, QPlainTextEdit)):
-        yield part.placeholderText()
-    if isinstance(part, QComboBox):
-        yield from (part.itemText(k) for k in range(part.count()))
-    if isinstance(part, (QSpinBox, QDoubleSpinBox)):
-        yield from (part.prefix(), part.suffix())
-    if isinstance(part, QAbstractSpinBox):
-        yield part.specialValueText()
-    if isinstance(part, QTabWidget):
-        yield from (part.tabText(k) for k in range(part.count()))
-    if isinstance(part, (QTableWidget, QListWidget)) and not isinstance(part.parentWidget(), ManualDialog):
-        yield from _cells_of(part)
-    if isinstance(part, pg.GraphicsView):
-        yield from _texts_drawn_in(part)
+    if isinstance(part, QAction) and not isinstance(part.parent(), QWidget):
+        return  # pyqtgraph has some for a menu that nobody can open
+    for kind, texts in _KINDS.items():
+        if isinstance(part, kind):
+            yield from texts(part)
 
 
-def _cells_of(view: QTableWidget | QListWidget) -> Iterator[str]:
-    """Yield what stands in a table or a list, and above and beside it."""
-    model, n_columns = view.model(), view.columnCount() if isinstance(view, QTableWidget) else 1
+def _of_widget(part: QWidget) -> Texts:
+    yield from (part.windowTitle(), part.toolTip(), part.accessibleName(), part.accessibleDescription())
+
+
+def _of_table(table: QTableWidget) -> Texts:
     for role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole):
-        for n, side in ((n_columns, Qt.Orientation.Horizontal), (model.rowCount(), Qt.Orientation.Vertical)):
-            yield from (str(model.headerData(k, side, role) or "") for k in range(n))
-        for row in range(model.rowCount()):
-            yield from (str(model.index(row, k).data(role) or "") for k in range(n_columns))
+        for n, side in (
+            (table.columnCount(), Qt.Orientation.Horizontal),
+            (table.rowCount(), Qt.Orientation.Vertical),
+        ):
+            yield from (str(table.model().headerData(k, side, role) or "") for k in range(n))
+    items = (table.item(row, k) for row in range(table.rowCount()) for k in range(table.columnCount()))
+    for item in items:
+        if item is not None:
+            yield from (item.text(), item.toolTip())
 
 
-def _texts_drawn_in(view: pg.GraphicsView) -> Iterator[str]:
-    """Yield the labels of axes, and all texts that lie in a plot."""
+def _of_plot(view: Any) -> Texts:
     for item in view.scene().items():
-        if isinstance(item, pg.AxisItem):
+        if isinstance(item, pg.AxisItem) and item.isVisible():
             yield item.labelText
         elif isinstance(item, pg.TextItem):
             yield item.toPlainText()
-        elif isinstance(item, pg.LabelItem):
-            yield item.text
+
+
+_KINDS: dict[Any, Callable[[Any], Texts]] = {
+    QAction: lambda action: iter((action.text(), action.toolTip())),
+    QWidget: _of_widget,
+    QLabel: lambda label: iter((label.text(),)),
+    QAbstractButton: lambda button: iter((button.text(),)),
+    QMenu: lambda menu: iter((menu.title(),)),
+    QLineEdit: lambda field: iter((field.placeholderText(),)),
+    QPlainTextEdit: lambda field: iter((field.placeholderText(),)),
+    QComboBox: lambda box: (box.itemText(k) for k in range(box.count())),
+    QAbstractSpinBox: lambda box: iter((box.specialValueText(),)),
+    QSpinBox: lambda box: iter((box.prefix(), box.suffix())),
+    QDoubleSpinBox: lambda box: iter((box.prefix(), box.suffix())),
+    QTabWidget: lambda tabs: (tabs.tabText(k) for k in range(tabs.count())),
+    QTableWidget: _of_table,
+    QListWidget: lambda rows: (rows.item(k).text() for k in range(rows.count())),
+    pg.GraphicsView: _of_plot,
+}
+"""What each kind of object shows."""

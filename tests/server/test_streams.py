@@ -10,7 +10,7 @@ import soundfile
 from phonemeanalyser.server.service import ServerSettings
 from phonemeengine import Analyser, Phoneme, Viseme, load_preset, load_table
 from phonemeengine.analyser import Analysis, concatenate_analyses
-from phonemeengine.audio.incoming import IncomingSound, StreamFormat
+from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
 from phonemeengine.audio.resampling import resample_whole
 from phonemeengine.live.incoming_speech import in_time
 from phonemeengine.mouth.morpher import Morpher
@@ -65,7 +65,7 @@ def test_other_recognisers_are_told_as_they_find(recording: Sound, name: str) ->
 def test_other_rates_are_heard_as_the_same_sound(server: str, recording: Sound, rate: int) -> None:
     data = resample_whole(recording, 44_100, rate).tobytes()
     told = streamed(server, {"encoding": "f32", "rate": rate}, cut(data, [4 * rate // 50]))
-    sound = IncomingSound(StreamFormat("f32", rate))
+    sound = IncomingSound(StreamFormat(Encoding.F32, rate))
     whole = np.concatenate([*sound.pieces(data), sound.finish()])
     check(told, heard(whole, delay=sound.delay))
     plain = heard(recording, delay=sound.delay).phonemes

@@ -52,8 +52,9 @@ class Load:
         """All of it in a line."""
         middle, high, most = (1000 * float(np.quantile(self.late, q)) for q in (0.5, 0.99, 1.0))
         return (
-            f"{len(self.late)} frames: median {middle:.0f} ms, p99 {high:.0f} ms, most {most:.0f} ms, {self.n_missing} "
-            f"missing; {self.share:.1%} of a core, {self.megabytes[0]:.0f} to {self.megabytes[-1]:.0f} MB"
+            f"{len(self.late)} frames: median {middle:.0f} ms, p99 {high:.0f} ms, most {most:.0f} ms; "
+            f"{self.n_missing} missing; {self.share:.1%} of a core, "
+            f"{self.megabytes[0]:.0f} to {self.megabytes[-1]:.0f} MB"
         )
 
 

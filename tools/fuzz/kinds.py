@@ -15,6 +15,7 @@ from phonemeengine.labels.pinyin import timed_syllable
 from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from phonemeengine.mouth.curves_file import read_curves
 from phonemeengine.mouth.exports.livelink import lines_of
 from phonemeengine.mouth.expression.channels import SHIPPED as CHANNELS
 from phonemeengine.mouth.expression.channels import load_channels
@@ -68,6 +69,11 @@ Zug = "tsuːk"
 either = ["ˈiːðɚ", "ˈaɪðɚ"]
 """
 LEXICON_ROWS = "word,ipa\nNASA,ˈnæ.sə\nZug,tsuːk\neither,ˈiːðɚ\neither,ˈaɪðɚ\n"
+CURVES = """{"format": "phonemeanalyser curves 1", "sound": "a.wav", "duration": 0.1, "rate": 20, "table": "arkit",
+ "cues": [{"start": 0, "end": 0.1, "phoneme": "a", "shape": "a", "intensity": 0.5, "phone": "ɑ"}],
+ "curves": [{"name": "jawOpen", "values": [0, 0.5, 1]}, {"name": "mouthClose", "values": [0, 0, 0.25]}],
+ "head": [{"name": "pitch", "values": [0, 1, 2]}]}
+"""
 SCRIPT = "Es regnet, aber der See ist leer.\nUnd 1984? [[ <b> 你好。\n"
 SCRIPT_TABLE = "a.wav\tEs regnet.\nfolder/b.wav\tDer See ist leer.\na.wav\tUnd 1984?\n"
 SAID = Utterance(
@@ -123,6 +129,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "key words": Kind((USUAL_KEYWORDS.read_bytes(),), _through(folder / "keywords.toml", load_keywords)),
         "poses": Kind((USUAL_POSES.read_bytes(),), _through(folder / "poses.toml", load_poses)),
         "live link": Kind((_livelink(),), _through(folder / "a.csv", read_livelink)),
+        "curves": Kind((CURVES.encode(),), _through(folder / "a.curves.json", read_curves)),
         "vmc": Kind((recorded_vmc([k / 60 for k in range(20)]).encode(),), _through(folder / "a.osc", read_vmc)),
         "gltf face": Kind((moving,), lambda content: parse_gltf_face(content, "a.glb")),
         "gltf face in glb": Kind(

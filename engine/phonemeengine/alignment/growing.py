@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from phonemeengine.alignment.aligner import PRICES, TextFit, settled_steps, united, within
 from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of
 from phonemeengine.alignment.passage import Passage
@@ -11,11 +13,11 @@ from phonemeengine.labels.utterance import Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.text.pronunciation import ScriptWord
 
-LONGEST, UNSETTLED = 300, 150
+LONGEST, UNSETTLED = 200, 100
 """Frames that are aligned anew each time, and how many at their end stay unsettled beyond that."""
 MOST_WORDS = 60
 """Words of the text that are looked for in these frames."""
-HURRY = 2
+HURRY = 1
 """Frames by which sounds may be shorter than usual: nobody knows yet how fast the speech is."""
 
 
@@ -92,7 +94,7 @@ class GrowingAligner:
         found = GrownWords(tuple(settled), tuple(coming), tuple(passage.skipped_in(steps)))
         n = steps[-1].last if steps else 0
         n_spoken = int((heard.probabilities[:n, Phoneme.SILENCE] < 0.5).sum())
-        self._fit += TextFit(way.cost * n / len(heard), 0.0, n_spoken)
+        self._fit += TextFit(way.cost * n / len(heard), np.inf, n_spoken)
         del self._words[: passage.n_words_in(steps)]
         self._forget(n)
         return found

@@ -16,6 +16,8 @@ from phonemeengine.errors import AudioError
 from phonemeengine.settings import SAMPLE_RATE, Channel
 
 MOST_STREAM_CHANNELS = 8
+FULL_SCALE = np.float32(1 << 15)
+"""The integer that stands for 1.0."""
 LOUDEST = 100.0
 """Full scale is 1; what is so far above it is no sound, but bytes of another encoding."""
 PIECE = 0.2
@@ -161,7 +163,6 @@ class PcmDecoder:
 
     def __init__(self, kind: np.dtype[Any], form: StreamFormat) -> None:
         self._kind, self._n_channels = kind, form.n_channels
-        self._scale = np.float32(1 / (1 << 15) if kind.kind == "i" else 1)
         self._n_bytes = kind.itemsize * form.n_channels
         self._most = max(1, int(form.rate * PIECE)) * self._n_bytes
         self._rest = b""
@@ -179,4 +180,4 @@ class PcmDecoder:
         for first in range(0, end, self._most):
             part = held[first : min(first + self._most, end)]
             samples = np.frombuffer(part, self._kind).reshape(-1, self._n_channels)
-            yield samples.astype(np.float32) * self._scale
+            yield np.asarray(samples / FULL_SCALE if self._kind.kind == "i" else samples, np.float32)

@@ -35,12 +35,16 @@ def read_tiers(path: Path, *, duration: float | None = None) -> tuple[Tier, ...]
         raise CorpusError(
             f"{name}: labels are read from .TextGrid, .txt (Audacity) and .csv files; choose one of them"
         )
-    text = read_text(path)
-    if suffix == ".textgrid":
-        tiers = tiers_of(text, name, points=True)
-    else:
-        tiers = (Tier(path.stem, (table if suffix == ".csv" else audacity).raw_labels_of(text, name)),)
+    tiers = _tiers_as_they_stand(path)
     return tuple(replace(tier, raw_labels=in_order(tier.raw_labels, name, duration)) for tier in tiers)
+
+
+def _tiers_as_they_stand(path: Path) -> tuple[Tier, ...]:
+    """Read all tiers, whatever their times are."""
+    name, suffix, text = printable_name(path), path.suffix.lower(), read_text(path)
+    if suffix == ".textgrid":
+        return tuple(tiers_of(text, name, points=True))
+    return (Tier(path.stem, (table if suffix == ".csv" else audacity).raw_labels_of(text, name)),)
 
 
 def write_tiers(tiers: Sequence[Tier], path: Path, *, duration: float = 0.0) -> None:
@@ -76,7 +80,7 @@ def write_tiers(tiers: Sequence[Tier], path: Path, *, duration: float = 0.0) -> 
 def labels_beside(sound: Path) -> Path | None:
     """Return the label file of a sound, ``x.TextGrid``, ``x.csv`` or ``x.txt`` beside ``x.wav``; None without one.
 
-    A text file counts only if it holds labels: it may as well be what is said.
+    A text file counts only if it holds labels, be they impossible ones: it may as well be what is said.
     """
     try:
         names = {path.suffix.lower(): path for path in sound.parent.iterdir() if path.stem == sound.stem}
@@ -162,6 +166,6 @@ def _checked_name(name: str) -> str:
 
 def _holds_labels(path: Path) -> bool:
     try:
-        return any(tier.raw_labels for tier in read_tiers(path))
+        return any(tier.raw_labels for tier in _tiers_as_they_stand(path))
     except CorpusError:
         return False

@@ -37,7 +37,8 @@ class LearnedRecogniser:
 
     Attributes
     ----------
-    kin : equal to that of others that `recognise_together` may ask with it, since they differ in their sounds alone.
+    kin : equal to that of others that `recognise_together` may ask with it, since they differ in their sounds alone;
+        None where it is asked alone, since its model is centred.
     """
 
     scores = SCORES
@@ -51,7 +52,8 @@ class LearnedRecogniser:
         heads = (model.heads, model.viseme_heads) if model.viseme_heads else (model.heads,)
         self._heads = tuple(known[self._n_early] for known in heads)
         self._warps = model.warps
-        self.kin = (id(model), self.look_ahead, tuple(sorted(sensitivities.items())))
+        likes = (id(model), self.look_ahead, tuple(sorted(sensitivities.items())))
+        self.kin = None if model.centred else likes
         self._model = model  # as long as it lives, no other one has its identity
         self._network = (CentredNetwork if model.centred else Network)(
             model.layers, silent_log_mels(len(model.warps))
@@ -120,11 +122,11 @@ def recognise_together(
 
     Parameters
     ----------
-    recognisers : one for each sound, all of the same `kin`; none is centred.
+    recognisers : one for each sound, all of the same `kin`, which is not None.
     windows : the next frames of each, at least one and `MOST_TOGETHER` at the most, shape (n_k, 2048).
     """
     one = recognisers[0]
-    networks = [recogniser._network for recogniser in recognisers]
+    networks = [recogniser._network for recogniser in recognisers if isinstance(recogniser._network, Network)]
     ends = np.cumsum([len(block) for block in windows])[:-1]
     heard = np.split(one._heard(np.concatenate(windows)), ends)
     found = np.split(forward_together(networks, heard), ends)

@@ -65,7 +65,7 @@ class AveragedView(SpectrumView):
     variable_asked = Signal(float, float)
 
     def __init__(self, averages: AveragesModel, theme: Theme) -> None:
-        super().__init__(tr_noop("Averaged spectrum"), TIP, theme)
+        super().__init__(tr_noop("Averaged spectrum"), tr(TIP), theme)
         self._averages = averages
         self._since = QLabel(self.graphics)
         self._overlays: list[pg.PlotCurveItem] = []

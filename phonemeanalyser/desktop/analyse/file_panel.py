@@ -52,7 +52,7 @@ class FilePanel(QWidget):
         self.view = FileView(session, theme)
         self.follow = toggle_button(tr("follow"), tr("Turn the page where what is heard leaves it"))
         self.filtered = toggle_button(
-            tr("filtered"), tr("The sonagram after all filters that are on, as recognisers see it")
+            tr("filtered", "a button"), tr("The sonagram after all filters that are on, as recognisers see it")
         )
         self.whole = toggle_button(tr("all"), tr("See the whole file"))
         self.selection = toggle_button(tr("selection"), tr("See what is selected (Shift+drag selects)"))

@@ -29,6 +29,8 @@ LEFT, RIGHT, TIME_HEIGHT, GAP = 52, 8, 18, 3
 LANE_HEIGHT, LABEL_HEIGHT = 22, 19
 LANE = 1
 """Number of the row of what is recognised."""
+MOST_LANES = 0.4
+"""Of the height, that lanes of labels take at most."""
 WAVE_SHARE, COURSE_SHARE = 0.16, 0.22
 """Of the height that the lane and the axis leave."""
 SPACINGS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1200, 3600)
@@ -162,8 +164,9 @@ class FileView(QWidget):
         }
 
     def _tiers_shown(self) -> tuple[int, ...]:
-        """Return the tiers that are shown; what a microphone heard has none."""
-        return () if self._session.looks_back else self._labels.state.shown
+        """Return the tiers that are shown, as many as leave the sonagram room; what a microphone heard has none."""
+        most = max(1, int(MOST_LANES * self.height()) // (LABEL_HEIGHT + 1))
+        return () if self._session.looks_back else self._labels.state.shown[:most]
 
     def _spoken_shown(self) -> list[Lane]:
         """Return the lanes of what is said that no tier shows already."""

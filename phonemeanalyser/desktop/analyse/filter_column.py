@@ -209,6 +209,7 @@ class FilterColumn(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setAccessibleName("filters")
         self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
     def _add_step(
@@ -222,7 +223,7 @@ class FilterColumn(QScrollArea):
         self._grid.addWidget(line, row, 0, 1, 3)
         heading = self._heading(key, title[0], switch)
         self._grid.addWidget(heading, row + 1, 0)
-        self._grid.addWidget(self._reset(key, title[0]), row + 1, 2)
+        reset = self._reset(key, title[0])
         for k, name in enumerate(parameters):
             label = tr(FIELDS[name].label)
             field = self._field(name)
@@ -231,6 +232,10 @@ class FilterColumn(QScrollArea):
             self._grid.addWidget(field, row + 1 + k, 1)
             if k:
                 self._grid.addWidget(self._label(f"{tr(FIELDS[parameters[0]].label)} / {label}"), row + 1 + k, 0)
+            else:
+                self._grid.addWidget(reset, row + 1, 2)  # here, since Tab goes as the grid was filled
+        if not parameters:
+            self._grid.addWidget(reset, row + 1, 2)
         self._headings[key] = heading
 
     def _heading(self, key: str, text: str, switch: Callable[[bool], None] | None) -> QWidget:
@@ -274,7 +279,7 @@ class FilterColumn(QScrollArea):
             widget.setRange(low, high)
             widget.setDecimals(field.decimals)
             widget.setSingleStep(field.step)
-            widget.setSuffix(f" {unit}" if unit else "")
+            widget.setSuffix(f" {tr(unit)}" if unit else "")
             widget.setKeyboardTracking(False)
             widget.installEventFilter(NumberFieldKeys(widget))
             widget.valueChanged.connect(lambda value: self._edit(name, value))

@@ -47,7 +47,7 @@ class AnalysisPage(QSplitter):
         self.thresholds = ThresholdView(preset, session.history, theme)
         self.spectra = QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()
-        for view in (self.spectrum, self.averaged, self.waveform, self.scroll_view):
+        for view in (self.spectrum, self.averaged, self.waveform, self.scroll_view, self.phoneme):
             view.menu.save_asked.connect(self.picture_asked)
 
     def refresh_fast(self) -> None:

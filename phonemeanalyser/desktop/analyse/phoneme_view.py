@@ -10,6 +10,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, set_size
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.analyser import latest_reading
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.trace import RuleComparison, Trace
@@ -41,6 +42,7 @@ class PhonemeView(QWidget):
         self.changes: float | None = None
         self.input_silent = False
         self.meters: dict[str, str] = {}
+        self.menu = PlotMenu(self, "phoneme", lambda _at: self._values())
         self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.setToolTip(
@@ -52,6 +54,15 @@ class PhonemeView(QWidget):
                 "has none), and what each rule said, down to the one that fired"
             )
         )
+
+    def _values(self) -> str:
+        """Return what is shown as a table, with every comparison of the rules."""
+        named: list[tuple[str, object]] = [("phoneme", self.phoneme.label), ("recognised", self.recognised.label)]
+        named += [("intensity (0..1)", self.intensity), *self.meters.items()]
+        compared = () if self.trace is None else self.trace.comparisons
+        rows: list[tuple[object, ...]] = [(*pair, "", "", "") for pair in named]
+        rows += [(f"{c.rule}: {c.variable}", c.value, c.sign, c.limit, c.margin) for c in compared]
+        return table_of(dict(zip(("what", "value", "sign", "limit", "margin"), zip(*rows, strict=True), strict=True)))
 
     @property
     def is_outdated(self) -> bool:

@@ -68,7 +68,7 @@ class FitModel(QObject):
             now, found = self._preset.preset, report.preset
             self._preset.end_edit()
             fitted = {tuning.value: getattr(found, tuning) for tuning in spec_of(found.recogniser).tuned_by}
-            self._preset.edit(replace(now, successors=found.successors, **fitted), "fit")
+            self._preset.edit(replace(now, successors=found.successors, **fitted), tr("fit"))
         self.changed.emit()
 
     def refuse(self) -> None:

@@ -259,7 +259,7 @@ class GuideModel(QObject):
         if outcome is not None and outcome.gains:
             try:
                 self._preset.end_edit()
-                self._preset.edit(replace(outcome.preset, name=self._preset.preset.name), "calibration")
+                self._preset.edit(replace(outcome.preset, name=self._preset.preset.name), tr("calibration"))
             except EngineError as error:
                 self.error.emit(str(error))
         self.cancel()

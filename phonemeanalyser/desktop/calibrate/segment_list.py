@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
+from phonemeanalyser.desktop.widgets.table_copy import let_copy
 
 MOST = 500
 """Rows that are shown at most."""
@@ -57,6 +58,7 @@ class SegmentList(QTableWidget):
         self.setTabKeyNavigation(False)
         self.setMinimumHeight(60)
         self.installEventFilter(LetterPassthrough(self))
+        let_copy(self)
         self.cellClicked.connect(lambda row, _column: self._play(row))
         self.cellActivated.connect(lambda row, _column: self._play(row))
 

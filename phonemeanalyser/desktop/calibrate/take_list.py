@@ -11,6 +11,7 @@ from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
+from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.calibration.takes.take import Take
 
 HEADINGS = (tr_noop("sound"), tr_noop("speaker"), "s", "dB", tr_noop("check"))
@@ -41,6 +42,7 @@ class TakeListView(QTableWidget):
         self._filling = False
         self._style()
         self.installEventFilter(LetterPassthrough(self))
+        let_copy(self)
         self.currentCellChanged.connect(self._choose)
         self.cellDoubleClicked.connect(lambda row, _column: self.play_asked.emit(self._number_at(row)))
         takes.changed.connect(self._fill)

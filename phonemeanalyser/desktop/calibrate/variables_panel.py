@@ -19,6 +19,7 @@ from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
+from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.calibration.fits.suggestions import Suggestion
 from phonemeengine.features.variables import Variable
 from phonemeengine.phonemes import Phoneme
@@ -57,6 +58,7 @@ class VariablesPanel(QWidget):
     def _lay_out(self) -> None:
         self.setFixedWidth(216)
         self.table.setHorizontalHeaderLabels([tr("variable"), tr("separates")])
+        let_copy(self.table)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Fixed)

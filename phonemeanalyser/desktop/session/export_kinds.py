@@ -1,6 +1,7 @@
 """What the window makes of sounds: all that the engine converts them to, clips of a head, and reports."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,11 +13,15 @@ from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.batch.conversion_work import ConversionWork
+from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.conversion import CONVERSIONS, check_options, convert
 from phonemeengine.errors import ExportError
 from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.transcript import transcript_of
@@ -80,6 +85,51 @@ def check_order(order: ExportOrder) -> None:
         check_options(order.kind, order.options)
     elif EXPORT_KINDS[order.kind].moves_mouth:
         check_clip(Path("clip" + EXPORT_KINDS[order.kind].ending), ClipOptions().size)
+
+
+@dataclass(frozen=True)
+class ExportOrderWork:
+    """Makes what an order asks for, in processes and batches; work for `run_batch`.
+
+    Attributes
+    ----------
+    order : what sounds are turned into.
+    """
+
+    order: ExportOrder
+
+    def fingerprint(self) -> str:
+        """Return what tells it from other work."""
+        order = self.order
+        if order.kind in CONVERSIONS:
+            return self._conversion().fingerprint()
+        return fingerprint_of("window", order.kind, for_files(order.preset), order.options, order.channel)
+
+    def text_of(self, source: Path) -> str:
+        """Return what the files beside a sound hold by which a report scores it."""
+        if self.order.kind not in CONVERSIONS and not EXPORT_KINDS[self.order.kind].moves_mouth:
+            return fingerprint_of(*(source.with_suffix(suffix) for suffix in LABEL_SUFFIXES))
+        return ""
+
+    @contextmanager
+    def opened(self) -> Iterator[Act]:
+        """Give what makes one file."""
+        if self.order.kind in CONVERSIONS:
+            with self._conversion().opened() as act:
+                yield act
+        else:
+            yield self._make
+
+    def _conversion(self) -> ConversionWork:
+        order = self.order
+        return ConversionWork(order.kind, order.preset, order.options, order.channel, order.overwrite)
+
+    def _make(self, job: Job, _say: Say, progress: Progress) -> Made:
+        assert job.target is not None
+        with SoundReader(job.source, self.order.channel) as reader:
+            duration = reader.duration
+        EXPORT_KINDS[self.order.kind].make(job.source, job.target, self.order, progress)
+        return Made(duration)
 
 
 def _convert(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:

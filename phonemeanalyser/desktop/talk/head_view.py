@@ -5,7 +5,7 @@ import time
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -19,6 +19,7 @@ from phonemeanalyser.desktop.talk.head_surface import (
 from phonemeanalyser.desktop.talk.moving_head import MovingHead
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import LIGHT, Light
 from phonemeengine.mouth.morph_mesh import MorphMesh
@@ -28,6 +29,8 @@ PER_PIXEL = math.radians(0.4)
 PER_KEY, PAN_PER_KEY = math.radians(8), 0.06
 PER_NOTCH = 120
 """Of a wheel, in Qt's eighths of a degree."""
+STILL = 3
+"""Pixels by which a press may move and still be a click."""
 LIGHT_STEP, MOST_LIGHT = math.radians(15), math.radians(75)
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0), Qt.Key.Key_Right: (1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)
@@ -50,6 +53,7 @@ class HeadView(QWidget):
     ----------
     camera : None until there is a face.
     trouble : why no head can be drawn here; empty where it can.
+    menu : what a right click offers.
     """
 
     looked = Signal()
@@ -67,9 +71,12 @@ class HeadView(QWidget):
         self._morph_mesh: MorphMesh | None = None
         self._shown = -1
         self._from: QPointF | None = None
+        self._pressed = QPointF()
         self._message = QLabel(tr("loading the head …"))
         self._work = TaskQueue(self._give_up)
         self._lay_out(theme)
+        self.menu = PlotMenu(self, "head", lambda _at: self._values())
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.DefaultContextMenu)  # a right drag moves the head
         head.face.changed.connect(self._take_face)
 
     def refresh(self) -> None:
@@ -119,7 +126,7 @@ class HeadView(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to go round, or to move it."""
-        self._from = event.position()
+        self._from = self._pressed = event.position()
         self.setFocus(Qt.FocusReason.MouseFocusReason)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -134,9 +141,17 @@ class HeadView(QWidget):
         else:
             self.look(camera=self.camera.orbit(-step.x() * PER_PIXEL, step.y() * PER_PIXEL))
 
-    def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
-        """End."""
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """End; a right click that moved nothing opens the menu."""
         self._from = None
+        moved = (event.position() - self._pressed).manhattanLength()
+        if event.button() == Qt.MouseButton.RightButton and moved <= STILL:
+            self.menu.open_at(event.position().toPoint())
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Open the menu by its key."""
+        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+            self.menu.open_at(self.rect().center())
 
     def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
         """Look at the whole head from the front."""
@@ -176,6 +191,12 @@ class HeadView(QWidget):
         """Move the light to the right, radians."""
         azimuth = min(max(self.light.azimuth + angle, -MOST_LIGHT), MOST_LIGHT)
         self.look(light=replace(self.light, azimuth=azimuth))
+
+    def _values(self) -> str:
+        """Return how far each movestate of the face is on, as a table."""
+        states = self._head.face.states
+        percentages = {} if states is None else states.percentages
+        return table_of({"movestate": list(percentages), "percent": list(percentages.values())})
 
     # -- inside -------------------------------------------------------------------------------------------
 

@@ -10,6 +10,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.mouth.blendshape_names import EYELIDS
 
 ROW, COLUMNS, GAP = 16, 2, 14
@@ -25,6 +26,7 @@ class MovestateBars(QWidget):
     Attributes
     ----------
     rows : for each bar its name, and its one or two movestates.
+    menu : what a right click offers.
     """
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
@@ -41,6 +43,7 @@ class MovestateBars(QWidget):
                 "below"
             )
         )
+        self.menu = PlotMenu(self, "movestates", lambda _at: self._values())
         talking.changed.connect(self._list_states)
         self._list_states()
 
@@ -79,6 +82,11 @@ class MovestateBars(QWidget):
         width = (self.width() - GAP * (COLUMNS - 1)) / COLUMNS
         column, row = divmod(k, max(1, self._n_rows))
         return QRectF(column * (width + GAP), row * ROW, width, ROW)
+
+    def _values(self) -> str:
+        """Return how far each movestate is on, as a table."""
+        percentages = self._talking.percentages
+        return table_of({"movestate": list(percentages), "percent": list(percentages.values())})
 
     @property
     def _n_rows(self) -> int:

@@ -64,6 +64,7 @@ class TalkPage(QWidget):
     preset_asked = Signal()
     words_asked = Signal()
     speech_asked = Signal()
+    picture_asked = Signal(QWidget, str)
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
@@ -76,6 +77,8 @@ class TalkPage(QWidget):
         self.visemes = VisemePanel(talking, theme)
         self.expression = ExpressionPanel(talking, theme)
         self.bars = MovestateBars(talking, theme)
+        for view in (self.heads.main.view, self.heads.beside.view, self.bars):
+            view.menu.save_asked.connect(self.picture_asked)
         self.osc = OscPanel(talking.osc, theme)
         self.text = TextPanel(talking, theme)
         self.keys = HeldKeys(talking, self)

@@ -251,7 +251,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>A step; with Shift a tenth</source>
-            <translation>Ein Schritt; mit Umschalt ein Zehntel</translation>
+            <translation>Schritt; mit Umschalt ein Zehntel</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
@@ -576,7 +576,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>automatic: recorded faces, pinyin, sounds</source>
-            <translation>automatisch: aufgezeichnete Gesichter, Pinyin, Laute</translation>
+            <translation>automatisch: Gesichter, Pinyin, Laute</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -759,6 +759,11 @@
             <translation>Stimme kalibrieren</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <source>calibration</source>
+            <translation>Kalibrierung</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Calm</source>
             <translation>Ruhe</translation>
@@ -911,7 +916,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/take_waveform.py" />
             <source>choose a take to hear and trim it</source>
-            <translation>einen Take wählen, um ihn zu hören und zuzuschneiden</translation>
+            <translation>einen Take wählen und zuschneiden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
@@ -1091,7 +1096,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Copy Its Frames as a Table</source>
-            <translation>Ihre Frames als Tabelle kopieren</translation>
+            <translation>Frames als Tabelle kopieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
@@ -1274,6 +1279,11 @@
             <translation>fertig</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <source>done before</source>
+            <translation>schon fertig</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/take_waveform.py" />
             <source>Drag the ends of what counts; arrow keys move the beginning by 10 ms, with Shift the end</source>
             <translation>Die Enden dessen ziehen, was zählt; Pfeiltasten bewegen den Anfang um 10 ms, mit Umschalt das Ende</translation>
@@ -1301,7 +1311,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Drop the range that is marked</source>
-            <translation>Den markierten Bereich fallen lassen</translation>
+            <translation>Den Bereich verwerfen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -1365,7 +1375,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>english</source>
+            <source>English</source>
             <translation>Englisch</translation>
         </message>
         <message>
@@ -1539,9 +1549,15 @@
             <translation>Lücken mit Stille füllen und markieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>filtered</source>
             <translation>gefiltert</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <source>filtered</source>
+            <comment>a button</comment>
+            <translation>Filter</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -1582,6 +1598,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
             <source>Fit</source>
             <translation>Anpassen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_model.py" />
+            <source>fit</source>
+            <translation>Anpassung</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
@@ -1670,7 +1691,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>french</source>
+            <source>French</source>
             <translation>Französisch</translation>
         </message>
         <message>
@@ -1784,11 +1805,6 @@
             <translation>Deutsch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>german</source>
-            <translation>Deutsch</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
             <source>Go On with the Default Microphone if It Vanishes</source>
             <translation>Mit dem Standardmikrofon weitermachen, wenn es verschwindet</translation>
@@ -1806,7 +1822,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Go round; with Shift move it</source>
-            <translation>Herumgehen; mit Umschalt verschieben</translation>
+            <translation>Drehen; mit Umschalt bewegen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
@@ -1961,27 +1977,27 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>high-pass start</source>
-            <translation>Hochpass Anf.</translation>
+            <translation>Hochpass Anfang</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>hold</source>
-            <translation>Halten</translation>
+            <translation>Halt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>hold &gt;</source>
-            <translation>Halten &gt;</translation>
+            <translation>Halt &gt;</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
             <source>Hold a key while its sound is heard</source>
-            <translation>Eine Taste halten, solange ihr Laut zu hören ist</translation>
+            <translation>Taste halten, solange der Laut klingt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
             <source>Hold a key, or a button, and say the sound</source>
-            <translation>Taste oder Schaltfläche halten und den Laut sprechen</translation>
+            <translation>Taste halten und den Laut sprechen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -2276,11 +2292,6 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Italian</source>
-            <translation>Italienisch</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>italian</source>
             <translation>Italienisch</translation>
         </message>
         <message>
@@ -2761,7 +2772,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Loop Selection</source>
-            <translation>Auswahl in Schleife abspielen</translation>
+            <translation>Auswahl als Schleife</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/level_meter.py" />
@@ -2861,7 +2872,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Mark where a stretch begins, ends</source>
-            <translation>Anfang und Ende einer Strecke markieren</translation>
+            <translation>Strecke: Anfang, Ende markieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
@@ -3011,7 +3022,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>Mouth moves by</source>
-            <translation>Mund bewegt sich nach</translation>
+            <translation>Mund bewegt durch</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
@@ -3246,7 +3257,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>none yet: the first take makes one</source>
-            <translation>noch keiner: Der erste Take legt einen an</translation>
+            <translation>entsteht mit dem ersten Take</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
@@ -3454,6 +3465,11 @@
             <translation>nur dieses richtig: {seconds:.1f} s</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>only {n} of {n_played} clicks were heard; turn the loudspeaker up, or move the microphone</source>
+            <translation>nur {n} von {n_played} Klicks waren zu hören; den Lautsprecher lauter stellen oder das Mikrofon bewegen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Open a sound file</source>
             <translation>Klangdatei öffnen</translation>
@@ -3507,6 +3523,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/performance_model.py" />
             <source>opening a table …</source>
             <translation>Tabelle wird geöffnet …</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>opening the microphone</source>
+            <translation>das Mikrofon wird geöffnet</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
@@ -3691,7 +3712,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Play or Pause</source>
-            <translation>Abspielen oder anhalten</translation>
+            <translation>Abspielen, anhalten</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
@@ -3865,6 +3886,12 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <source>Rate</source>
+            <comment>of speech</comment>
+            <translation>Tempo</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>rate</source>
             <translation>Tempo</translation>
         </message>
@@ -3946,7 +3973,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Record a take while held</source>
-            <translation>Einen Take aufnehmen, solange gehalten</translation>
+            <translation>Take aufnehmen, solange gehalten</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/fit_model.py" />
@@ -3956,7 +3983,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/distribution.py" />
             <source>Record takes, or load labelled recordings, to see how they are spread</source>
-            <translation>Takes aufnehmen oder beschriftete Aufnahmen laden, um zu sehen, wie sie verteilt sind</translation>
+            <translation>Verteilungen erscheinen mit Takes oder Aufnahmen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
@@ -3966,7 +3993,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>Recorded faces</source>
-            <translation>Aufgezeichnete Gesichter</translation>
+            <translation>Aufgezeichnetes</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -4381,7 +4408,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Say the sound before once more</source>
-            <translation>Den vorigen Laut noch einmal sprechen</translation>
+            <translation>Vorigen Laut noch einmal</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -4401,7 +4428,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Say this sound once more</source>
-            <translation>Diesen Laut noch einmal sprechen</translation>
+            <translation>Diesen Laut noch einmal</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
@@ -4686,7 +4713,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
             <source>skip ▶</source>
-            <translation>weiter ▶</translation>
+            <translation>überspringen ▶</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -4754,6 +4781,16 @@
             <translation>Laut</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2</source>
+            <translation>Klang kann weder abgespielt noch aufgenommen werden, da PortAudio fehlt oder defekt ist; libportaudio2 installieren</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>sound cannot be played or recorded, since the package sounddevice is missing; pip install sounddevice</source>
+            <translation>Klang kann weder abgespielt noch aufgenommen werden, da das Paket sounddevice fehlt; pip install sounddevice</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>sound of the take</source>
             <translation>Laut des Takes</translation>
@@ -4810,7 +4847,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>spanish</source>
+            <source>Spanish</source>
             <translation>Spanisch</translation>
         </message>
         <message>
@@ -5151,7 +5188,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>The head, when it has the focus</source>
-            <translation>Der Kopf, wenn er den Fokus hat</translation>
+            <translation>Der Kopf, wenn er im Fokus ist</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
@@ -5217,6 +5254,11 @@
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
             <source>The microphone is there: {status}; {lost}.</source>
             <translation>Das Mikrofon ist da: {status}; {lost}.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the microphone {name} is not there; choose one of: {names}</source>
+            <translation>das Mikrofon {name} ist nicht da; eines davon wählen: {names}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
@@ -5349,9 +5391,19 @@
             <translation>Das Sonagramm nach allen eingeschalteten Filtern, so wie Erkenner es sehen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the sound card cannot be opened ({reason})</source>
+            <translation>die Soundkarte kann nicht geöffnet werden ({reason})</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/original_model.py" />
             <source>The sound of {recording} is not beside its table any more, so only its face is shown; put the recordings where they were: {folder}.</source>
             <translation>Der Klang von {recording} liegt nicht mehr neben seiner Tabelle, daher ist nur das Gesicht zu sehen; die Aufzeichnungen dorthin legen, wo sie waren: {folder}.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the sound system does not answer ({reason}); check that it runs</source>
+            <translation>das Tonsystem antwortet nicht ({reason}); prüfen, ob es läuft</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
@@ -5457,6 +5509,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
             <source>There is no file in hand; open one to mark a stretch of it.</source>
             <translation>Es ist keine Datei geöffnet; eine öffnen, um eine Strecke darin zu markieren.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>there is no microphone; plug one in, or check that the sound system runs</source>
+            <translation>es gibt kein Mikrofon; eines anschließen oder prüfen, ob das Tonsystem läuft</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
@@ -6209,6 +6266,11 @@
             <translation>{mesh}: Dieses Netz hat keine Movestates; seine .3dm-Datei mit ihm zusammen wählen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{microphone} has gone</source>
+            <translation>{microphone} ist weg</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
             <source>{minutes:.1f} min in {n} recordings</source>
             <translation>{minutes:.1f} min in {n} Aufnahmen</translation>
@@ -6507,6 +6569,11 @@
             <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
             <source>{target}: {n} bytes that are no text</source>
             <translation>{target}: {n} Bytes, die kein Text sind</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{trouble}; trying again every 2 s</source>
+            <translation>{trouble}; alle 2 s ein neuer Versuch</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />

@@ -1,6 +1,7 @@
 """A plot with a heading, axes with units, and a cursor that reads out what lies under it."""
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -184,6 +185,7 @@ class Plot(QWidget):
         self.header = QHBoxLayout()
         self._read_out = read_out
         self._mouse: QPointF | None = None
+        self.graphics.setAccessibleName(title.lower())
         self._cursor_label = ReadOut(self.graphics, theme)
         self._cursor = pg.InfiniteLine(angle=90, pen=pg.mkPen(theme.faint, style=Qt.PenStyle.DashLine))
         self._style(axes)
@@ -197,6 +199,15 @@ class Plot(QWidget):
         if point is not None:
             self._cursor.setPos(point.x())
         self._cursor_label.show_reading("" if point is None else self._read_out(point.x(), point.y()))
+
+    def showEvent(self, event: Any) -> None:
+        """Have Tab come to the plot after what stands above it."""
+        items = [self.header.itemAt(k) for k in range(self.header.count())]
+        above = [item.widget() for item in items if item is not None]
+        reached = [w for w in above if w is not None and w.focusPolicy() & Qt.FocusPolicy.TabFocus]
+        for one, other in pairwise([*reached, self.graphics]):
+            QWidget.setTabOrder(one, other)
+        super().showEvent(event)
 
     def leaveEvent(self, event: Any) -> None:
         """Hide the cursor when the mouse leaves."""
