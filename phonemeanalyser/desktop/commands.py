@@ -34,6 +34,7 @@ def file_commands(dialogs: Dialogs) -> Commands:
         Command(tr_noop("Save Preset"), "Ctrl+S", dialogs.save),
         Command(tr_noop("Save Preset As…"), "Ctrl+Shift+S", dialogs.save_as),
         Command(tr_noop("Preset Notes…"), "Ctrl+N", dialogs.ask_notes),
+        Command(tr_noop("Ship Preset…"), "", dialogs.show_ship),
         Command(tr_noop("Speech Encoder…"), "", dialogs.show_encoder),
         Command(tr_noop("Load Curve…"), "Ctrl+L", dialogs.ask_curves),
         Command(tr_noop("Save Curve…"), "Ctrl+Shift+L", dialogs.ask_save_curve),

@@ -6,8 +6,8 @@ from dataclasses import replace
 from html import escape
 from pathlib import Path
 
-from PySide6.QtCore import QFileSystemWatcher, QIODevice, QObject, QPoint, QSaveFile, QSettings, Signal
-from PySide6.QtGui import QPainter
+from PySide6.QtCore import QFileSystemWatcher, QIODevice, QObject, QPoint, QSaveFile, QSettings, QUrl, Signal
+from PySide6.QtGui import QDesktopServices, QPainter
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox, QWidget
 
@@ -18,6 +18,8 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel, preset_filter
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeanalyser.desktop.ship_dialog import ShipDialog, ShipOrder
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine import __version__
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
@@ -63,9 +65,14 @@ class Dialogs(QObject):
         self._session = session
         self._preset = preset
         self._settings = settings
+        self._shipping = TaskQueue(self.rejected.emit)
         self._watcher = QFileSystemWatcher(self)
         self._watcher.fileChanged.connect(self._tell_change)
         session.opened.connect(self._watch)
+
+    def close(self) -> None:
+        """Tell no more of a preset that is being shipped."""
+        self._shipping.close(CLOSE_TIMEOUT)
 
     @staticmethod
     def opens_as_sound(path: Path) -> bool:
@@ -342,6 +349,27 @@ class Dialogs(QObject):
             tr("Mine"): preset_entries(mine),
             tr("Recent"): preset_entries(path for path in recent if path not in listed),
         }
+
+    def show_ship(self) -> None:
+        """Ask which preset is shipped, for what and where to."""
+        dialog = ShipDialog(self._preset.preset, self.preset_sections(), self._settings, self._window)
+        dialog.ordered.connect(self._ship)
+        dialog.open()
+
+    def _ship(self, order: ShipOrder) -> None:
+        """Ship in the background; zig takes seconds, and minutes when it is asked for the first time."""
+        words = tr("Shipping for {target} into {folder} …").format(target=order.target, folder=order.folder)
+        self.info.emit(words)
+
+        def tell(written: tuple[Path, ...]) -> None:
+            sentence = tr("Shipped {n} files into {folder}; README.md there says how to go on")
+            url = QUrl.fromLocalFile(order.folder)
+            self.action_offered.emit(
+                sentence.format(n=len(written), folder=order.folder), tr("Open Folder"),
+                lambda: QDesktopServices.openUrl(url),
+            )  # fmt: skip
+
+        self._shipping.submit(lambda _progress: order.write(), tell)
 
     def ask_notes(self) -> None:
         """Let the user read and change the preset's notes."""

@@ -22,6 +22,11 @@ WORDS = (
     tr_noop("every frame of 10 ms with all variables, JSON"), tr_noop("Audacity label track"),
     tr_noop("weights of 15 visemes"), tr_noop("the head or a face of yours"),
     tr_noop("curves for Unity, Godot, pages"),
+    # what a preset is shipped for
+    tr_noop("C99, for programs of all kinds"), tr_noop("the same without the page, as an npm package"),
+    tr_noop("WebAssembly and an AudioWorklet, and a page with a talking head"),
+    tr_noop("a package for Unity: C#, a talking face and a talking sprite"),
+    tr_noop("an add-on for Godot 4 with .NET, with the same two"),
     # units of an utterance, and of a recorded face
     tr_noop("word"), tr_noop("syllable"), tr_noop("phone"), tr_noop("vowel-triphone"), tr_noop("consonant-triphone"),
     tr_noop("boundary-triphone"), tr_noop("diphone"), tr_noop("boundary-diphone"), tr_noop("right-half"),

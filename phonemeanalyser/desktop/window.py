@@ -514,6 +514,7 @@ class MainWindow(QMainWindow):
             return
         self.save_state()
         self.selection.close()
+        self.dialogs.close()
         self.redraw.timer.stop()
         if not self._retired:
             self._session.pause()

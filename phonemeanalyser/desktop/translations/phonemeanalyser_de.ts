@@ -179,6 +179,11 @@
             <translation>Eine Datei, die sagt, wie Wörter ausgesprochen werden; ohne sie weiß es die Stimme</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>a folder of its own</source>
+            <translation>ein eigener Ordner</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>A Folder of Labelled Recordings…</source>
             <translation>Ordner mit beschrifteten Aufnahmen…</translation>
@@ -207,6 +212,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
             <source>A mouth table</source>
             <translation>Eine Mundtabelle</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>a package for Unity: C#, a talking face and a talking sprite</source>
+            <translation>ein Paket für Unity: C#, ein sprechendes Gesicht und ein sprechendes Sprite</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -417,6 +427,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
             <source>Amplitude scale: enlarges small amplitudes, in dB</source>
             <translation>Amplitudenmaßstab: vergrößert kleine Amplituden, in dB</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>an add-on for Godot 4 with .NET, with the same two</source>
+            <translation>ein Add-on für Godot 4 mit .NET, mit denselben beiden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -729,6 +744,11 @@
             <translation>Alle Filter umgehen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>C99, for programs of all kinds</source>
+            <translation>C99, für Programme aller Art</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Calibrate</source>
             <translation>Kalibrieren</translation>
@@ -917,6 +937,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>Choose the Folder…</source>
             <translation>Ordner wählen…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>Choose…</source>
+            <translation>Wählen…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -1605,6 +1630,11 @@
             <translation>FLAC, halb so groß</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>Folder</source>
+            <translation>Ordner</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>folder…</source>
             <translation>Ordner…</translation>
@@ -1618,6 +1648,11 @@
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
             <source>Follows</source>
             <translation>Folgt</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>For</source>
+            <translation>Für</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
@@ -3020,6 +3055,11 @@
             <translation>Mundtabelle</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>Mouth tables</source>
+            <translation>Mundtabellen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
             <source>Mouth tables (*.toml)</source>
             <translation>Mundtabellen (*.toml)</translation>
@@ -3463,6 +3503,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
             <source>open and shut</source>
             <translation>auf und zu</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
+            <source>Open Folder</source>
+            <translation>Ordner öffnen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
@@ -4086,6 +4131,11 @@
             <translation>auch fremde Dateien ersetzen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>replace files that were changed there, too</source>
+            <translation>auch Dateien ersetzen, die dort geändert wurden</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
             <source>reset</source>
             <translation>zurücksetzen</translation>
@@ -4564,6 +4614,31 @@
             <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
             <source>share of the mouth shape {shape}</source>
             <translation>Anteil der Mundform {shape}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>Ship</source>
+            <translation>Ausliefern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>Ship a Preset</source>
+            <translation>Ein Preset ausliefern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Ship Preset…</source>
+            <translation>Preset ausliefern…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
+            <source>Shipped {n} files into {folder}; README.md there says how to go on</source>
+            <translation>{n} Dateien nach {folder} ausgeliefert; README.md dort sagt, wie es weitergeht</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
+            <source>Shipping for {target} into {folder} …</source>
+            <translation>Wird für {target} nach {folder} ausgeliefert …</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
@@ -5091,6 +5166,11 @@
             <translation>die Datei über der Zeit</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>The folder has the preset, an ear that hears with it, and a README that says how to go on.</source>
+            <translation>Der Ordner enthält das Preset, ein Ohr, das damit hört, und eine README, die sagt, wie es weitergeht.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
             <source>The folder of the takes</source>
             <translation>Der Ordner der Takes</translation>
@@ -5314,6 +5394,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The rules of the thesis with the 21 numbers of a PhonemeData file.</source>
             <translation>Die Regeln der Diplomarbeit mit den 21 Zahlen einer PhonemeData-Datei.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the same without the page, as an npm package</source>
+            <translation>dasselbe ohne die Seite, als npm-Paket</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -5887,6 +5972,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>WebAssembly and an AudioWorklet, and a page with a talking head</source>
+            <translation>WebAssembly und ein AudioWorklet, und eine Seite mit einem sprechenden Kopf</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>weights of 15 visemes</source>
             <translation>Gewichte von 15 Visemen</translation>
         </message>
@@ -5999,6 +6089,11 @@
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Where recordings go</source>
             <translation>Wohin Aufnahmen kommen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>Where the ear goes</source>
+            <translation>Wohin das Ohr kommt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
@@ -6404,6 +6499,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
             <source>{plot}: amplitude scale</source>
             <translation>{plot}: Amplitudenmaßstab</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>{preset}, as it is in hand</source>
+            <translation>{preset}, wie es gerade ist</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
