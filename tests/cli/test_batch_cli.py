@@ -95,3 +95,27 @@ def test_what_was_wrong_stands_in_a_table_and_on_a_page(
 def test_a_single_sound_leaves_no_record(sound: Path, tmp_path: Path) -> None:
     assert main(["analyse", str(sound), "-o", str(tmp_path / "out")]) == 0
     assert not (tmp_path / "out" / RECORD).exists()
+
+
+def test_a_score_by_two_processes_and_one_that_was_kept_is_that_of_one(
+    corpus: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with (corpus / "manifest.csv").open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))[::30]
+    for row in rows:
+        for name in (row["wav"], row["labels"]):
+            (tmp_path / "some" / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(corpus / name, tmp_path / "some" / name)
+    with (tmp_path / "some" / "manifest.csv").open("w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, list(rows[0]))
+        table.writeheader()
+        table.writerows(rows)
+    words = ["score", str(tmp_path / "some"), "--format", "json", "--noise", "pink", "--snr", "10"]
+    assert main(words) == 0
+    alone = capsys.readouterr().out
+    assert main([*words, "--jobs", "2"]) == 0
+    assert capsys.readouterr().out == alone
+    for _ in range(2):
+        assert main([*words, "--keep", str(tmp_path / "kept")]) == 0
+        assert capsys.readouterr().out == alone
+    assert len(outputs_in(tmp_path / "kept")) == len(rows)

@@ -172,7 +172,7 @@ class _Batch:
 
     def _key_of(self, job: Job) -> str:
         """Return what tells what is asked of a file; its name, which outputs may hold, goes into it."""
-        return fingerprint_of(self._fingerprint, job.source.name, self.work.text_of(job.source))
+        return fingerprint_of(self._fingerprint, job.source.name, self.work.known_of(job))
 
     # -- doing it -----------------------------------------------------------------------------------------
 
