@@ -12,16 +12,12 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, ExportOrderWork
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
-<<<<<<< HEAD
 from phonemeanalyser.reports.batch_report import write_batch_report
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome
-=======
-from phonemeengine.audio.files import SoundReader
 from phonemeengine.conversion import CONVERSIONS
-from phonemeengine.errors import EngineError
 from phonemeengine.measurement import save_stretch
->>>>>>> view15
 from phonemeengine.progress import Progress
 from phonemeengine.settings import Channel
 
@@ -129,27 +125,12 @@ class ExportQueue(QObject):
         self._work.close(CLOSE_TIMEOUT)
         self._preview.close(CLOSE_TIMEOUT)
 
-<<<<<<< HEAD
     def _refuse(self, sentence: str) -> None:
         """Say of all files that were left why nothing becomes of them."""
         for k, job in enumerate(self.jobs):
             if job.state in {ExportState.WAITING, ExportState.WORKING}:
                 self.jobs[k] = replace(job, state=ExportState.FAILED, words=sentence)
         self.finished.emit()
-=======
-    def _convert(self, k: int, order: ExportOrder, progress: Progress) -> None:
-        job = replace(self.jobs[k], state=ExportState.WORKING)
-        self._put(k, job)
-        try:
-            with SoundReader(job.source) as reader:
-                job = replace(job, duration=reader.duration)
-            self._put(k, job)
-            EXPORT_KINDS[order.kind].make(job.source, job.target, order, progress)
-        except EngineError as error:
-            self._put(k, replace(job, state=ExportState.FAILED, words=str(error)))
-        else:
-            self._put(k, replace(job, state=ExportState.DONE))
->>>>>>> view15
 
     def _run(self, jobs: list[Job], order: ExportOrder, folder: Path | None, progress: Progress) -> None:
         """Work in a thread of its own."""
@@ -198,15 +179,10 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     try:
         text = content.decode()
     except UnicodeDecodeError:
-<<<<<<< HEAD
         return tr("{target}: {n} bytes that are no text").format(
             target=target.name, n=f"{len(content):,}".replace(",", " ")
         )
-    return text[:MOST_PREVIEWED] + ("\n…" if len(text) > MOST_PREVIEWED else "")
-=======
-        return f"{target.name}: {len(content):,} bytes that are no text".replace(",", " ")
     return text[:MOST_PREVIEWED] + ("\n…" if is_long or len(text) > MOST_PREVIEWED else "")
->>>>>>> view15
 
 
 def sounds_in(paths: Sequence[Path], suffixes: Collection[str]) -> list[Path]:
