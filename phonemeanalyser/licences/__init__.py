@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.metadata import Distribution, PackageNotFoundError, distribution
+from importlib.metadata import Distribution, PackageMetadata, PackageNotFoundError, distribution
 from pathlib import Path
 
 PROGRAM = "phonemeanalyser"
@@ -102,13 +102,17 @@ def _key(name: str) -> str:
 def _part(there: Distribution) -> LicencedPart:
     about = there.metadata
     classifiers = [words.removeprefix(_APPROVED) for words in about.get_all("Classifier") or [] if _APPROVED in words]
-    said = (about.get("License") or "").strip().split("\n")[0]
+    said = _said(about, "License").strip().split("\n")[0]
     texts = tuple(
-        file.read_text() for file in there.files or [] if _LICENCE_FILE.search(str(file)) and file.locate().is_file()
+        file.read_text() for file in there.files or [] if _LICENCE_FILE.search(str(file)) and Path(file.locate()).is_file()
     )
     known = {_key(name): words for name, words in LIBRARIES.items()}
-    licence = about.get("License-Expression") or ", ".join(classifiers) or said or "?"
+    licence = _said(about, "License-Expression") or ", ".join(classifiers) or said or "?"
     return LicencedPart(there.name, there.version, licence, known.get(_key(there.name), ""), texts)
+
+
+def _said(about: PackageMetadata, field: str) -> str:
+    return about[field] if field in about else ""
 
 
 def _whole(name: str, texts: tuple[str, ...]) -> str:
