@@ -103,16 +103,15 @@ def _part(there: Distribution) -> LicencedPart:
     about = there.metadata
     classifiers = [words.removeprefix(_APPROVED) for words in about.get_all("Classifier") or [] if _APPROVED in words]
     said = _said(about, "License").strip().split("\n")[0]
-    texts = tuple(
-        file.read_text() for file in there.files or [] if _LICENCE_FILE.search(str(file)) and Path(file.locate()).is_file()
-    )
+    files = [file for file in there.files or [] if _LICENCE_FILE.search(str(file))]
+    texts = tuple(file.read_text() for file in files if Path(file.locate()).is_file())
     known = {_key(name): words for name, words in LIBRARIES.items()}
     licence = _said(about, "License-Expression") or ", ".join(classifiers) or said or "?"
     return LicencedPart(there.name, there.version, licence, known.get(_key(there.name), ""), texts)
 
 
 def _said(about: PackageMetadata, field: str) -> str:
-    return about[field] if field in about else ""
+    return about[field] if field in about else ""  # noqa: SIM401 - its type has no get
 
 
 def _whole(name: str, texts: tuple[str, ...]) -> str:
