@@ -43,6 +43,7 @@ fuzz: setup
 soak: setup
 	$(BIN)/python -m pytest -q -m long
 	$(BIN)/python -m tools.soak
+	$(BIN)/python -m tools.soak.serving
 
 screenshots: setup
 	$(BIN)/python -m tools.screenshots
