@@ -2,6 +2,7 @@
 
 import os
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ import bpy
 
 ROOT = Path(__file__).resolve().parents[2]
 ADDON = "bl_ext.user_default.phonemeanalyser"
+PROGRAM = Path(os.environ.get("PHONEMEANALYSER", ROOT / ".venv" / "bin" / "phonemeanalyser"))
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -68,6 +70,15 @@ def mouth(cube: bpy.types.Object) -> bpy.types.Object:
         key = cube.shape_key_add(name=name, from_mix=False)
         key.value = 0.0
     return cube
+
+
+@pytest.fixture
+def speaking() -> Iterator[bpy.types.AddonPreferences]:
+    """Have the add-on find the program that `make setup` installs, and return the preferences that name it."""
+    found = bpy.context.preferences.addons[ADDON].preferences
+    before, found.program = found.program, str(PROGRAM)
+    yield found
+    found.program = before
 
 
 def positions_of(points: object) -> np.ndarray:

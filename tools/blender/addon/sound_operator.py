@@ -13,7 +13,7 @@ from bpy_extras.io_utils import ImportHelper
 from phonemeengine.errors import ExportError
 from phonemeengine.files import printable_name
 
-from .curves_operator import MovingOperator, frame_rate
+from .curves_operator import MovingOperator
 from .mouth_tables import checked_toml
 from .refusal import chosen_face
 from .table_properties import table_of_face
@@ -52,8 +52,7 @@ class SpeakSound(MovingOperator, bpy.types.Operator, ImportHelper):
         sound, face = Path(self.filepath), chosen_face(context)
         program = shutil.which(context.preferences.addons[__package__].preferences.program)
         done = self.move(context, _track_of(sound, face, program), printable_name(sound))
-        _play(context.scene, sound, self.first)
-        return done
+        return done + _play(context.scene, sound, self.first)
 
 
 def _track_of(sound: Path, face: bpy.types.Object, program: str | None) -> SpokenTrack:
@@ -87,15 +86,18 @@ def _run(command: list[str]) -> None:
         raise ExportError(f"{PROGRAM}: {lines[-1]}")
 
 
-def _play(scene: bpy.types.Scene, sound: Path, first: int) -> None:
-    """Put a sound into the sequencer, on the lowest channel that is free."""
+def _play(scene: bpy.types.Scene, sound: Path, first: int) -> str:
+    """Put a sound into the sequencer, unless it is there; return what there is to say about that."""
     editor = scene.sequence_editor_create()
     strips = editor.strips if hasattr(editor, "strips") else editor.sequences  # the latter before Blender 4.4
     if any(strip.type == "SOUND" and _path_of(strip) == sound and strip.frame_start == first for strip in strips):
-        return
+        return ""
     channel = max((strip.channel for strip in strips), default=0) + 1
-    strips.new_sound(printable_name(sound), str(sound), channel, first)
-    scene.frame_end = max(scene.frame_end, first + round(frame_rate(scene)))
+    try:
+        strips.new_sound(printable_name(sound), str(sound), channel, first)
+    except RuntimeError as error:  # this Blender was built without sound, or cannot read the file
+        return f", and the sound cannot be played ({error!s:.80})"
+    return ""
 
 
 def _path_of(strip: Any) -> Path:
