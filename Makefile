@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test test-web bench fuzz soak screenshots fit docs bundle translations test-csharp blender test-blender hooks
+.PHONY: setup run test test-web bench fuzz soak screenshots fit docs bundle translations test-csharp blender test-blender release hooks
 
 setup: .venv/ready
 
@@ -84,6 +84,10 @@ docs: setup
 # Builds a program that needs no Python into build/bundle: a folder, and an archive of it.
 bundle: setup
 	$(BIN)/python -m tools.bundle
+
+# Makes all files of a release into build/release, from a checkout without changes.
+release: setup
+	$(BIN)/python -m tools.release
 
 # Has git check each commit, and its message.
 hooks: setup
