@@ -61,7 +61,7 @@ def test_closed_lips_hide_the_dark_of_the_mouth_and_open_ones_show_it(head: Morp
         phoneme: offscreen(head).picture(camera, saying(head, phoneme), background=LIGHT)
         for phoneme in (Phoneme.SILENCE, Phoneme.M, Phoneme.E, Phoneme.A)
     }
-    mouth = slice(140, 190), slice(90, 150)
+    mouth = slice(140, 172), slice(95, 145)
     dark = {phoneme: darkness(picture, mouth) for phoneme, picture in shown.items()}
     assert dark[Phoneme.A] > 1.2 * dark[Phoneme.E] > 0
     assert dark[Phoneme.E] > 4 * max(dark[Phoneme.M], dark[Phoneme.SILENCE])
@@ -107,10 +107,11 @@ def test_a_picture_has_the_size_that_was_asked_for_and_all_of_the_head(
     picture = offscreen(head, size).picture(Camera.facing(head.mesh), head.mesh.positions, background=DARK)
     assert picture.shape == (size[1], size[0], 3)
     shown = seen(picture)
-    edges = np.concatenate((shown[0], shown[-1], shown[:, 0], shown[:, -1]))
+    above_the_shoulders = shown[: 2 * size[1] // 3]
+    edges = np.concatenate((above_the_shoulders[0], above_the_shoulders[:, 0], above_the_shoulders[:, -1]))
     assert not edges.any()
-    rows, columns = np.argwhere(shown).T
-    assert max(np.ptp(rows) / size[1], np.ptp(columns) / size[0]) > 0.45
+    rows, columns = np.argwhere(above_the_shoulders).T
+    assert max(np.ptp(rows) / size[1], np.ptp(columns) / size[0]) > 0.4
 
 
 def test_pictures_may_change_their_size(head: MorphMesh, offscreen: Hire):
@@ -153,7 +154,7 @@ def test_the_background_has_exactly_the_colour_of_the_theme(colour: str, head: M
     picture = offscreen(head, (64, 64)).picture(
         Camera.facing(head.mesh), head.mesh.positions, background=colour_of(colour)
     )
-    assert bytes(picture[0, 0]).hex() == bytes(picture[-1, -1]).hex() == colour[1:]
+    assert bytes(picture[0, 0]).hex() == bytes(picture[0, -1]).hex() == colour[1:]
 
 
 def test_the_same_head_looks_the_same_in_every_picture(head: MorphMesh, offscreen: Hire):
@@ -301,7 +302,7 @@ def test_a_renderer_leaves_its_framebuffer_bound_and_can_be_made_again(context, 
         target.use()
         renderer.draw(camera, head.mesh.positions, size=size, background=MAGENTA)
         picture = np.frombuffer(target.read(components=3, alignment=1), np.uint8).reshape(size[1], size[0], 3)
-        assert picture[0, 0].tolist() == [255, 0, 255]
+        assert picture[-1, 0].tolist() == [255, 0, 255]  # OpenGL begins below, where the shoulders are
         assert seen(picture).sum() > 100
         assert context.error == "GL_NO_ERROR"
         renderer.release()
