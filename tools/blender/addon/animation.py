@@ -34,7 +34,7 @@ def animate_face(face: bpy.types.Object, track: SpokenTrack, name: str, first: f
     MeshError : it has none of them; nothing changes.
     """
     keys = names_of_keys(face)
-    wanted = [channel for channel in track.movement.channels if not channel.endswith(("Yaw", "Pitch", "Roll"))]
+    wanted = track.movestates
     channels = {key: channel for channel in wanted if (key := key_named(channel, keys))}
     if not channels:
         raise MeshError(

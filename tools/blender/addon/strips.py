@@ -39,6 +39,7 @@ def add_strips(
     """
     if not cues:
         raise MeshError("there are no cues in it; choose curves JSON, or import its curves")
+    cues = [cue for cue in cues if cue.end > cue.start]
     poses = _poses_of(face, cues, table)
     actions = {shape: _action_of(face, shape, pose) for shape, pose in poses.items()}
     keys = face.data.shape_keys
