@@ -64,6 +64,7 @@ from phonemeengine.measurement import Statistics, StretchMeasurement, average_sp
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import Cue, cues_of
+from phonemeengine.mouth.curves_file import ExportedCurves, read_curves
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.expression.channels import ExpressionChannels, load_channels
@@ -91,6 +92,7 @@ from phonemeengine.mouth.osc_expression import OscExpression
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import MouthTable, load_table
+from phonemeengine.mouth.table_writing import table_to_toml
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.building import BuiltTable, build_table
@@ -198,6 +200,7 @@ __all__ = [
     "ExampleChoice",
     "ExportError",
     "ExportOptions",
+    "ExportedCurves",
     "Expression",
     "ExpressionChannels",
     "ExpressionStream",
@@ -389,6 +392,7 @@ __all__ = [
     "phones_of",
     "phrases_of",
     "pinyin_track",
+    "read_curves",
     "read_expression",
     "read_recordings",
     "read_sentence",
@@ -404,6 +408,7 @@ __all__ = [
     "speak",
     "speak_by_program",
     "spoken_text",
+    "table_to_toml",
     "timed_frames",
     "transcribe",
     "transcript_of_utterance",

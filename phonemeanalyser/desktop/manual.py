@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 PAGES = (
     "index", "manual", "calibrating", "recognisers", "presets", "script", "speaking", "pinyin", "performance",
-    "expression", "formats", "command-line", "engine", "glossary",
+    "expression", "blender", "formats", "command-line", "engine", "glossary",
 )  # fmt: skip
 """Those that users read, in this order."""
 SIZE = 980, 640
