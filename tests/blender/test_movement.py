@@ -211,3 +211,17 @@ def test_strips_lie_where_the_cues_are_however_short_these_are(mouth: Any, tmp_p
     begins = [strip.frame_start for strip in strips]
     np.testing.assert_allclose(begins, [1 + 25 * cue["start"] for cue in lasting], atol=2e-3)
     assert all(strip.frame_end >= 1 + 25 * cue["end"] - 2e-3 for strip, cue in zip(strips, lasting, strict=True))
+
+
+@pytest.mark.parametrize("form", ["CUES", "CURVES"])
+def test_strips_of_before_are_kept_and_silent_and_those_of_others_go_on(
+    mouth: Any, tmp_path: Path, form: str
+) -> None:
+    table(mouth)
+    path = curves(tmp_path / "a.json")
+    keys = mouth.data.shape_keys
+    keys.animation_data_create().nla_tracks.new().name = "Brows"
+    bpy.ops.lip_sync.import_curves(filepath=path, form="CUES")
+    bpy.ops.lip_sync.import_curves(filepath=path, form=form)
+    muted = [track.mute for track in keys.animation_data.nla_tracks]
+    assert muted == [False, True, True, *[False] * 2 * (form == "CUES")]
